@@ -5,6 +5,7 @@ export { compile } from './compile.ts';
 export * from './constants.ts';
 export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
+export { Hash } from './hash.ts';
 export type { IndexedCircles } from './indexed-circles.ts';
 export { isJump } from './jumps.ts';
 export type { Aliens, ChosenEffect, EffectChoice, Scene } from './scene.ts';

@@ -1,6 +1,6 @@
-import type { Disc } from '../schema/index.ts';
+import type { Disc } from '../schema/basics/index.ts';
 import type { Circles } from './circles.ts';
-import { indexCircles, type SpatialIndex } from './spatial-index.ts';
+import type { Indexing, SpatialIndex } from './spatial-index.ts';
 
 /** A list of circles as they are placed in the level, with an index where there are many. */
 export interface IndexedCircles extends Circles {
@@ -9,10 +9,10 @@ export interface IndexedCircles extends Circles {
 }
 
 /** Adds an index to a list of circles where it is worth one. */
-export function indexed(circles: Circles): IndexedCircles {
+export function indexed(circles: Circles, indexing: Indexing): IndexedCircles {
   const { count, x, y, r, index } = circles;
   // written out: a spread would give every list a hidden class of its own, which slows property access down in V8
-  return { count, x, y, r, index, spatial: indexCircles(circles) };
+  return { count, x, y, r, index, spatial: indexing.circles(circles) };
 }
 
 /** The circles of a list at the indices in `order`, as parallel arrays. */

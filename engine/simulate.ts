@@ -1,8 +1,8 @@
-import type { Hold } from '../schema/index.ts';
+import type { Hold } from '../schema/basics/index.ts';
 import { ArcadeSimulation, FrameRecorder } from './arcade/index.ts';
 import type { Clearance } from './clearance.ts';
 import { DEFAULT_MAX_TIME, TICK, TICK_RATE } from './constants.ts';
-import { ContinuousSimulation, PieceRecorder } from './continuous/index.ts';
+import { ContinuousSimulation, EventRecorder, PieceRecorder, WHOLE_METHOD } from './continuous/index.ts';
 import { Hash } from './hash.ts';
 import type { Scene } from './scene.ts';
 import { joinHolds, playScript } from './script.ts';
@@ -88,6 +88,7 @@ export interface SimulateOptions {
  *
  * @param scene - the scene
  * @param budget - limits the work of the simulation; no limit when left out
+ * @param events - receives what happens, in order of time; the caller may empty it. When left out, events are not made
  * @returns the simulation
  *
  * @example
@@ -99,10 +100,11 @@ export interface SimulateOptions {
  * if (simulation.ending?.outcome !== 'completed') simulation.restore(before);
  * ```
  */
-export function createSimulation(scene: Scene, budget: WorkBudget = unlimited()): Simulation {
-  return scene.accuracy.integrator === 'arcade'
-    ? new ArcadeSimulation(scene, null, budget)
-    : new ContinuousSimulation(scene, null, budget);
+export function createSimulation(scene: Scene, budget: WorkBudget = unlimited(), events: RunEvent[] | null = null): Simulation {
+  if (scene.accuracy.integrator === 'arcade') {
+    return new ArcadeSimulation(scene, events === null ? null : new FrameRecorder(scene, budget, false, events), budget);
+  }
+  return new ContinuousSimulation(WHOLE_METHOD, scene, events === null ? null : new EventRecorder(events), budget);
 }
 
 /**
@@ -185,7 +187,7 @@ function recorded(scene: Scene, budget: WorkBudget, keeps: boolean) {
     return { recorder, simulation: new ArcadeSimulation(scene, recorder, budget) };
   }
   const recorder = new PieceRecorder(scene, budget, keeps);
-  return { recorder, simulation: new ContinuousSimulation(scene, recorder, budget) };
+  return { recorder, simulation: new ContinuousSimulation(WHOLE_METHOD, scene, recorder, budget) };
 }
 
 function hashRun(
@@ -203,17 +205,7 @@ function hashRun(
     trajectory.at(tick * TICK, state);
     for (let i = 0; i < STATE_SIZE; i++) hash.add(state[i]);
   }
-  for (const event of events) {
-    hash.addText(event.type);
-    if (event.type === 'effect') hash.addText(`${event.effect} ${event.what}`);
-    hash.add(event.time);
-    if ('index' in event) hash.add(event.index);
-    if ('aliens' in event) for (const alien of event.aliens) hash.add(alien);
-    if ('with' in event && event.with !== null) {
-      hash.addText(event.with.kind);
-      hash.add(event.with.index);
-    }
-  }
+  for (const event of events) hash.addEvent(event);
   hash.addText(outcome);
   for (let i = 0; i < STATE_SIZE; i++) hash.add(final[i]);
   return hash.digest();

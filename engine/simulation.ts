@@ -146,6 +146,13 @@ export interface Simulation {
   readonly modes: readonly Mode[];
   /** Minerals collected so far. `arcade` may count one twice, as the original game did. */
   readonly mineralCount: number;
+  /** Time since the start, s: the end of the last tick, or when the run ended. */
+  readonly time: number;
+  /**
+   * The asteroid that the gun pulls her towards: its index within the level's asteroids, from 0. null while the gun is not held,
+   * where it reaches no asteroid, and after the end.
+   */
+  readonly target: number | null;
   /**
    * Advances by at most `ticks` ticks of 1/60 s. Stops in the tick in which the run ends.
    *

@@ -144,7 +144,7 @@ export class Encounters {
           s[o + 5] = 0;
         }
       }
-      if (recorder !== null) recorder.button(frame, held, nearest);
+      if (recorder !== null) recorder.button(s, frame, held, nearest);
 
       // the checks, in the order of the original
       const going = s[OUTCOME] === 0;
@@ -180,7 +180,7 @@ export class Encounters {
         field = i;
         break;
       }
-      if (recorder !== null) recorder.field(frame, field);
+      if (recorder !== null) recorder.field(s, frame, field);
 
       if (frameRules.length > 0) {
         const { body } = this;

@@ -13,7 +13,7 @@ const { PULL, RECOIL, LIMIT } = NUMBERS;
 /** Frames away from objects: only the gun acts while she stays within the bounds of her surroundings. */
 export class Flight {
   /** Her place at the start of each frame, x and y alternately, if it was traced. */
-  readonly path = new Float64Array(2 * AHEAD);
+  readonly path: Float64Array = new Float64Array(2 * AHEAD);
 
   constructor(
     private readonly world: World,

@@ -5,15 +5,12 @@ import type { Scene } from '../scene.ts';
 import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
 import type { WorkBudget } from '../work-budget.ts';
+import { SEEN_FIELD, SEEN_HELD, SEEN_TARGET } from './layout.ts';
 
 /** Records every frame and event of an `arcade` run. Row f is the state after frame f and stands for time f / 60 s. */
 export class FrameRecorder implements Trajectory {
-  readonly events: RunEvent[] = [];
   private rows: Float64Array;
   private count = 0;
-  private wasHeld = false;
-  private lastNearest = -1;
-  private lastField = -1;
   private readonly state = new Float64Array(STATE_SIZE);
   // the history of the other objects is kept separately: few of many move
   private alienLog: ChangeLog | null = null;
@@ -25,11 +22,13 @@ export class FrameRecorder implements Trajectory {
   /**
    * @param budget - limits the work and memory of the recording, and the work of computing the clearance
    * @param keeps - false to keep events only
+   * @param events - receives the events
    */
   constructor(
     private readonly scene: Scene,
     private readonly budget: WorkBudget,
     private readonly keeps = true,
+    readonly events: RunEvent[] = [],
   ) {
     this.aliens = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
@@ -117,22 +116,25 @@ export class FrameRecorder implements Trajectory {
     this.count++;
   }
 
-  button(frame: number, held: boolean, nearest: number): void {
+  /** @param s - the state, which remembers what was last reported, so that a restored simulation goes on as it would have */
+  button(s: Float64Array, frame: number, held: boolean, nearest: number): void {
     const time = frame * TICK;
-    const pressed = held && !this.wasHeld;
-    const before = this.lastNearest;
-    this.lastNearest = nearest;
-    if (held !== this.wasHeld) this.events.push({ time, type: held ? 'press' : 'release' });
+    const wasHeld = s[SEEN_HELD] === 1;
+    const pressed = held && !wasHeld;
+    const before = s[SEEN_TARGET];
+    s[SEEN_TARGET] = nearest;
+    if (held !== wasHeld) this.events.push({ time, type: held ? 'press' : 'release' });
     if (held && nearest >= 0 && (pressed || nearest !== before)) {
       this.events.push({ time, type: 'target', index: this.scene.targets.index[nearest] });
     }
-    this.wasHeld = held;
+    s[SEEN_HELD] = held ? 1 : 0;
   }
 
-  field(frame: number, now: number): void {
-    const before = this.lastField;
+  /** @param s - the state, as for {@link button} */
+  field(s: Float64Array, frame: number, now: number): void {
+    const before = s[SEEN_FIELD];
     if (now === before) return;
-    this.lastField = now;
+    s[SEEN_FIELD] = now;
     if (before >= 0) this.events.push({ time: frame * TICK, type: 'leave', index: before });
     if (now >= 0) this.events.push({ time: frame * TICK, type: 'enter', index: now });
   }

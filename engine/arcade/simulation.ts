@@ -8,6 +8,7 @@ import {
   BLACK_HOLE,
   COS,
   FRAME,
+  HELD,
   HELD_FRAMES,
   LOST,
   MINERALS,
@@ -81,6 +82,27 @@ export class ArcadeSimulation implements Simulation {
 
   get mineralCount(): number {
     return this.s[MINERALS];
+  }
+
+  get time(): number {
+    return this.ending?.time ?? this.s[FRAME] * TICK;
+  }
+
+  get target(): number | null {
+    const { s, scene } = this;
+    if (s[HELD] === 0 || s[OUTCOME] !== 0) return null;
+    const { places, placesFrom, placesStep, range } = this.world;
+    let best = range * range;
+    let nearest = -1;
+    for (let i = 0; i < scene.targets.count; i++) {
+      const dx = places[placesFrom + placesStep * i] - s[X];
+      const dy = places[placesFrom + placesStep * i + 1] - s[Y];
+      const d2 = dx * dx + dy * dy;
+      if (d2 > best || (d2 === best && nearest >= 0)) continue;
+      best = d2;
+      nearest = i;
+    }
+    return nearest < 0 ? null : scene.targets.index[nearest];
   }
 
   get ending(): Ending | null {
@@ -166,6 +188,7 @@ export class ArcadeSimulation implements Simulation {
     }
     const advanced = s[FRAME] - from;
     if (held) s[HELD_FRAMES] += advanced;
+    if (ticks > 0) s[HELD] = held ? 1 : 0;
     return advanced;
   }
 }

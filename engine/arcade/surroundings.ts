@@ -10,7 +10,7 @@ const AWAY = 1.5;
 /** What is around her, and how far nothing but the gun acts. */
 export class Surroundings {
   /** Left, right, top and bottom of the area in which only the gun acts, px. */
-  readonly bounds = new Float64Array(4);
+  readonly bounds: Float64Array = new Float64Array(4);
   /** Targets that may be the nearest within the area. */
   rivals: Int32Array = new Int32Array(0);
   private readonly nearest = new Int32Array(1);

@@ -1,11 +1,11 @@
 import type { Box } from '../contact/index.ts';
-import { effectsOf } from '../effects/index.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
 import type { FrameRule } from '../frames/index.ts';
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { Aliens } from './aliens.ts';
-import { COS, HEAD, VX, VY, X, Y } from './layout.ts';
+import { COS, HEAD, SEEN_FIELD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
 
 /** Indices in {@link World.numbers}. */
@@ -64,7 +64,7 @@ export class World {
     const { pull, push, recoil, speedLimit } = scene.rules;
     this.numbers = Float64Array.of(pull, push, recoil, speedLimit);
     this.box = scene.box;
-    this.frameRules = effectsOf(scene.effects).flatMap(({ frame }) => frame ?? []);
+    this.frameRules = ALL_EFFECTS.of(scene.effects).flatMap(({ frame }) => frame ?? []);
     let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
     this.frameStates = this.frameRules.map((rule) => {
       const at = length;
@@ -103,6 +103,8 @@ export class World {
     s[VX] = level.astronaut.vx;
     s[VY] = level.astronaut.vy;
     s[COS] = 1;
+    s[SEEN_TARGET] = -1;
+    s[SEEN_FIELD] = -1;
     this.rocks.layOut(s);
     this.aliens.layOut(s);
     for (const [k, rule] of this.frameRules.entries()) rule.layOut?.(this.scene, s, this.frameStates[k]);

@@ -1,4 +1,4 @@
-import { DEFAULT_RULES, type Rules } from '../../schema/index.ts';
+import { DEFAULT_RULES, type Rules } from '../../schema/basics/index.ts';
 
 /** The astronaut's collision box. Its x axis points at the target. */
 export interface Box {

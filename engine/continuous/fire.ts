@@ -39,7 +39,7 @@ function goOn(m: Motion, until: number): void {
   stop(m, s[NEXT], s[START] + s[NEXT]);
   s[LAST_EVENT] = 0;
   for (const repeat of parts.repeat) repeat(m);
-  if (integrator.glide !== null && recorder === null) skipQuietSteps(m, until);
+  if (integrator.glide !== null && (recorder === null || !recorder.keeps)) skipQuietSteps(m, until);
   // on a rim, what holds her there is determined anew; under a steady force, whether she passes a centre
   if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0 && !m.flow.isSteady) proceed(m);
   else begin(m);

@@ -5,7 +5,9 @@ import type { Scene } from '../scene.ts';
 import type { RunEvent } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
+import { approachHazards } from './approach.ts';
 import { ContinuousSimulation } from './simulation.ts';
+import { WHOLE_METHOD } from './whole-method.ts';
 
 const { START, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
@@ -18,7 +20,6 @@ const FIRST_LOOKS = 64;
 
 /** Records every piece and event of a run in continuous time. */
 export class PieceRecorder implements Recorder, Trajectory {
-  readonly events: RunEvent[] = [];
   /** The pieces, without chasers and asteroids. */
   private readonly pieces = new PackedPieces();
   private chasers: ChangeLog | null = null;
@@ -33,11 +34,13 @@ export class PieceRecorder implements Recorder, Trajectory {
   /**
    * @param budget - limits the work and memory of the recording, and the work of computing the clearance
    * @param keeps - false to keep events only
+   * @param events - receives the events
    */
   constructor(
     private readonly scene: Scene,
     private readonly budget: WorkBudget = unlimited(),
-    private readonly keeps = true,
+    readonly keeps = true,
+    readonly events: RunEvent[] = [],
   ) {}
 
   /** Records the motion's current piece, which is left after `t` seconds. */
@@ -114,7 +117,7 @@ export class PieceRecorder implements Recorder, Trajectory {
 
   /** The reader, on a piece. */
   private open(piece: number): ContinuousSimulation {
-    this.reader ??= new ContinuousSimulation(this.scene, null, this.budget);
+    this.reader ??= new ContinuousSimulation(WHOLE_METHOD, this.scene, null, this.budget);
     if (this.readerAt === piece) return this.reader;
     this.readerAt = piece;
     this.reader.resumePiece(this.pieces, piece, (chasers, rocks) => {
@@ -124,6 +127,12 @@ export class PieceRecorder implements Recorder, Trajectory {
     return this.reader;
   }
 
+  /** Shows `tracker` how near to hazards she comes on a piece within `length` seconds. */
+  private approach(piece: number, length: number, tracker: ClearanceTracker): void {
+    const { motion } = this.open(piece);
+    approachHazards(motion, motion.s[START], length, tracker);
+  }
+
   /** The smallest gap to a hazard. */
   clearance(): Clearance | null {
     const { scene, events } = this;
@@ -131,8 +140,8 @@ export class PieceRecorder implements Recorder, Trajectory {
     const near = new ClearanceTracker(scene);
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
-    for (let i = 0; i < this.starts.length; i += stride) this.open(i).approach(0, near);
-    for (let i = 0; i < this.starts.length; i++) this.open(i).approach(this.lengths[i], near);
+    for (let i = 0; i < this.starts.length; i += stride) this.approach(i, 0, near);
+    for (let i = 0; i < this.starts.length; i++) this.approach(i, this.lengths[i], near);
     const { best } = near;
     if (best === null || scene.accuracy.contact === 'frame') return best;
     // rounding must not contradict the run: it ended with the contact, or there was none

@@ -1,8 +1,5 @@
-import { OBJECT_LISTS } from '../../schema/index.ts';
-import type { ClearanceTracker } from '../clearance.ts';
-import { TICK_RATE } from '../constants.ts';
-import { effectsOf, partsOf } from '../effects/index.ts';
-import { integratorOf } from '../integrators/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
+import { TICK, TICK_RATE } from '../constants.ts';
 import {
   ALERTNESS,
   alienPlaceAt,
@@ -19,16 +16,16 @@ import {
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
-import { unlimited, type WorkBudget, WorkLimitReached } from '../work-budget.ts';
-import { approachHazards } from './approach.ts';
+import { type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { begin, setFlow } from './begin.ts';
 import { button } from './button.ts';
 import { endingOf } from './ending.ts';
 import { restoreChasers } from './expand.ts';
 import { fire } from './fire.ts';
 import { layOut } from './layout.ts';
+import type { Method } from './method.ts';
 
-const { START, NEXT, TICK_NOW, HELD, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
+const { START, NEXT, TICK_NOW, HELD, TARGET, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 
@@ -37,6 +34,12 @@ const { AWAKE, GONE } = ALERTNESS;
  * some of them several times.
  */
 const MOST_AT_ONCE = { inAnyLevel: 10_000, byEachObject: 4 };
+
+/** How many objects the lists of a level have. All its lists but the runs are lists of objects. */
+function objectsIn(level: Level): number {
+  const lists = Object.values(level).filter((value) => Array.isArray(value) && value !== level.runs);
+  return lists.reduce((sum, list) => sum + list.length, 0);
+}
 
 // working memory: the place of a body
 const body = new Float64Array(4);
@@ -49,7 +52,8 @@ const body = new Float64Array(4);
 export class ContinuousSimulation implements Simulation {
   readonly scene: Scene;
   readonly work: Work;
-  private readonly motion: Motion;
+  /** The run as the files of this folder see it. */
+  readonly motion: Motion;
   private readonly start: Float64Array;
   private readonly mostAtOnce: number;
   /** Set if the budget is too small even for the start of the run. */
@@ -57,17 +61,19 @@ export class ContinuousSimulation implements Simulation {
   private readonly startHead: Float64Array;
   private readonly startRest: Float64Array;
 
-  /** @param budget - limits the work; once it is used up, every further advance throws a WorkLimitReached */
-  constructor(scene: Scene, recorder: Recorder | null = null, budget: WorkBudget = unlimited()) {
-    const effects = effectsOf(scene.effects);
-    const motion = new Motion(scene, integratorOf(scene.accuracy), partsOf(effects), recorder, budget);
+  /**
+   * @param method - effects and integrator
+   * @param budget - limits the work; once it is used up, every further advance throws a WorkLimitReached
+   */
+  constructor({ effects: included, integratorOf }: Method, scene: Scene, recorder: Recorder | null, budget: WorkBudget) {
+    const effects = included.of(scene.effects);
+    const motion = new Motion(scene, integratorOf(scene.accuracy), included.partsOf(effects), recorder, budget);
     for (const effect of effects) effect.attach?.(motion);
     this.scene = scene;
     this.work = motion.work;
     this.motion = motion;
     this.start = motion.s.slice();
-    const objects = OBJECT_LISTS.reduce((sum, list) => sum + scene.level[list].length, 0);
-    this.mostAtOnce = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objects;
+    this.mostAtOnce = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objectsIn(scene.level);
     try {
       layOut(motion, effects);
       begin(motion);
@@ -91,6 +97,16 @@ export class ContinuousSimulation implements Simulation {
     seconds[mode] += this.sincePieceBegan;
     const all = seconds.reduce((sum, t) => sum + t, 0);
     return MODES.map((name, i) => ({ name, share: all > 0 ? seconds[i] / all : 0 })).filter(({ share }) => share > 0);
+  }
+
+  get time(): number {
+    const { s } = this.motion;
+    return s[OUTCOME] === 0 ? s[TICK_NOW] * TICK : s[END_TIME];
+  }
+
+  get target(): number | null {
+    const { s } = this.motion;
+    return s[HELD] === 0 || s[TARGET] < 0 || s[OUTCOME] !== 0 ? null : this.scene.targets.index[s[TARGET]];
   }
 
   get mineralCount(): number {
@@ -227,11 +243,6 @@ export class ContinuousSimulation implements Simulation {
       out[2 * targets.index[i]] = motion.originX + body[0];
       out[2 * targets.index[i] + 1] = motion.originY + body[1];
     }
-  }
-
-  /** Shows `tracker` how near to hazards she comes on the current piece within `length` seconds. */
-  approach(length: number, tracker: ClearanceTracker): void {
-    approachHazards(this.motion, this.motion.s[START], length, tracker);
   }
 
   isCollected(mineral: number): boolean {

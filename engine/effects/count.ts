@@ -1,4 +1,4 @@
-import type { Level, ObjectList } from '../../schema/index.ts';
+import type { Level, ObjectList } from '../../schema/basics/index.ts';
 
 /** Calls for an effect where the level has at least one object in `list`. */
 export const whereAny =

@@ -1,7 +1,8 @@
-import type { Level, RuleName, Rules } from '../../schema/index.ts';
+import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { FrameRule } from '../frames/index.ts';
 import type { CentralForce, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
+import type { Indexing } from '../spatial-index.ts';
 
 /**
  * A part of the game that is simulated only where a level calls for it. All members that take a `Motion` belong to the
@@ -39,9 +40,10 @@ export interface Effect {
    * Derives from the level what the effect needs while it is simulated.
    *
    * @param level - the level
+   * @param indexing - finds objects where there are many
    * @returns what {@link Scene.own} keeps under the effect's name
    */
-  prepare?(level: Level): unknown;
+  prepare?(level: Level, indexing: Indexing): unknown;
   /**
    * The effect's own events: for each `what` of a {@link RunEvent} of type `effect`, a function that takes the index of the
    * object, from 0, and returns a sentence without its subject.

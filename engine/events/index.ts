@@ -17,4 +17,4 @@ export {
 } from './neighbourhood.ts';
 export { quietAtRim, quietOutside, quietTime, quietWithin } from './quiet.ts';
 export { rimTime } from './rim.ts';
-export { eventRule, layOutRules, putInOrder } from './rule.ts';
+export { eventRule, layOutRules } from './rule.ts';

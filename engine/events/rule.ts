@@ -1,7 +1,7 @@
 import type { EventRule, Parts } from '../motion/index.ts';
 
 /**
- * Makes a kind of event: an {@link EventRule} in which what is left out has a default. {@link putInOrder} sets its place in the
+ * Makes a kind of event: an {@link EventRule} in which what is left out has a default. A set of effects sets its place in the
  * order.
  */
 export function eventRule(rule: Pick<EventRule, 'name' | 'fire'> & Partial<Omit<EventRule, 'kind'>>): EventRule {
@@ -21,11 +21,6 @@ export function eventRule(rule: Pick<EventRule, 'name' | 'fire'> & Partial<Omit<
     alwaysQuiet: rule.alwaysQuiet ?? null,
     fire: rule.fire,
   };
-}
-
-/** Numbers kinds of events in the order in which events at the same instant happen. */
-export function putInOrder(rules: readonly EventRule[]): void {
-  for (const [i, rule] of rules.entries()) rule.kind = i + 1;
 }
 
 /**

@@ -1,12 +1,12 @@
 import type { Accuracy } from '../accuracy.ts';
 import type { Integrator } from '../motion/index.ts';
-import { PIECE_SHARE } from '../tolerances.ts';
 import { euler } from './euler.ts';
 import { rk4 } from './rk4.ts';
-import { taylor } from './taylor.ts';
+import { taylorOf } from './taylor.ts';
 import { verlet } from './verlet.ts';
 
 export { untilGrid } from './step-near.ts';
+export { taylorOf } from './taylor.ts';
 
 /**
  * The integrator of an accuracy.
@@ -21,7 +21,7 @@ export function integratorOf(accuracy: Accuracy): Integrator {
     case 'rk4':
       return rk4;
     case 'taylor':
-      return taylor((accuracy.tolerance ?? 1e-9) / PIECE_SHARE);
+      return taylorOf(accuracy);
     default:
       throw new RangeError(`'${accuracy.integrator}' is not an integrator in continuous time`);
   }

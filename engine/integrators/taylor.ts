@@ -1,3 +1,4 @@
+import type { Accuracy } from '../accuracy.ts';
 import {
   centralSeries,
   chaserSeries,
@@ -8,7 +9,7 @@ import {
   TAYLOR_DEGREE,
   taylorStep,
 } from '../motion/index.ts';
-import { CONVERGENCE } from '../tolerances.ts';
+import { CONVERGENCE, PIECE_SHARE } from '../tolerances.ts';
 
 /** Longest Taylor piece in accelerated flow, s, so that bounds over it stay tight. */
 const LONGEST_TAYLOR = 4;
@@ -24,7 +25,7 @@ function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
  * Taylor series of degree 16 with error control.
  * @param tolerance - error of a single piece, px
  */
-export function taylor(tolerance: number): Integrator {
+function taylor(tolerance: number): Integrator {
   return {
     degree: TAYLOR_DEGREE,
     evaluations: 1,
@@ -55,3 +56,6 @@ export function taylor(tolerance: number): Integrator {
     glide: null,
   };
 }
+
+/** The integrator with error control of an accuracy. */
+export const taylorOf = ({ tolerance }: Accuracy): Integrator => taylor((tolerance ?? 1e-9) / PIECE_SHARE);

@@ -1,8 +1,9 @@
-import type { Level, Rules } from '../../schema/index.ts';
+import type { Level, Rules } from '../../schema/basics/index.ts';
 import { TICK_RATE } from '../constants.ts';
 import type { Box } from '../contact/index.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
+import type { Indexing } from '../spatial-index.ts';
 import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COAST, Flow, STEADY } from './flow.ts';
@@ -29,6 +30,8 @@ export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line
 
 /** Records the pieces and events of a run. */
 export interface Recorder {
+  /** Whether pieces are recorded; otherwise only events are, and quiet steps may be skipped. */
+  readonly keeps: boolean;
   /** Records the motion's current piece, which is left after `t` seconds. */
   piece(motion: Motion, t: number): void;
   event(event: RunEvent): void;
@@ -119,6 +122,8 @@ export interface Parts {
   readonly alwaysQuiet: readonly EventRule[];
   /** Doubles of state that effects need for themselves. */
   readonly own: readonly { readonly name: string; length(scene: Scene): number }[];
+  /** Finds objects where there are many. */
+  readonly indexing: Indexing;
   readonly central: readonly CentralForce[];
   readonly steady: readonly SteadyForce[];
   /** Called when she has been moved from one place to another: updates what depends on her place. */
@@ -184,7 +189,7 @@ export class Motion {
   /** Work done since the last reset. */
   readonly work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
   /** Time spent in each of MODES since the last reset, s. */
-  readonly modeSeconds = new Float64Array(MODES.length);
+  readonly modeSeconds: Float64Array = new Float64Array(MODES.length);
   /** The state; see {@link SLOTS}. The series below are views of its end. */
   readonly s: Float64Array;
   /** Her place u in the frame: coefficients. */
@@ -229,16 +234,16 @@ export class Motion {
    * Her place u in the frame and its velocity. This and the following arrays hold x, y, x', y' (px, px/s) of the time that was
    * last evaluated.
    */
-  readonly her = new Float64Array(4);
+  readonly her: Float64Array = new Float64Array(4);
   /** The displacement of the base and its velocity. */
-  readonly base = new Float64Array(4);
+  readonly base: Float64Array = new Float64Array(4);
   /** The vector from her to the centre of the circle that guards examine, and its derivative. */
-  readonly toCircle = new Float64Array(4);
+  readonly toCircle: Float64Array = new Float64Array(4);
   /** The same for the target; while she slides, for the centre of the force outside. */
-  readonly toTarget = new Float64Array(4);
+  readonly toTarget: Float64Array = new Float64Array(4);
   /** The direction of the box's x axis: cosine and sine. */
-  readonly facing = new Float64Array(2);
-  readonly steps = new Int32Array(1);
+  readonly facing: Float64Array = new Float64Array(2);
+  readonly steps: Int32Array = new Int32Array(1);
   /** Her place relative to the origin, which chasers follow. */
   readonly wx: Float64Array;
   readonly wy: Float64Array;

@@ -13,9 +13,9 @@ export class NeighbourList {
   skin = -1;
   /** The target for which the entries that depend on it were made. */
   target = -2;
-  kind = new Int32Array(FEW);
-  index = new Int32Array(FEW);
-  slack = new Float64Array(FEW);
+  kind: Int32Array = new Int32Array(FEW);
+  index: Int32Array = new Int32Array(FEW);
+  slack: Float64Array = new Float64Array(FEW);
 
   /** Whether the list holds for all places within `reach` of (x, y). */
   covers(x: number, y: number, reach: number, target: number): boolean {

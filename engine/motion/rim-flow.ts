@@ -46,7 +46,7 @@ export class RimFlow {
   pressesIn = 0;
   pressesOut = 0;
   /** After `series`, while both axes are free: coefficients of pressesIn over time. */
-  readonly pressure = new Float64Array(N - 1);
+  readonly pressure: Float64Array = new Float64Array(N - 1);
 
   /** Finds what acts at place u and velocity v if the centre of the force outside is at u - w. */
   weigh(x: number, y: number, vx: number, vy: number, wx: number, wy: number): void {

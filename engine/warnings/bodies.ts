@@ -1,4 +1,4 @@
-import { type Level, objectName } from '../../schema/index.ts';
+import { type Level, objectName } from '../../schema/basics/index.ts';
 
 /** A solid circle of a level, which she may touch. Lengths are in px. */
 export interface Body {

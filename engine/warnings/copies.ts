@@ -1,4 +1,4 @@
-import { type Level, OBJECT_LISTS, type ObjectList } from '../../schema/index.ts';
+import { type Level, OBJECT_LISTS, type ObjectList } from '../../schema/basics/index.ts';
 import type { Place } from './geometry.ts';
 
 /**

@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 
 /** A hold as it stands in a file. */
 export const holdText = ([press, release]: Hold): string => `[${press}, ${release}]`;

@@ -1,4 +1,4 @@
-import { type Level, rulesOf } from '../../schema/index.ts';
+import { type Level, rulesOf } from '../../schema/basics/index.ts';
 import { boxOf } from '../contact/index.ts';
 import { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../more-warnings.ts';
 import type { Run } from '../simulate.ts';

@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import { nameOf, staysPut } from './bodies.ts';
 import { covers, distance, px } from './geometry.ts';
 import { overlapsBetween } from './pairs.ts';

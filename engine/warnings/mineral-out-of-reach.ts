@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import { outOfReach, RULE_OF_REACH } from './out-of-reach.ts';
 import type { Rule } from './warning.ts';
 

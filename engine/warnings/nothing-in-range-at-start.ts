@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import { distance, px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 

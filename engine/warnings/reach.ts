@@ -1,5 +1,5 @@
 import Flatbush from 'flatbush';
-import type { Asteroid, Level, Rules } from '../../schema/index.ts';
+import type { Asteroid, Level, Rules } from '../../schema/basics/index.ts';
 import { DEFAULT_MAX_TIME, TICK } from '../constants.ts';
 import { boxOf } from '../contact/index.ts';
 import { EFFECTS } from '../effects/index.ts';

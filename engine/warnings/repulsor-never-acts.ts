@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import { covers, distance, px } from './geometry.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';

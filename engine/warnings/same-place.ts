@@ -1,4 +1,4 @@
-import { entryName, OBJECT_LISTS } from '../../schema/index.ts';
+import { entryName, OBJECT_LISTS } from '../../schema/basics/index.ts';
 import type { Rule } from './warning.ts';
 
 /** A copy that was never moved from its original. */

@@ -1,4 +1,4 @@
-import { type Level, objectName } from '../../schema/index.ts';
+import { type Level, objectName } from '../../schema/basics/index.ts';
 import type { Run } from '../simulate.ts';
 import { STATE_SIZE } from '../simulation.ts';
 import { px } from './geometry.ts';

@@ -1,4 +1,4 @@
-import type { Level, Rules } from '../../schema/index.ts';
+import type { Level, Rules } from '../../schema/basics/index.ts';
 import type { Box } from '../contact/index.ts';
 import type { Run } from '../simulate.ts';
 import type { Body } from './bodies.ts';

@@ -1,4 +1,4 @@
-import type { Hold, Level } from '../../schema/index.ts';
+import type { Hold, Level } from '../../schema/basics/index.ts';
 import type { Accuracy } from '../accuracy.ts';
 import { TICK_RATE } from '../constants.ts';
 import { compareWith, type Deviation } from './compare.ts';

@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { TICK_RATE } from '../constants.ts';
 import { joinHolds } from '../script.ts';
 import { type Ending, type Simulation, STATE_SIZE } from '../simulation.ts';

@@ -1,4 +1,4 @@
-import { type Level, NO_OBJECTS } from '../../schema/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/basics/index.ts';
 import { ACCURACIES, type Accuracy } from '../accuracy.ts';
 import { compile } from '../compile.ts';
 import { TICK_RATE } from '../constants.ts';

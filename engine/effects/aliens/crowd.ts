@@ -1,6 +1,5 @@
-import Flatbush from 'flatbush';
 import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
-import { indexCircles, type SpatialIndex } from '../../spatial-index.ts';
+import type { SpatialIndex } from '../../spatial-index.ts';
 
 const { AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
@@ -22,7 +21,7 @@ const AHEAD = 256;
 export const NOBODY = -1;
 
 /** A copy of a list with twice the room. */
-function grown(list: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
+function grown(list: Int32Array): Int32Array {
   const longer = new Int32Array(2 * list.length);
   longer.set(list);
   return longer;
@@ -52,8 +51,8 @@ export class AlienCrowd implements Crowd {
   /** Entries of the list of explosions before this index are done. */
   private explosion = 0;
   /** The pairs that {@link meetings} found. */
-  first = new Int32Array(MANY_AWAKE);
-  second = new Int32Array(MANY_AWAKE);
+  first: Int32Array = new Int32Array(MANY_AWAKE);
+  second: Int32Array = new Int32Array(MANY_AWAKE);
   private met = 0;
 
   constructor(private readonly m: Motion) {
@@ -126,7 +125,7 @@ export class AlienCrowd implements Crowd {
     const { s, chasers } = this.m;
     s[chasers + CHASER * i + 4] = alertness;
     this.changed = true;
-    if (this.m.recorder !== null) this.altered.push(i);
+    if (this.m.recorder?.keeps) this.altered.push(i);
   }
 
   private dismiss(i: number): void {
@@ -148,7 +147,7 @@ export class AlienCrowd implements Crowd {
     const { aliens } = scene;
     this.indexedX = aliens.x.map((_, i) => s[chasers + CHASER * i]);
     this.indexedY = aliens.y.map((_, i) => s[chasers + CHASER * i + 1]);
-    this.index = indexCircles({
+    this.index = this.m.parts.indexing.circles({
       ...aliens,
       x: this.indexedX.map((x) => x + originX),
       y: this.indexedY.map((y) => y + originY),
@@ -285,7 +284,6 @@ export class AlienCrowd implements Crowd {
     }
     // relative to a point with their mean velocity, each stays in a box: straight motion, and as far aside as the pull takes it
     const boxes = new Float64Array(4 * count);
-    const index = new Flatbush(count);
     for (let k = 0; k < count; k++) {
       const o = chasers + CHASER * awake[k];
       const dx = (s[o + 2] - vx) * h;
@@ -295,12 +293,8 @@ export class AlienCrowd implements Crowd {
       boxes[4 * k + 1] = s[o + 1] + Math.min(0, dy) - room;
       boxes[4 * k + 2] = s[o] + Math.max(0, dx) + room;
       boxes[4 * k + 3] = s[o + 1] + Math.max(0, dy) + room;
-      index.add(boxes[4 * k], boxes[4 * k + 1], boxes[4 * k + 2], boxes[4 * k + 3]);
     }
-    index.finish();
-    return (k) =>
-      index
-        .search(boxes[4 * k], boxes[4 * k + 1], boxes[4 * k + 2], boxes[4 * k + 3], (other) => other > k)
-        .map((other) => awake[other]);
+    const partners = this.m.parts.indexing.boxes(boxes);
+    return (k) => partners(k).map((other) => awake[other]);
   }
 }

@@ -1,1 +1,1 @@
-export { blackHole, touchBlackHole } from './black-hole.ts';
+export { blackHole } from './black-hole.ts';

@@ -165,7 +165,7 @@ function drift(m: Motion, dx: number, dy: number, vx: number, vy: number, time: 
 /** Records, for reads between two ticks, that she is in the middle of her orbit and moves with it. */
 function recordMean(m: Motion, vx: number, vy: number, length: number): void {
   const { s, ux, uy, px, py, recorder } = m;
-  if (recorder === null) return;
+  if (recorder === null || !recorder.keeps) return;
   const kept = s.slice();
   for (let k = 0; k < ux.length; k++) ux[k] = uy[k] = px[k] = py[k] = 0;
   s[KIND] = COAST;

@@ -1,2 +1,2 @@
-export { hotAsteroids, touchHot } from './hot-asteroids.ts';
-export { novae, touchNova } from './novae.ts';
+export { hotAsteroids } from './hot-asteroids.ts';
+export { novae } from './novae.ts';

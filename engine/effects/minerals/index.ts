@@ -1,1 +1,1 @@
-export { collect, minerals } from './minerals.ts';
+export { minerals } from './minerals.ts';

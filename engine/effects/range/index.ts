@@ -1,1 +1,1 @@
-export { leaveRange, range } from './range.ts';
+export { range } from './range.ts';

@@ -1,2 +1,1 @@
-export { freeAxis, holdAxis } from './events.ts';
 export { speedLimit } from './speed-limit.ts';

@@ -1,6 +1,7 @@
-import type { Level } from '../../../schema/index.ts';
+import type { Level } from '../../../schema/basics/index.ts';
 import { circlesOf, type IndexedCircles, indexed } from '../../indexed-circles.ts';
 import type { Scene } from '../../scene.ts';
+import type { Indexing } from '../../spatial-index.ts';
 
 /** The winds of a scene: discs, and the acceleration in each, px/s². */
 export interface Winds extends IndexedCircles {
@@ -8,8 +9,8 @@ export interface Winds extends IndexedCircles {
   readonly ay: Float64Array;
 }
 
-export function windsOf({ winds }: Level): Winds {
-  const { count, x, y, r, index, spatial } = indexed(circlesOf(winds, [...winds.keys()]));
+export function windsOf({ winds }: Level, indexing: Indexing): Winds {
+  const { count, x, y, r, index, spatial } = indexed(circlesOf(winds, [...winds.keys()]), indexing);
   return { count, x, y, r, index, spatial, ax: Float64Array.from(winds, (w) => w.ax), ay: Float64Array.from(winds, (w) => w.ay) };
 }
 

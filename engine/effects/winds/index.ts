@@ -1,2 +1,1 @@
-export { enterWind, leaveWind } from './events.ts';
 export { winds } from './winds.ts';

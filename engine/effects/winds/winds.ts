@@ -1,4 +1,3 @@
-import { objectName } from '../../../schema/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { windsOf } from './discs.ts';
@@ -11,8 +10,8 @@ export const winds: Effect = {
   calledFor: whereAny('winds', 'wind'),
   force: wind,
   tells: {
-    enter: (index) => `enters ${objectName('wind', index)}`,
-    leave: (index) => `leaves ${objectName('wind', index)}`,
+    enter: (index) => `enters wind ${index + 1}`,
+    leave: (index) => `leaves wind ${index + 1}`,
   },
   prepare: windsOf,
   frame: windFrame,

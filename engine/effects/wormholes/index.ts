@@ -1,2 +1,1 @@
-export { enterMouth, leaveMouth } from './events.ts';
 export { wormholes } from './wormholes.ts';

@@ -1,14 +1,15 @@
-import type { Level } from '../../../schema/index.ts';
+import type { Level } from '../../../schema/basics/index.ts';
 import { circlesOf, type IndexedCircles, indexed } from '../../indexed-circles.ts';
 import type { Scene } from '../../scene.ts';
+import type { Indexing } from '../../spatial-index.ts';
 
 /** All mouths of a scene, as discs: the mouth of wormhole `w` at (x, y) is disc 2 w, the one at (toX, toY) is disc 2 w + 1. */
-export function mouthsOf(level: Level): IndexedCircles {
+export function mouthsOf(level: Level, indexing: Indexing): IndexedCircles {
   const discs = level.wormholes.flatMap(({ x, y, toX, toY, radius }) => [
     { x, y, radius },
     { x: toX, y: toY, radius },
   ]);
-  return indexed(circlesOf(discs, [...discs.keys()]));
+  return indexed(circlesOf(discs, [...discs.keys()]), indexing);
 }
 
 /** The mouths that `prepare` made for a compiled scene. */

@@ -1,4 +1,3 @@
-import { objectName } from '../../../schema/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { enterMouth, leaveMouth, stayPut } from './events.ts';
@@ -10,7 +9,7 @@ export const wormholes: Effect = {
   summary: () => 'when her centre enters one mouth, she goes on from the other, with her velocity and angle',
   calledFor: whereAny('wormholes', 'wormhole'),
   jumps: true,
-  tells: { jump: (index) => `goes through ${objectName('wormhole', index)}` },
+  tells: { jump: (index) => `goes through wormhole ${index + 1}` },
   prepare: mouthsOf,
   frame: wormholeFrame,
   events: [enterMouth, leaveMouth],

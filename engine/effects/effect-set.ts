@@ -1,0 +1,104 @@
+import type { Level, Rules } from '../../schema/basics/index.ts';
+import { layOutRules } from '../events/index.ts';
+import type { EventRule, Parts } from '../motion/index.ts';
+import type { ChosenEffect, EffectChoice } from '../scene.ts';
+import type { Indexing } from '../spatial-index.ts';
+import type { Effect } from './effect.ts';
+import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, LISTED_FIRST } from './order.ts';
+
+/** The effects that a program includes: all of them, or what its levels call for. */
+export class EffectSet {
+  private readonly all: readonly Effect[];
+  private readonly rules: readonly EventRule[];
+  private readonly layouts = new Map<string, Parts>();
+
+  /**
+   * @param effects - the effects, in any order
+   * @param indexing - finds objects where there are many
+   * @throws Error when an effect, or one of its events, has no place in the order: it would never act
+   */
+  constructor(
+    effects: readonly Effect[],
+    readonly indexing: Indexing,
+  ) {
+    const rules = effects.flatMap(({ events }) => events ?? []);
+    this.all = byName(effects, EFFECTS_IN_ORDER);
+    this.rules = byName(rules, EVENTS_IN_ORDER);
+    const missing = [...effects, ...rules].find((one) => ![...this.all, ...this.rules].includes(one as never));
+    if (missing !== undefined) throw new Error(`expected a place for "${missing.name}" in engine/effects/order.ts, found none`);
+    for (const rule of this.rules) rule.kind = EVENTS_IN_ORDER.indexOf(rule.name) + 1;
+  }
+
+  /** Chooses the effects that a level calls for. */
+  choose(level: Level): EffectChoice {
+    const simulated: ChosenEffect[] = [];
+    const notCalledFor: ChosenEffect[] = [];
+    for (const effect of this.all) {
+      const { called, because } = effect.calledFor(level);
+      (called ? simulated : notCalledFor).push({ name: effect.name, because });
+    }
+    return { simulated, notCalledFor };
+  }
+
+  /** The effects that are part of a scene. */
+  of({ simulated }: EffectChoice): readonly Effect[] {
+    const names = new Set(simulated.map(({ name }) => name));
+    return this.all.filter(({ name }) => names.has(name));
+  }
+
+  /** What these effects contribute to a motion, laid out. Motions with the same effects share it. */
+  partsOf(effects: readonly Effect[]): Parts {
+    const key = effects.map(({ name }) => name).join(' ');
+    const known = this.layouts.get(key);
+    if (known !== undefined) return known;
+    const parts = this.layOut(effects);
+    this.layouts.set(key, parts);
+    return parts;
+  }
+
+  private layOut(effects: readonly Effect[]): Parts {
+    const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
+      effects.flatMap((effect) => {
+        const hook = effect[name];
+        return hook === undefined ? [] : [hook];
+      });
+    const forces = byName(effects, FORCES_IN_ORDER).flatMap(({ force }) => force ?? []);
+    return {
+      ...layOutRules(
+        this.rules,
+        byName(this.rules, LISTED_FIRST),
+        effects.flatMap(({ events }) => events ?? []),
+      ),
+      central: forces.filter((force) => force.acts === 'instead'),
+      steady: forces.filter((force) => force.acts === 'beside'),
+      own: effects.flatMap(({ name, stateLength }) => (stateLength === undefined ? [] : [{ name, length: stateLength }])),
+      indexing: this.indexing,
+      moved: hooks('moved'),
+      beforePiece: hooks('beforePiece'),
+      turn: hooks('turn'),
+      setRim: hooks('setRim'),
+      repeat: hooks('repeat'),
+      mayRepeat: hooks('mayRepeat'),
+    };
+  }
+}
+
+/** Those of a list that an order names, in that order. */
+const byName = <T extends { readonly name: string }>(list: readonly T[], order: readonly string[]): readonly T[] =>
+  order.flatMap((name) => list.find((one) => one.name === name) ?? []);
+
+/**
+ * Upper bound of her acceleration by all forces together, px/s². Only the strongest of the central forces counts, since one
+ * acts at a time; steady forces add up.
+ */
+export function strongestOf(effects: readonly Effect[], level: Level, rules: Rules): number {
+  let instead = 0;
+  let beside = 0;
+  for (const { force } of effects) {
+    if (force === undefined) continue;
+    const strongest = force.strongest(level, rules);
+    if (force.acts === 'instead') instead = Math.max(instead, strongest);
+    else beside += strongest;
+  }
+  return instead + beside;
+}
