@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { ADJUSTABLE_CODES, type AdjustableCode } from './adjustable.ts';
-import { rulesSchema } from './rules.ts';
+import { rulesSchema } from './rules-schema.ts';
 
 /** The accuracies that a configuration can name. */
 export const ACCURACY_NAMES = ['arcade', 'fast', 'standard', 'precise'] as const;

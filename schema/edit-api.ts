@@ -1,5 +1,6 @@
 import * as z from 'zod';
-import { rulesSchema } from './rules.ts';
+import { VERDICTS } from './report.ts';
+import { rulesSchema } from './rules-schema.ts';
 
 /**
  * The protocol between the editor and the server of `gq edit`: JSON over HTTP, on 127.0.0.1 only.
@@ -19,6 +20,7 @@ import { rulesSchema } from './rules.ts';
  * | GET  TRASH                   |                                  |                    | 200 `TrashResponse`           |
  * | POST RESTORE                 |                                  | `RestoreRequest`   | 201 `WriteResponse`           |
  * | POST ORDER                   |                                  | `OrderRequest`     | 200 `OrderResponse`           |
+ * | POST PUBLISH                 |                                  | `PublishRequest`   | 200 `PublishResponse`         |
  * | GET  EVENTS                  |                                  |                    | 200 text/event-stream         |
  *
  * Bodies have exactly `Content-Type: application/json`, without parameters, and at most `MAX_BODY_SIZE` bytes. An ETAG is sent
@@ -37,6 +39,7 @@ export const EDIT_API = {
   TRASH: '/api/trash',
   RESTORE: '/api/restore',
   ORDER: '/api/order',
+  PUBLISH: '/api/publish',
   EVENTS: '/api/events',
   TOKEN_HEADER: 'x-gq-token',
   /** Largest body of a request, bytes. */
@@ -193,6 +196,40 @@ export const orderResponseSchema = z.strictObject({
 /** The response to `POST ORDER`. */
 export type OrderResponse = z.infer<typeof orderResponseSchema>;
 
+/**
+ * The zod schema of the body of `POST PUBLISH`: a static page with the levels, as `gq build` makes it, in a folder beside that of
+ * the levels. `site` matches `LEVEL_ID_PART`; the folder is new, empty, or of an earlier build.
+ */
+export const publishRequestSchema = z.strictObject({
+  site: z.string().min(1).max(80).describe('The name of the folder.'),
+  level: id.nullable().describe('This level alone; null: all levels.'),
+  title: z.string().min(1).max(200),
+  withRuns: z.boolean().describe('Whether the page has the runs of the levels, which give their solutions away.'),
+  force: z.boolean().describe('Whether to publish levels that are not known to be completable.'),
+  client,
+});
+/** The body of `POST PUBLISH`. */
+export type PublishRequest = z.infer<typeof publishRequestSchema>;
+
+/** The zod schema of the response to `POST PUBLISH`. */
+export const publishResponseSchema = z.strictObject({
+  site: z.string().describe('Path of the folder, for people.'),
+  levels: z.int().min(1).describe('The number of levels on the page.'),
+  bytes: z.int().min(1),
+});
+/** The response to `POST PUBLISH`. */
+export type PublishResponse = z.infer<typeof publishResponseSchema>;
+
+/** The zod schema of a level that is not published as it is. */
+export const refusedLevelSchema = z.strictObject({
+  id,
+  name: z.string(),
+  verdict: z.enum(VERDICTS),
+  message: z.string().describe('What is wrong with it.'),
+});
+/** A level that is not published as it is. */
+export type RefusedLevel = z.infer<typeof refusedLevelSchema>;
+
 const by = client.nullable().describe('Who did it: null for another program.');
 
 /** The zod schema of what the server sends unasked. `list` comes first, and again whenever everything may have changed. */
@@ -228,6 +265,8 @@ export const EDIT_ERRORS = {
   'base-missing': 428,
   conflict: 412,
   'invalid-level': 422,
+  'not-completable': 409,
+  'not-published': 409,
   'not-writable': 403,
   'disk-full': 507,
   busy: 503,
@@ -243,6 +282,7 @@ export const errorResponseSchema = z.strictObject({
     message: z.string().describe('What was expected and what was found.'),
     hint: z.string().describe('What to do.'),
     problems: z.array(problem).optional().describe('`invalid-level`: what is wrong with the text, and where.'),
+    levels: z.array(refusedLevelSchema).optional().describe('`not-completable`: these levels.'),
     current: readResponseSchema
       .nullable()
       .optional()

@@ -1,9 +1,10 @@
+import { RULE_NAMES } from './default-rules.ts';
 import { fieldsOf, KINDS, LISTED_KINDS, OBJECT_KINDS, type ObjectKind } from './kinds.ts';
 import { DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
 import { objectName } from './names.ts';
 import { type Path, type Problem, toPointer } from './problem.ts';
 import type { LevelDocument } from './read-level.ts';
-import { RULE_NAMES, RULES } from './rules.ts';
+import { RULES } from './rules.ts';
 
 /** A level object of the original game: plain JSON. */
 export type OriginalLevel = { readonly [key: string]: unknown };

@@ -1,7 +1,7 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
+import { RULE_NAMES } from './default-rules.ts';
 import { KINDS, OBJECT_KINDS } from './kinds.ts';
 import { type LevelFile, levelSchema, OBJECT_SCHEMAS } from './level.ts';
-import { RULE_NAMES } from './rules.ts';
 
 type Json = { readonly [key: string]: unknown };
 

@@ -20,6 +20,7 @@ export {
   SEVERITIES,
   type SeverityMap,
 } from './config.ts';
+export { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './default-rules.ts';
 export { type DiffReport, diffReportSchema } from './diff-report.ts';
 export * from './edit-api.ts';
 export {
@@ -29,6 +30,7 @@ export {
   type OriginalLevel,
   type TitledOriginal,
 } from './export-original.ts';
+export { enteringFolder, leavingFolder } from './folder-rules.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
@@ -53,6 +55,7 @@ export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
 export * from './other-reports.ts';
 export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
+export { formatLevelShape } from './plain-shape.ts';
 export type { Problem } from './problem.ts';
 export { type ConfigReading, readConfig } from './read-config.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';
@@ -61,17 +64,8 @@ export { type LockReading, readLock } from './read-lock.ts';
 export * from './report.ts';
 export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
 export { resolveLevel } from './resolve.ts';
-export {
-  DEFAULT_RULES,
-  type GameRule,
-  type OwnRules,
-  RULE_NAMES,
-  RULES,
-  type RuleName,
-  type Rules,
-  rulesOf,
-  rulesSchema,
-} from './rules.ts';
+export { type GameRule, RULES } from './rules.ts';
+export { rulesSchema } from './rules-schema.ts';
 export { isSame } from './same-json.ts';
 export type { TextPlace } from './text-place.ts';
 export {
@@ -87,3 +81,4 @@ export {
   type TiledProperty,
 } from './tiled/index.ts';
 export { type TuneReport, tuneReportSchema } from './tune-report.ts';
+export { type VerifyReport, verifyReportSchema } from './verify-report.ts';

@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { VERDICTS } from './report.ts';
-import { rulesSchema } from './rules.ts';
+import { rulesSchema } from './rules-schema.ts';
 
 /** The version of the lock file that this toolkit reads and writes. */
 export const LOCK_VERSION = 1;

@@ -1,5 +1,5 @@
 import * as z from 'zod';
-import { runReportSchema } from './report.ts';
+import { runReportSchema, VERDICTS } from './report.ts';
 import { problem, version } from './report-parts.ts';
 
 const { holds, outcome, time } = runReportSchema.shape;
@@ -149,3 +149,37 @@ export const initReportSchema = z.strictObject({
 
 /** What `gq init` prints as JSON. */
 export type InitReport = z.infer<typeof initReportSchema>;
+
+/** The zod schema of what `gq build` prints as JSON. */
+export const buildReportSchema = z.strictObject({
+  version,
+  written: z.boolean().describe('false: levels were refused, and nothing has changed.'),
+  site: z.string().describe('The folder.'),
+  title: z.string(),
+  levels: z
+    .array(
+      z.strictObject({
+        id: z.string().describe('The name under which the page keeps progress.'),
+        file: z.string(),
+        name: z.string(),
+        verdict: z.enum(VERDICTS),
+        refused: z.boolean().describe('Whether nothing was written because of this level.'),
+        problems: z.array(problem),
+      }),
+    )
+    .describe('In the order of play.'),
+  files: z.array(
+    z.strictObject({
+      file: z.string(),
+      status: z
+        .enum(['written', 'overwritten', 'unchanged', 'removed'])
+        .describe('removed: of an earlier build, and this one does not have it.'),
+      bytes: count,
+    }),
+  ),
+  bytes: count.describe('Of all files.'),
+  gzipped: count.describe('Bytes of all files as a server sends them; 0 when nothing was written.'),
+});
+
+/** What `gq build` prints as JSON. */
+export type BuildReport = z.infer<typeof buildReportSchema>;

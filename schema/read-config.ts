@@ -1,9 +1,9 @@
 import { checkConfig } from './check-config.ts';
 import type { ConfigFile } from './config.ts';
+import type { OwnRules } from './default-rules.ts';
 import { withoutExtensions } from './extensions.ts';
 import type { Problem } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
-import type { OwnRules } from './rules.ts';
 
 /** The outcome of {@link readConfig}: with `ok` true the configuration, otherwise the problems. */
 export type ConfigReading =

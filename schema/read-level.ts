@@ -1,5 +1,6 @@
 import { checkMeaning } from './check-meaning.ts';
 import { checkShape } from './check-shape.ts';
+import type { OwnRules } from './default-rules.ts';
 import { withoutExtensions } from './extensions.ts';
 import { formatValue } from './format-value.ts';
 import { LEVEL_VERSION, type Level, type LevelFile } from './level.ts';
@@ -7,7 +8,6 @@ import { type JsonObject, MIGRATIONS, type Migration, migrate } from './migrate.
 import type { Finding, Problem } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
 import { resolveLevel } from './resolve.ts';
-import type { OwnRules } from './rules.ts';
 import type { TextPlace } from './text-place.ts';
 
 /** A level file that was read, with its text. */

@@ -1,10 +1,10 @@
 import * as z from 'zod';
 import { closestName } from './closest-name.ts';
+import { RULE_NAMES } from './default-rules.ts';
 import { formatValue, quote } from './format-value.ts';
 import { LOCK_VERSION, type Lock, lockEntrySchema, lockSchema } from './lock.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem, toPointer } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
-import { RULE_NAMES } from './rules.ts';
 
 /** The outcome of {@link readLock}: with `ok` true the lock, otherwise the problems. */
 export type LockReading =

@@ -2,6 +2,7 @@ import * as z from 'zod';
 import { diffReportSchema } from './diff-report.ts';
 import {
   accuracyReportSchema,
+  buildReportSchema,
   explainReportSchema,
   exportReportSchema,
   fmtReportSchema,
@@ -17,6 +18,7 @@ import {
   solveReportSchema,
 } from './report.ts';
 import { tuneReportSchema } from './tune-report.ts';
+import { verifyReportSchema } from './verify-report.ts';
 
 /** The zod schema of what each command prints with `--format json`, by the name of the command. */
 export const REPORT_SCHEMAS = {
@@ -33,7 +35,9 @@ export const REPORT_SCHEMAS = {
   import: importReportSchema,
   export: exportReportSchema,
   init: initReportSchema,
+  build: buildReportSchema,
   diff: diffReportSchema,
+  verify: verifyReportSchema,
 } as const satisfies Readonly<Record<string, z.ZodType>>;
 
 /** The name of a command that prints a report as JSON. */

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { playersReportSchema, playsReportSchema } from './plays-report.ts';
 import { problem, version } from './report-parts.ts';
 
 /** The verdicts on a level. All but the first need attention. */
@@ -212,8 +213,10 @@ export const difficultyReportSchema = z.strictObject({
       problems: z.array(problem),
       measured: measuredDifficulty.nullable(),
       why: z.string().nullable().describe('Why nothing was measured.'),
+      players: playersReportSchema.optional(),
     }),
   ),
+  plays: playsReportSchema.optional(),
 });
 
 /** What `gq difficulty` prints as JSON. */

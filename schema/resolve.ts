@@ -1,7 +1,7 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
+import { DEFAULT_RULES, type OwnRules, RULE_NAMES } from './default-rules.ts';
 import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, type ObjectList, SINGLE_KINDS, type SingleKind } from './kinds.ts';
 import { type Allowed, DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
-import { type OwnRules, RULE_NAMES, RULES } from './rules.ts';
 
 type Written = Readonly<Record<string, unknown>>;
 
@@ -20,7 +20,7 @@ function resolveObject(kind: ObjectKind, object: Written): Written {
 function ownRules({ rules }: LevelFile, folder: OwnRules): Pick<Level, 'rules'> {
   const own = RULE_NAMES.flatMap((name) => {
     const value = rules?.[name] ?? folder[name];
-    return value === undefined || value === RULES[name].default ? [] : [[name, value]];
+    return value === undefined || value === DEFAULT_RULES[name] ? [] : [[name, value]];
   });
   return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
 }

@@ -1,6 +1,6 @@
 import * as z from 'zod';
+import { RULE_NAMES } from './default-rules.ts';
 import { version } from './report-parts.ts';
-import { RULE_NAMES } from './rules.ts';
 
 const rule = z.enum(RULE_NAMES as [string, ...string[]]);
 const isRelative = z.boolean().describe("Whether it is a share of each level's own value.");

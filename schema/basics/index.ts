@@ -1,4 +1,9 @@
-// What options and reports need of the schema. The schema itself loads zod, which takes as long as starting node.
+// What engine, game, options and reports need of the schema. The schema itself loads zod, which takes as long as starting node
+// and is larger than the engine.
 export { closestName } from '../closest-name.ts';
-export { touchedName } from '../names.ts';
+export { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from '../default-rules.ts';
+export * from '../kinds.ts';
+export * from '../level-types.ts';
+export { LIMITS } from '../limits.ts';
+export { entryName, objectName, touchedName } from '../names.ts';
 export { MAX_FILE_SIZE } from '../read-json.ts';

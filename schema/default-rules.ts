@@ -1,0 +1,36 @@
+// Only the numbers: the table RULES has the words, which a game does not need.
+const ORIGINAL = {
+  pull: 39,
+  recoil: 1,
+  push: 20,
+  alienPull: 8,
+  alienSight: 150,
+  speedLimit: 1000,
+  boxWidth: 20,
+  boxHeight: 32,
+};
+
+/** The name of a rule. */
+export type RuleName = keyof typeof ORIGINAL;
+
+/** A value for each rule. */
+export type Rules = { readonly [name in RuleName]: number };
+
+/** The original game's rules. */
+export const DEFAULT_RULES: Rules = ORIGINAL;
+
+/** The rules that have another value than in the original game. */
+export type OwnRules = { readonly [name in RuleName]?: number };
+
+/** The names of all rules, in the order in which they are listed. */
+export const RULE_NAMES = /* @__PURE__ */ Object.keys(ORIGINAL) as readonly RuleName[];
+
+/**
+ * The rules of a level.
+ *
+ * @param level - a level, or anything with `rules`
+ * @returns a value for each rule: the level's own, or the original game's
+ */
+export function rulesOf({ rules = {} }: { readonly rules?: OwnRules | undefined }): Rules {
+  return Object.fromEntries(RULE_NAMES.map((name) => [name, rules[name] ?? DEFAULT_RULES[name]])) as Rules;
+}
