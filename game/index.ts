@@ -1,0 +1,43 @@
+export {
+  type PlainLevelReading as LevelReading,
+  type ReadPlainLevelOptions as ReadLevelOptions,
+  readPlainLevel as readLevel,
+} from '../schema/plain/index.ts';
+export { type Best, createPack, type Pack, type PackLevel, type PackStorage } from './pack/index.ts';
+export {
+  type ChallengeState,
+  challengeFor,
+  createVerifier,
+  type DecodedPlay,
+  decodePlay,
+  ENGINE_ID,
+  encodePlay,
+  levelHash,
+  PLAY_LIMITS,
+  PLAY_VERDICTS,
+  type Play,
+  type PlayClaim,
+  type PlayOutcome,
+  type PlaySigns,
+  type PlaySpan,
+  type PlayVerdict,
+  type PlayVerifier,
+  playFromText,
+  playOf,
+  playToText,
+  type Unreadable,
+  type VerifiedPlay,
+  type VerifyOptions,
+  verifyPlay,
+} from './play/index.ts';
+export {
+  type AttemptOptions,
+  createPlayer,
+  type Ghost,
+  type GhostSource,
+  type PlayEnding,
+  type PlayEvent,
+  type Player,
+  type PlayerOptions,
+  type PlayerSnapshot,
+} from './player/index.ts';

@@ -1,0 +1,2 @@
+export { createPack, type Pack } from './pack.ts';
+export type { Best, PackLevel, PackStorage } from './types.ts';

@@ -1,0 +1,261 @@
+import {
+  type AccuracyName,
+  compile,
+  createSimulation,
+  DEFAULT_MAX_WORK,
+  type Ending,
+  type RunEvent,
+  type Scene,
+  TICK_RATE,
+  WorkBudget,
+  WorkLimitReached,
+} from '../../engine/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
+import { CHECKPOINT_TICKS, PlayHash } from '../player/index.ts';
+import { type ChallengeState, challengeState } from './challenge.ts';
+import { decodePlay } from './decode.ts';
+import { ENGINE_ID } from './engine-id.ts';
+import { isOpen, PLAY_LIMITS } from './format.ts';
+import { levelHash } from './level-hash.ts';
+import type { Play, PlayClaim } from './play.ts';
+import { type PlaySigns, signsOf } from './signs.ts';
+
+/** What a play is found to be. */
+export const PLAY_VERDICTS = ['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long'] as const;
+
+/**
+ * What a play is found to be: `ok`, it is what it claims; `claim-differs`, its inputs lead to something else, or its challenge
+ * does not hold; `stale-level`, it was played on another level or version of it; `unknown-engine`, with another engine or format;
+ * `malformed`, it is no play; `too-long`, it is larger, longer or more work than is allowed.
+ */
+export type PlayVerdict = (typeof PLAY_VERDICTS)[number];
+
+/** Options of {@link verifyPlay}. */
+export interface VerifyOptions {
+  /** Ticks that a play may have; one hour, 216,000, when left out. */
+  readonly maxTicks?: number;
+  /** Work that the replay may cost, pieces of motion; {@link DEFAULT_MAX_WORK} when left out. */
+  readonly maxWork?: number;
+  /** The server's secret; every play must then contain a challenge of it. */
+  readonly challengeKey?: Uint8Array;
+  /** For whom the challenge must have been given; '' when left out. */
+  readonly challengeSubject?: string;
+  /** The present time, seconds since 1970; required with `challengeKey`. */
+  readonly now?: number;
+}
+
+/** Where a replay first differs from what a play says, as ticks of the play. */
+export interface PlaySpan {
+  /** The play agrees up to this tick. */
+  readonly from: number;
+  /** It differs at this tick, or before. */
+  readonly to: number;
+}
+
+/** What {@link verifyPlay} finds. */
+export interface VerifiedPlay {
+  /** What the play is found to be. */
+  readonly verdict: PlayVerdict;
+  /** The verdict in words: what was expected and what was found. */
+  readonly message: string;
+  /** The play; null if the bytes can't be read. */
+  readonly play: Play | null;
+  /** What the inputs lead to; null unless they were replayed to the end. */
+  readonly found: PlayClaim | null;
+  /** How the replay ended, with the exact time; null if it had not ended by then, or was not replayed to the end. */
+  readonly ending: Ending | null;
+  /** Where the replay first differs; null unless the verdict is `claim-differs` because of the replay. */
+  readonly differs: PlaySpan | null;
+  /** What the challenge is worth; null if the bytes can't be read. */
+  readonly challenge: ChallengeState | null;
+  /** What may mean that the play is no person's; null unless the verdict is `ok`. */
+  readonly signs: PlaySigns | null;
+  /** Work that the replay cost, pieces of motion. */
+  readonly work: number;
+}
+
+/** Verifies plays of one level: what the level costs is paid once. */
+export interface PlayVerifier {
+  /** The level. */
+  readonly level: Level;
+  /** Its hash. */
+  readonly hash: string;
+  /**
+   * Verifies a play; see {@link verifyPlay}.
+   *
+   * @param bytes - the content of a `.gqr` file
+   * @param options - limits and challenge
+   * @returns what the play is found to be
+   */
+  verify(bytes: Uint8Array, options?: VerifyOptions): VerifiedPlay;
+}
+
+interface Replayed {
+  readonly found: PlayClaim;
+  readonly hash: string;
+  readonly ending: Ending | null;
+  /** The first checkpoint that differs, from 0; null if none does. */
+  readonly wrong: number | null;
+}
+
+/** The ticks at which the button changes. */
+const edgesOf = ({ holds }: Play): number[] => holds.flat();
+
+/** Plays the inputs of a play, up to its end or to the first checkpoint that differs. */
+function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
+  const events: RunEvent[] = [];
+  const simulation = createSimulation(scene, budget, events);
+  // a player does not report what happens before its first tick
+  events.length = 0;
+  const hash = new PlayHash(simulation);
+  const { tick: end, outcome } = play.claim;
+  const edges = edgesOf(play);
+  let next = 0;
+  let wrong: number | null = null;
+  while (simulation.tick < end && simulation.ending === null && wrong === null) {
+    const { tick } = simulation;
+    while (next < edges.length && edges[next] <= tick) next++;
+    // the last tick by itself, as a play ends in the first tick in which it can
+    const last = tick < end - 1 ? end - 1 : end;
+    const checkpoint = (Math.floor(tick / CHECKPOINT_TICKS) + 1) * CHECKPOINT_TICKS;
+    const until = Math.min(last, checkpoint, next < edges.length ? edges[next] : end);
+    simulation.advance(until - tick, next % 2 === 1);
+    for (const event of events) hash.event(event);
+    events.length = 0;
+    hash.tick();
+    const { length } = hash.checkpoints;
+    if (length > 0 && hash.checkpoints[length - 1] !== play.checkpoints[length - 1]) wrong = length - 1;
+  }
+  const ending = end === 0 && outcome === 'left' ? null : simulation.ending;
+  const found: PlayClaim = {
+    tick: simulation.tick,
+    minerals: simulation.mineralCount,
+    outcome: ending?.outcome ?? (isOpen(outcome) ? outcome : 'left'),
+  };
+  return { found, hash: hash.digest(found.outcome === 'left' ? '' : found.outcome), ending, wrong };
+}
+
+const inWords = ({ tick, minerals, outcome }: PlayClaim): string =>
+  `${outcome} at tick ${tick} with ${minerals} mineral${minerals === 1 ? '' : 's'}`;
+
+const seconds = (tick: number): string => (tick / TICK_RATE).toFixed(2);
+
+const CHALLENGE_IN_WORDS = {
+  missing: 'expected a challenge, found none',
+  forged: 'expected a challenge that was given for this level and player, found another',
+  expired: 'expected a challenge that is still valid, found one that has expired',
+} as const;
+
+/** See {@link createVerifier}. */
+class LevelVerifier implements PlayVerifier {
+  readonly hash: string;
+  private readonly scenes = new Map<AccuracyName, Scene>();
+
+  constructor(readonly level: Level) {
+    this.hash = levelHash(level);
+  }
+
+  private scene(accuracy: AccuracyName): Scene {
+    const scene = this.scenes.get(accuracy) ?? compile(this.level, accuracy);
+    this.scenes.set(accuracy, scene);
+    return scene;
+  }
+
+  verify(bytes: Uint8Array, options: VerifyOptions = {}): VerifiedPlay {
+    const { challengeKey: key, challengeSubject: subject, now } = options;
+    if (key !== undefined && now === undefined) {
+      throw new RangeError('verifyPlay: expected the present time as "now" with a challengeKey, found none');
+    }
+    const nothing = { found: null, ending: null, differs: null, signs: null, work: 0 };
+    const decoded = decodePlay(bytes);
+    if (!decoded.ok) return { ...nothing, verdict: decoded.verdict, message: decoded.message, play: null, challenge: null };
+    const { play } = decoded;
+    const check = key === undefined ? null : { key, subject, now: now as number };
+    const challenge = challengeState(play.challenge, this.hash, check);
+    const refused = (verdict: PlayVerdict, message: string): VerifiedPlay => ({ ...nothing, verdict, message, play, challenge });
+    if (play.engine !== ENGINE_ID) {
+      return refused('unknown-engine', `expected a play of engine ${ENGINE_ID}, found one of ${play.engine}`);
+    }
+    if (play.level !== this.hash) {
+      return refused('stale-level', `expected a play of level ${this.hash}, found one of ${play.level}`);
+    }
+    const maxTicks = options.maxTicks ?? PLAY_LIMITS.ticks;
+    if (play.claim.tick > maxTicks) {
+      return refused('too-long', `expected a play of at most ${maxTicks} ticks, found one of ${play.claim.tick}`);
+    }
+    if (challenge === 'missing' || challenge === 'forged' || challenge === 'expired') {
+      return refused('claim-differs', CHALLENGE_IN_WORDS[challenge]);
+    }
+    const budget = new WorkBudget(options.maxWork ?? DEFAULT_MAX_WORK);
+    try {
+      const replayed = replay(this.scene(play.accuracy), play, budget);
+      return { ...nothing, ...this.compare(play, replayed), play, challenge, work: budget.spent };
+    } catch (error) {
+      if (!(error instanceof WorkLimitReached)) throw error;
+      return { ...refused('too-long', `expected a replay within the limit, found ${error.message}`), work: budget.spent };
+    }
+  }
+
+  private compare(
+    play: Play,
+    { found, hash, ending, wrong }: Replayed,
+  ): Pick<VerifiedPlay, 'verdict' | 'message' | 'found' | 'ending' | 'differs' | 'signs'> {
+    const { claim } = play;
+    const span = (from: number, to: number) => ({
+      from,
+      to,
+      words: `tick ${from} and ${to} (${seconds(from)} s and ${seconds(to)} s)`,
+    });
+    const differs = (message: string, { from, to }: PlaySpan) =>
+      ({
+        verdict: 'claim-differs',
+        message,
+        found: wrong === null ? found : null,
+        ending,
+        differs: { from, to },
+        signs: null,
+      }) as const;
+    if (wrong !== null) {
+      const at = span(wrong * CHECKPOINT_TICKS, (wrong + 1) * CHECKPOINT_TICKS);
+      return differs(`the replay differs from the play: first between ${at.words}`, at);
+    }
+    const last = span(play.checkpoints.length * CHECKPOINT_TICKS, Math.max(found.tick, claim.tick));
+    if (found.tick !== claim.tick || found.minerals !== claim.minerals || found.outcome !== claim.outcome) {
+      return differs(`expected ${inWords(claim)}, as the play claims; found ${inWords(found)}`, last);
+    }
+    if (hash !== play.hash) return differs(`the replay differs from the play: first between ${last.words}`, last);
+    return { verdict: 'ok', message: inWords(found), found, ending, differs: null, signs: signsOf(this.level, play) };
+  }
+}
+
+/**
+ * Prepares a level for verifying many plays of it.
+ *
+ * @param level - the level, as `readLevel` gives it
+ * @returns the verifier
+ */
+export function createVerifier(level: Level): PlayVerifier {
+  return new LevelVerifier(level);
+}
+
+/**
+ * Repeats a play and compares what its inputs lead to with what it claims. It is synchronous and needs nothing from outside,
+ * so that it runs in Node, in a browser, in a worker and at the edge of a network alike. Whatever the bytes are, it does not
+ * throw, and it ends within the limits.
+ *
+ * @param level - the level as the server has it, from `readLevel`
+ * @param bytes - the content of a `.gqr` file
+ * @param options - limits and challenge
+ * @returns what the play is found to be
+ * @throws {RangeError} when `challengeKey` is given without `now`
+ *
+ * @example
+ * ```ts
+ * const { verdict, message, play } = verifyPlay(level, bytes);
+ * if (verdict === 'ok') leaderboard.add(play.claim.tick);
+ * else console.warn(`${verdict}: ${message}`);
+ * ```
+ */
+export function verifyPlay(level: Level, bytes: Uint8Array, options: VerifyOptions = {}): VerifiedPlay {
+  return createVerifier(level).verify(bytes, options);
+}
