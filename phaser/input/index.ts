@@ -1,0 +1,1 @@
+export { GunInput } from './gun-input.ts';

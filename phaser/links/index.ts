@@ -1,0 +1,1 @@
+export { type LinkedText, levelFragment, levelTextOf } from './level-link.ts';

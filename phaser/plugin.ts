@@ -1,0 +1,1 @@
+export { type GravityQuestPlugin, makePlugin, type PhaserLike, type PluginClass } from './scene-plugin.ts';

@@ -1,0 +1,104 @@
+import type { GameObjects } from 'phaser';
+import type { Ghost, PlayEvent } from '../../game/index.ts';
+import { OBJECT_KINDS } from '../../schema/basics/index.ts';
+import type { Draw, Figure, Skin } from '../skin/index.ts';
+import { objectsIn } from './objects-in.ts';
+import type { Stage } from './stage.ts';
+
+const depthOf = (object: GameObjects.GameObject): number => (object as Partial<GameObjects.Components.Depth>).depth ?? 0;
+
+const byDepth = (one: GameObjects.GameObject, other: GameObjects.GameObject): number => depthOf(one) - depthOf(other);
+
+const objectsOf = (figures: readonly Figure[]): GameObjects.GameObject[] => figures.flatMap(({ objects }) => [...objects]);
+
+/** The figures of a level, in two containers: space in px of the canvas, the level in px of the level. */
+export class Figures {
+  private readonly root: GameObjects.Container;
+  private readonly space: GameObjects.Container;
+  private readonly level: GameObjects.Container;
+  private readonly figures: Figure[] = [];
+  private ghosts: readonly Ghost[] | null = null;
+  private ghostFigures: Figure[] = [];
+  private isDestroyed = false;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly skin: Skin,
+    depth: number,
+    isFixed: boolean,
+  ) {
+    const { scene, level } = stage;
+    this.space = scene.add.container();
+    this.level = scene.add.container();
+    this.root = scene.add.container(0, 0, [this.space, this.level]).setDepth(depth);
+    // a view of its own does not move with the scene's camera
+    if (isFixed) this.root.setScrollFactor(0);
+    try {
+      this.space.add(objectsOf(this.draw(skin.background, [level])).sort(byDepth));
+      const drawn = [
+        ...OBJECT_KINDS.flatMap((kind) => this.draw(skin[kind] as Draw<object>, objectsIn(level, kind))),
+        ...[skin.trail, skin.beam, skin.effects].flatMap((draw) => this.draw(draw, [level])),
+      ];
+      this.level.add(objectsOf(drawn).sort(byDepth));
+      this.showGhosts();
+    } catch (error) {
+      this.destroy();
+      throw error;
+    }
+  }
+
+  /** @param into receives each figure once it is made, so that it can be removed if the next one fails */
+  private draw<T>(draw: Draw<T>, objects: readonly T[], into: Figure[] = this.figures): Figure[] {
+    const from = into.length;
+    for (const [i, object] of objects.entries()) {
+      const figure = draw(this.stage, object, i);
+      if (figure !== null) into.push(figure);
+    }
+    return into.slice(from);
+  }
+
+  /** Makes figures for the ghosts of the attempt, unless they have theirs. */
+  private showGhosts(): void {
+    const { ghosts } = this.stage.player;
+    if (ghosts === this.ghosts) return;
+    for (const figure of this.ghostFigures) destroyFigure(figure);
+    this.ghosts = ghosts;
+    this.ghostFigures = [];
+    this.draw(this.skin.ghost, ghosts, this.ghostFigures);
+    if (this.ghostFigures.length === 0) return;
+    this.level.add(objectsOf(this.ghostFigures));
+    this.level.sort('depth');
+  }
+
+  /** Shows the present frame. */
+  update(): void {
+    const { left, top, width, height, x, y, zoom } = this.stage.view;
+    this.showGhosts();
+    this.space.setPosition(this.stage.left, this.stage.top);
+    this.level.setPosition(left + width / 2 - zoom * x, top + height / 2 - zoom * y).setScale(zoom);
+    for (let i = 0; i < this.figures.length; i++) this.figures[i].update?.();
+    for (let i = 0; i < this.ghostFigures.length; i++) this.ghostFigures[i].update?.();
+  }
+
+  onEvent(event: PlayEvent): void {
+    for (const figure of this.figures) if (!this.isDestroyed) figure.onEvent?.(event);
+  }
+
+  onRestart(): void {
+    for (const figure of this.figures) figure.onRestart?.();
+    for (const figure of this.ghostFigures) figure.onRestart?.();
+  }
+
+  destroy(): void {
+    if (this.isDestroyed) return;
+    this.isDestroyed = true;
+    for (const figure of [...this.figures, ...this.ghostFigures]) destroyFigure(figure);
+    // with everything in it
+    this.root.destroy();
+  }
+}
+
+function destroyFigure({ objects, onDestroy }: Figure): void {
+  onDestroy?.();
+  for (const object of objects) object.destroy();
+}
