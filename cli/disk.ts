@@ -128,7 +128,7 @@ function isOnlyCase(from: string, to: string): boolean {
 const WINDOWS_TRIES = 10;
 
 /** Renames a file, with several tries on Windows, where a virus scanner may lock a file for a moment. */
-function renamePatiently(from: string, to: string): void {
+export function renamePatiently(from: string, to: string): void {
   for (let left = process.platform === 'win32' ? WINDOWS_TRIES : 1; ; left--) {
     try {
       renameSync(from, to);

@@ -88,7 +88,7 @@ function without(files: string[], leftOut: LeftOut | null): string[] | string {
 }
 
 /** Every file below a directory whose path passes, sorted by path. Follows links, but enters no directory twice. */
-function walk(root: string, passes: (path: string) => boolean, unreadable: { path: string; reason: string }[]): string[] {
+export function walk(root: string, passes: (path: string) => boolean, unreadable: { path: string; reason: string }[]): string[] {
   const found: string[] = [];
   const seen = new Set<string>();
   const pending = [root];

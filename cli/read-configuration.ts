@@ -11,10 +11,11 @@ import { showFileProblems } from './report-parts/index.ts';
 
 /**
  * Reads the configuration that the options choose.
+ * @param folder the search for it starts here and goes upwards
  * @throws Failure if it can't be read or is invalid, with every problem and its place
  */
-export function readConfiguration(options: ConfigOptions): Configuration {
-  const file = chosenConfig(options);
+export function readConfiguration(options: ConfigOptions, folder: string = process.cwd()): Configuration {
+  const file = chosenConfig(options, folder);
   if (file === null) return noConfiguration();
   const read = readConfig(readBytes(file));
   if (read.ok) return configurationOf(file, read.config);

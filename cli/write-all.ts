@@ -86,7 +86,7 @@ function makeFolder(folder: string, named: (folder: string) => string): string |
 }
 
 /** Removes empty folders, the innermost first. */
-function removeFolders(innermost: string, outermost: string): void {
+export function removeFolders(innermost: string, outermost: string): void {
   const last = resolve(outermost);
   for (let at = resolve(innermost); at.length >= last.length; at = dirname(at)) rmdirSync(at);
 }

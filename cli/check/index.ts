@@ -6,4 +6,5 @@ export { judgeLevels, judgeOf } from './judge-levels.ts';
 export { openLevelCache } from './level-cache.ts';
 export { keyOf } from './problem-keys.ts';
 export { unreadableLevel } from './refused-level.ts';
+export { type AskedOptions, FEW_FILES, refuseLimitsWithoutSearch, settingsFor } from './settings.ts';
 export { countWarnings, exitCodeOf, summarize, tooManyWarnings } from './summary.ts';

@@ -1,6 +1,7 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { placeFragment } from '../../schema/index.ts';
+import { GAME } from '../build/index.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
@@ -60,7 +61,7 @@ async function edit(dir: string | undefined, options: EditOptions): Promise<void
   // an invalid configuration is an error at the start; later the page reports it
   readConfiguration(options);
   const { port = null, config } = options;
-  const server = await startServer({ folder, port, configFrom: process.cwd(), config, page: PAGE, onCrash });
+  const server = await startServer({ folder, port, configFrom: process.cwd(), config, page: PAGE, game: GAME, onCrash });
   const fragment = place === null ? '' : placeFragment(place);
   const address = fragment === '' ? server.address : `${server.address}&${fragment}`;
   // unlike the reports of other commands, the address is needed before the command ends

@@ -41,6 +41,11 @@ export const COMMANDS: readonly CommandEntry[] = [
     summary: 'show what a level calls for: effects, counts, warnings',
     load: () => import('./inspect/index.ts'),
   },
+  {
+    name: 'verify',
+    summary: 'verify recorded plays: repeat their inputs and compare what comes of them with what they claim',
+    load: () => import('./verify/index.ts'),
+  },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'merge-driver', summary: 'merge two versions of a level, for git', load: () => import('./merge-driver.ts') },
@@ -60,6 +65,7 @@ export const COMMANDS: readonly CommandEntry[] = [
     summary: "turn levels back into the original game's, or into Tiled maps",
     load: () => import('./export/index.ts'),
   },
+  { name: 'build', summary: 'make a static page on which levels can be played', load: () => import('./build/index.ts') },
   {
     name: 'init',
     summary: 'put levels, configuration and a workflow for CI into a project',

@@ -13,7 +13,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { maxTimeOption, seedOption, wholeNumberOption } from '../options.ts';
-import { renderPng } from '../png.ts';
+import { loadPngRenderer } from '../png.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import {
   type Subject,
@@ -125,6 +125,7 @@ async function render(file: string, options: Options, command: Command): Promise
   }
   expectOneView(options);
   expectUsed(command, options);
+  const renderPng = kind === '.png' ? await loadPngRenderer() : null;
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const view = await viewOf(file, { level: opened.level, ...subject }, options);
@@ -133,7 +134,7 @@ async function render(file: string, options: Options, command: Command): Promise
   const said = remark === undefined ? '' : `${visibleLine(remark)}\n`;
   const svg = renderSvg(opened.level, { ...shown, width, theme });
   if (output === '-') return { output: svg, messages: said, exitCode: 0 };
-  await writeWhole(output, kind === '.svg' ? svg : await renderPng(svg, width));
+  await writeWhole(output, renderPng === null ? svg : renderPng(svg, width));
   return { messages: `${said}wrote ${visibleLine(output)}\n`, exitCode: 0 };
 }
 

@@ -1,5 +1,6 @@
 import { basename } from 'node:path';
 import { proveGoalImpossible } from '../../check/index.ts';
+import { collectStatistics, compareWithModel } from '../../check/plays/index.ts';
 import { effortInWords } from '../../check/words/index.ts';
 import { compile, type Scene, TICK_RATE } from '../../engine/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
@@ -8,7 +9,8 @@ import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
 import { closestRunInWords } from '../report-parts/index.ts';
-import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
+import type { MeasuredLevel, MeasureSettings, MeasureTask, Players } from './measured-level.ts';
+import type { LevelPlays } from './plays/index.ts';
 
 /** ms; the noises at which a curve is sampled. Success at 0 is certain. */
 const SIGMAS = [10, 20, 30, 40, 50, 60, 80, 100, 130, 160, 200, 250, 300] as const;
@@ -19,9 +21,9 @@ const CURVE_SAMPLES = 1000;
 const ONE_PRESS_STRIDE = 4;
 
 /** Measures the difficulty of one level file. Throws only if gq itself fails. */
-export function measureLevel({ file, settings }: MeasureTask): MeasuredLevel {
+export function measureLevel({ file, settings, plays }: MeasureTask): MeasuredLevel {
   const fileName = basename(file).replace(/(\.level)?\.json$/, '');
-  const nothing = { file, name: fileName, runName: null, difficulty: null, curve: [], problems: [] } as const;
+  const nothing = { file, name: fileName, runName: null, difficulty: null, curve: [], players: null, problems: [] } as const;
   let bytes: Uint8Array;
   try {
     bytes = readBytes(file);
@@ -31,7 +33,23 @@ export function measureLevel({ file, settings }: MeasureTask): MeasuredLevel {
   }
   const read = readLevel(bytes, settings);
   if (!read.ok) return { ...nothing, why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
-  return { ...nothing, name: read.level.name, ...measure(read.level, settings) };
+  const measured = measure(read.level, settings);
+  const players = plays === null ? null : playersOf(read.level, measured, plays, settings);
+  return { ...nothing, name: read.level.name, ...measured, players };
+}
+
+function playersOf(
+  level: Level,
+  { runName, difficulty }: Measured,
+  { replayed, by, names }: LevelPlays,
+  { accuracy, goal, seed, maxTime }: MeasureSettings,
+): Players {
+  if (difficulty === null) return { statistics: collectStatistics(level, replayed, { goal, by }), model: null, names };
+  const { holds } = difficulty.run;
+  const statistics = collectStatistics(level, replayed, { goal, by, reference: { holds, name: runName } });
+  if (statistics.attempts === 0) return { statistics, model: null, names };
+  const maxTicks = Math.round(maxTime * TICK_RATE);
+  return { statistics, model: compareWithModel(compile(level, accuracy), holds, statistics, goal, { seed, maxTicks }), names };
 }
 
 type Measured = Pick<MeasuredLevel, 'runName' | 'difficulty' | 'curve' | 'why' | 'code'>;

@@ -1,7 +1,9 @@
+import type { ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
 import type { Accuracy } from '../../engine/index.ts';
 import type { OwnRules } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
+import type { LevelPlays } from './plays/index.ts';
 
 /** The measured difficulty of one level file. */
 export interface MeasuredLevel {
@@ -13,12 +15,23 @@ export interface MeasuredLevel {
   readonly difficulty: Difficulty | null;
   /** Success at more noises; empty unless requested. */
   readonly curve: readonly Success[];
+  /** What players teach; null unless plays are given, or if it is not a valid level. */
+  readonly players: Players | null;
   /** Why there is no difficulty; empty if there is one. */
   readonly why: string;
   /** The problems of a file that is not a valid level. */
   readonly problems: readonly ShownProblem[];
   /** 0: measured; 1: there is nothing to measure; 2: the file could not be read */
   readonly code: 0 | 1 | 2;
+}
+
+/** What players teach about a level, beside what the model says. */
+export interface Players {
+  readonly statistics: PlayStatistics;
+  /** How the model of timing noise compares; null without a measured run, or without attempts. */
+  readonly model: ModelComparison | null;
+  /** What to call each play. */
+  readonly names: readonly string[];
 }
 
 /** What to measure, and how. */
@@ -46,4 +59,6 @@ export interface MeasureSettings {
 export interface MeasureTask {
   readonly file: string;
   readonly settings: MeasureSettings;
+  /** Plays of the level; null unless plays are given. */
+  readonly plays: LevelPlays | null;
 }

@@ -4,12 +4,14 @@ import {
   deleteRequestSchema,
   EDIT_API,
   orderRequestSchema,
+  publishRequestSchema,
   renameRequestSchema,
   restoreRequestSchema,
   writeRequestSchema,
 } from '../../schema/index.ts';
 import { createEventStreams } from './event-stream.ts';
 import type { LevelFolder } from './level-folder.ts';
+import type { Publish } from './publish.ts';
 import { Refusal } from './refusal.ts';
 import { baseOf, etagGiven, idOf, readBody } from './request.ts';
 
@@ -19,9 +21,9 @@ export type EditContext = Context<{ Bindings: HttpBindings }>;
 export type Answer = (c: EditContext, query: URLSearchParams) => Response | Promise<Response>;
 
 /** The answer function of each `METHOD /address` of `EDIT_API`. */
-export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
+export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<string, Answer> {
   const streams = createEventStreams(levels.known);
-  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, EVENTS } = EDIT_API;
+  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, PUBLISH, EVENTS } = EDIT_API;
 
   const list: Answer = async (c) => c.json(await levels.known.refresh());
 
@@ -71,6 +73,8 @@ export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
     return c.json(await levels.order(folder, ids, client));
   };
 
+  const makePage: Answer = async (c) => c.json(await publish(await readBody(c.env.incoming, publishRequestSchema)));
+
   const events: Answer = (c) => c.body(streams.open(), 200, { 'Content-Type': 'text/event-stream' });
 
   return new Map([
@@ -83,6 +87,7 @@ export function createApi(levels: LevelFolder): ReadonlyMap<string, Answer> {
     [`GET ${TRASH}`, trash],
     [`POST ${RESTORE}`, restore],
     [`POST ${ORDER}`, order],
+    [`POST ${PUBLISH}`, makePage],
     [`GET ${EVENTS}`, events],
   ]);
 }

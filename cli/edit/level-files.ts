@@ -1,6 +1,7 @@
 import { type Dirent, lstatSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { systemReason } from '../failure.ts';
+import { inOrderOfPlay, sortedByPlay } from '../order-of-play.ts';
 
 export const SUFFIX = '.level.json';
 
@@ -49,7 +50,11 @@ export function findLevels(root: string): LevelFilesFound {
       } else if (entry.isDirectory() && isShown(entry.name)) pending.push(below);
     }
   }
-  return { files: new Map(inOrder(files).map((file) => [file.id, file])), folders: folders.sort(inOrderOfPlay), troubles };
+  return {
+    files: new Map(sortedByPlay(files, ({ id }) => id).map((file) => [file.id, file])),
+    folders: folders.sort(inOrderOfPlay),
+    troubles,
+  };
 }
 
 const isShown = (folder: string): boolean => !folder.startsWith('.') && folder !== 'node_modules';
@@ -117,24 +122,3 @@ export function splitId(id: string): { folder: string; name: string } {
 }
 
 export const joinId = (folder: string, name: string): string => (folder === '' ? name : `${folder}/${name}`);
-
-// en: the order must not depend on the language of the machine
-const collator = new Intl.Collator('en', { numeric: true });
-
-/** Compares by folder, then by name, with numbers by value: `2-b` before `10-a`. */
-export const inOrderOfPlay = (a: string, b: string): number => comparePaths(a.split('/'), b.split('/'));
-
-/** Splits each id only once: splitting at every comparison would take most of the time of a long sort. */
-function inOrder(files: readonly LevelFileFound[]): LevelFileFound[] {
-  const keyed = files.map((file) => ({ file, parts: file.id.split('/') }));
-  keyed.sort((a, b) => comparePaths(a.parts, b.parts));
-  return keyed.map(({ file }) => file);
-}
-
-function comparePaths(left: readonly string[], right: readonly string[]): number {
-  for (let i = 0; i < Math.min(left.length, right.length); i++) {
-    const order = collator.compare(left[i], right[i]) || (left[i] < right[i] ? -1 : left[i] > right[i] ? 1 : 0);
-    if (order !== 0) return order;
-  }
-  return left.length - right.length;
-}

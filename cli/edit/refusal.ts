@@ -1,9 +1,17 @@
-import { EDIT_ERRORS, type EditErrorCode, type ErrorResponse, type Problem, type ReadResponse } from '../../schema/index.ts';
+import {
+  EDIT_ERRORS,
+  type EditErrorCode,
+  type ErrorResponse,
+  type Problem,
+  type ReadResponse,
+  type RefusedLevel,
+} from '../../schema/index.ts';
 import { systemReason } from '../failure.ts';
 
 interface Details {
   readonly problems?: Problem[];
   readonly current?: ReadResponse | null;
+  readonly levels?: RefusedLevel[];
 }
 
 /** Thrown when a request is refused; nothing has changed on the disk. */

@@ -14,6 +14,7 @@ import { createApp } from './app.ts';
 import { keepPort, lastPort } from './last-port.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { readPage } from './page-files.ts';
+import { createPublish } from './publish.ts';
 import { rulesOnDisk } from './rules-on-disk.ts';
 import { watchFolder } from './watch.ts';
 import { watchConfig } from './watch-config.ts';
@@ -45,6 +46,8 @@ export interface EditServerOptions {
   readonly config?: ConfigOptions['config'];
   /** The folder that contains the built page. */
   readonly page: string;
+  /** The folder that contains the built game. */
+  readonly game: string;
   readonly onCrash: (error: unknown) => void;
 }
 
@@ -52,13 +55,21 @@ export interface EditServerOptions {
  * Starts the editor's server on 127.0.0.1.
  * @throws Failure when the folder or the page is not what it should be, or the port is taken
  */
-export async function startServer({ folder, port, configFrom, config, page, onCrash }: EditServerOptions): Promise<EditServer> {
+export async function startServer({
+  folder,
+  port,
+  configFrom,
+  config,
+  page,
+  game,
+  onCrash,
+}: EditServerOptions): Promise<EditServer> {
   const root = realFolder(folder);
   const files = readPage(page);
   const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom, config));
   const token = randomBytes(32).toString('base64url');
   const app = createApp({
-    api: createApi(levels),
+    api: createApi(levels, createPublish({ root, shown: folder, configFrom, config, game })),
     page: files,
     token,
     port: () => (server.address() as AddressInfo).port,

@@ -2,14 +2,17 @@ import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
-import type { CheckedLevel, CheckSettings } from '../../check/index.ts';
+import type { AskedOptions, CheckedLevel, CheckSettings } from '../../check/index.ts';
 import {
   checkContent,
   checkFiles,
   exitCodeOf,
+  FEW_FILES,
   judgeLevels,
   judgeOf,
   openLevelCache,
+  refuseLimitsWithoutSearch,
+  settingsFor,
   tooManyWarnings,
   unreadableLevel,
 } from '../../check/index.ts';
@@ -21,7 +24,7 @@ import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
-import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
+import { addSearchOptions } from '../../search-options.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
@@ -30,20 +33,9 @@ import { chooseFiles } from './choose-files.ts';
 
 const MOST_WARNINGS = 1_000_000;
 
-/**
- * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
- * levels must not keep the user waiting.
- */
-const FEW_FILES = 64;
-
-interface CheckOptions extends AccuracyOptions, ConfigOptions, SearchOptions, CacheOptions {
-  readonly solve?: true;
-  /** false with --no-require-slack */
-  readonly requireSlack?: number | false;
+interface CheckOptions extends AccuracyOptions, ConfigOptions, AskedOptions, CacheOptions {
   readonly maxWarnings?: number;
   readonly quiet?: true;
-  readonly maxTime: number;
-  readonly maxWork: number;
   readonly format?: string;
   readonly reporter?: readonly string[];
   readonly jobs: number;
@@ -158,7 +150,7 @@ async function check(
   checkThem: typeof checkFiles,
   shown: (levels: readonly CheckedLevel[]) => ReadonlySet<string> | undefined = () => undefined,
 ): Promise<CommandResult> {
-  const search = searchOf(options);
+  refuseLimitsWithoutSearch(options);
   const configuration = await configurationFor(options);
   const configured = configuration.reporters?.map(({ name, file }) => (file === null ? name : `${name}=${file}`));
   const asked = chooseReports({ ...options, configured });
@@ -184,15 +176,10 @@ async function check(
         });
   const compare = (levels: readonly CheckedLevel[]): readonly CheckedLevel[] => lock?.compare(levels) ?? levels;
   const settings: CheckSettings = {
-    rules: configuration.rules,
+    ...settingsFor(options, configuration, files.length),
     accuracy,
     forLock: lock !== null,
-    maxTime: options.maxTime,
-    maxWork: options.maxWork,
     inFull: asked.some(({ name }) => name === 'json'),
-    search,
-    proveMinerals: options.solve === true || files.length <= FEW_FILES,
-    requireSlack: requiredSlack(options, configuration),
   };
   const folder = cacheFolder(chosenCache(options, configuration.cache));
   const cache = folder === null ? null : openLevelCache(folder, settings);
@@ -245,17 +232,3 @@ async function failsFor(
 /** What applies to this check. Without a file, the code that reads one is not loaded: it needs the schema. */
 const configurationFor = async (options: ConfigOptions): Promise<Configuration> =>
   chosenConfig(options) === null ? noConfiguration() : (await import('../../read-configuration.ts')).readConfiguration(options);
-
-/** The ticks that are required; null: none. The command line wins over the configuration, where 0 requires nothing. */
-function requiredSlack({ requireSlack }: CheckOptions, configured: Configuration): number | null {
-  if (requireSlack === false) return null;
-  return requireSlack ?? (configured.requireSlack || null);
-}
-
-function searchOf(options: CheckOptions): CheckSettings['search'] {
-  const { solve, budget, effort, seed } = options;
-  if (solve) return { limits: limitsOf(options), seed };
-  const part = budget !== undefined ? '--budget' : effort !== undefined ? '--effort' : null;
-  if (part !== null) throw new Failure(`${part} limits the search of --solve: give --solve as well`);
-  return null;
-}

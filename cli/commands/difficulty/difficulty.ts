@@ -8,17 +8,25 @@ import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../
 import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { type MeasuredLevel, type MeasureSettings, measureLevels } from '../../difficulty/index.ts';
+import {
+  type CollectedPlays,
+  collectPlays,
+  type MeasuredLevel,
+  type MeasureSettings,
+  measureLevels,
+} from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
 import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
-import { createProgress } from '../../progress.ts';
+import { createProgress, createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { mineralsOption } from '../../search-options.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
+import { drawPlayers } from './draw-players.ts';
 import { difficultyJson } from './json.ts';
+import { refusedPlays } from './players-pretty.ts';
 import { difficultyPretty } from './pretty.ts';
 
 /** The default effort to find a run, ticks. */
@@ -30,12 +38,16 @@ interface Options extends ConfigOptions, AccuracyOptions {
   readonly minerals: Goal['minerals'];
   readonly effort: number;
   readonly seed: number;
+  readonly plays?: readonly string[];
+  readonly picture?: string;
   readonly svg?: string;
   readonly theme: Ground;
   readonly maxTime: number;
   readonly jobs: number;
   readonly format: 'pretty' | 'json';
 }
+
+const collect = (path: string, before: readonly string[] = []): readonly string[] => [...before, path];
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(addAccuracyOptions(command))
@@ -52,11 +64,17 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .addOption(seedOption())
     .option(
+      '--plays <path>',
+      'what players teach: recorded plays (.gqr), NDJSON, or directories of them, beside what the model predicts; can be given several times',
+      collect,
+    )
+    .option('--picture <file>', 'draw the level with the places where players fail to FILE.svg; for one level, with --plays')
+    .option(
       '--svg <file>',
       'write a picture of success over timing noise to FILE.svg; for one level also the slack of each press and release',
     )
     .addOption(
-      new Option('--theme <theme>', 'colours of the picture; auto follows the viewer')
+      new Option('--theme <theme>', 'colours of the pictures; auto follows the viewer, with --picture it is dark')
         .choices(['auto', 'light', 'dark'])
         .default('auto'),
     )
@@ -71,26 +89,40 @@ estimate made from the other numbers; it is not fitted to players. For a single 
 minerals costs, and whether the level can be completed without pressing, with one press, and without each asteroid that the run
 uses.
 
+--plays simulates recorded plays again and says how often players succeed, by attempt number, too, where and why they fail, after
+which press or release, and how much timing noise would explain it. A folder below a directory of plays stands for a player, whose
+attempts follow each other in the order of their names; NDJSON has {"play": "<base64url>", "subject": "<player>"} a line, in order.
+Plays are only read, and nothing is sent anywhere.
+
 Exit code: 0 when every level was measured; 1 when a level is invalid or has no run to measure; 2 when a file could not be read.
 
 Examples:
   $ gq difficulty levels                                  a table, the easiest first
   $ gq difficulty levels/16-firewalk.level.json --svg firewalk.svg
   $ gq difficulty levels/16-firewalk.level.json --run all-minerals --minerals all
+  $ gq difficulty levels/16-firewalk.level.json --plays plays --picture where.svg
   $ gq difficulty levels --format json | jq '.levels[] | [.measured.grade.value, .name]'`,
     )
     .action(async (paths: string[], options: Options) => finish(await measure(paths, options, command)));
 }
 
 async function measure(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
-  const { svg, theme, format, jobs } = options;
-  if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
-  refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined, needs: '--svg' }]);
+  const { svg, picture, theme, format, jobs } = options;
+  for (const [option, file] of Object.entries({ svg, picture })) {
+    if (file !== undefined && !/\.svg$/i.test(file)) throw new Failure(`--${option} ${file}: expected a name that ends in .svg`);
+  }
+  refuseUnused(command, [
+    { option: '--theme', isUsed: svg !== undefined || picture !== undefined, needs: '--svg or --picture' },
+    { option: '--picture', isUsed: options.plays !== undefined, needs: '--plays' },
+  ]);
   if (options.run !== undefined && options.search)
     throw new Failure('--run and --search cannot be combined: give one of the two');
   const configuration = readConfiguration(options);
   const accuracy = chooseAccuracy(options, configuration);
   const { files, unreadable } = await findConfigured(paths, configuration);
+  if (picture !== undefined && files.length !== 1) {
+    throw new Failure(`--picture draws one level: expected the path of one level file, found ${files.length}`);
+  }
   const settings: MeasureSettings = {
     rules: configuration.rules,
     accuracy,
@@ -103,22 +135,51 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     inFull: files.length === 1,
     withCurve: svg !== undefined,
   };
+  const plays = options.plays === undefined ? null : await readPlays(options.plays, files, settings, jobs);
   const progress = createProgress('measured', files.length);
-  const levels = await measureLevels(files, settings, jobs, progress.update);
+  const levels = await measureLevels(files, settings, plays?.levels ?? null, jobs, progress.update);
   progress.clear();
-  const code = Math.max(0, ...levels.map((level) => level.code), ...unreadable.map(() => 2)) as 0 | 1 | 2;
+  const lost = plays?.unreadable ?? [];
+  const code = Math.max(0, ...levels.map((level) => level.code), ...[...unreadable, ...lost].map(() => 2)) as 0 | 1 | 2;
   const messages = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
+  for (const { path, reason } of lost) messages.push(`error: ${visibleLine(path)}: can't be read: ${reason}\n`);
+  if (plays !== null && format !== 'json') messages.push(refusedPlays(plays, levels));
   if (svg !== undefined) {
-    const picture = pictureOf(levels, accuracy.name);
-    if (picture === null) messages.push(`${visibleLine(svg)} was not written: no level was measured\n`);
+    const drawing = pictureOf(levels, accuracy.name);
+    if (drawing === null) messages.push(`${visibleLine(svg)} was not written: no level was measured\n`);
     else {
-      await writeWhole(svg, drawDifficulty(picture, theme));
+      await writeWhole(svg, drawDifficulty(drawing, theme));
       messages.push(`wrote ${visibleLine(svg)}\n`);
     }
   }
+  if (picture !== undefined) {
+    const drawing = drawPlayers(levels[0], accuracy, settings.rules, theme === 'light' ? 'light' : 'dark');
+    if (drawing === null) messages.push(`${visibleLine(picture)} was not written: no play of the level counts\n`);
+    else {
+      await writeWhole(picture, drawing);
+      messages.push(`wrote ${visibleLine(picture)}\n`);
+    }
+  }
   const output =
-    format === 'json' ? difficultyJson(levels) : difficultyPretty(levels, colorsFor(process.stdout), widthOf(process.stdout));
+    format === 'json'
+      ? difficultyJson(levels, plays)
+      : difficultyPretty(levels, plays, colorsFor(process.stdout), widthOf(process.stdout));
   return { output, messages: messages.join(''), exitCode: code };
+}
+
+/** Reads and simulates plays of level files. */
+async function readPlays(
+  paths: readonly string[],
+  files: readonly string[],
+  { rules, goal }: MeasureSettings,
+  jobs: number,
+): Promise<CollectedPlays> {
+  const status = createStatusLine();
+  try {
+    return await collectPlays(paths, files, { rules, goal }, jobs, (done) => status.show(`simulated ${done} plays`));
+  } finally {
+    status.clear();
+  }
 }
 
 /** With more curves than this, a picture is not readable. */

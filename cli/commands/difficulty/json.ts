@@ -1,17 +1,21 @@
 import type { DifficultyReport, RunFoundReport } from '../../../schema/index.ts';
 import type { Candidate } from '../../../solver/index.ts';
-import type { MeasuredLevel } from '../../difficulty/index.ts';
+import type { CollectedPlays, MeasuredLevel } from '../../difficulty/index.ts';
 import { problemJson, robustnessJson } from '../../report-parts/index.ts';
+import { playersJson, playsJson } from './players-json.ts';
 
 /** The difficulty of levels as JSON. */
-export function difficultyJson(levels: readonly MeasuredLevel[]): string {
-  const report: DifficultyReport = { version: 1, levels: levels.map(levelJson) };
+export function difficultyJson(levels: readonly MeasuredLevel[], plays: CollectedPlays | null): string {
+  const own = { version: 1 as const, levels: levels.map(levelJson) };
+  const report: DifficultyReport = plays === null ? own : { ...own, plays: playsJson(plays) };
   return `${JSON.stringify(report)}\n`;
 }
 
-function levelJson({ file, name, runName, difficulty, curve, why, problems }: MeasuredLevel): DifficultyReport['levels'][number] {
+function levelJson(level: MeasuredLevel): DifficultyReport['levels'][number] {
+  const { file, name, runName, difficulty, curve, why, problems, players } = level;
   const shared = { file, name, problems: problems.map(problemJson) };
-  if (difficulty === null) return { ...shared, measured: null, why };
+  const played = players === null ? {} : { players: playersJson(players) };
+  if (difficulty === null) return { ...shared, measured: null, why, ...played };
   const { run, robustness, sigmaAtHalf, mineralsExtra, shortcuts, grade, randomPlay } = difficulty;
   const { withoutPressing, onePress, withoutAsteroid } = shortcuts;
   return {
@@ -38,6 +42,7 @@ function levelJson({ file, name, runName, difficulty, curve, why, problems }: Me
       curve: curve.map((success) => ({ ...success })),
     },
     why: null,
+    ...played,
   };
 }
 

@@ -3,12 +3,18 @@ import { TICK } from '../../../engine/index.ts';
 import { objectName } from '../../../schema/index.ts';
 import type { Difficulty, GradeWord } from '../../../solver/index.ts';
 import type { Colors } from '../../colors.ts';
-import type { MeasuredLevel } from '../../difficulty/index.ts';
+import type { CollectedPlays, MeasuredLevel } from '../../difficulty/index.ts';
 import { alignColumns, percent, robustnessLines, showFileProblems } from '../../report-parts/index.ts';
 import { visible, visibleLine } from '../../visible.ts';
+import { playersDetail, playersTable, playsInWords } from './players-pretty.ts';
 
 /** The difficulty of levels for people: one level in detail, several as a table with the easiest first. */
-export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Colors, width: number | null = null): string {
+export function difficultyPretty(
+  levels: readonly MeasuredLevel[],
+  plays: CollectedPlays | null,
+  colors: Colors,
+  width: number | null = null,
+): string {
   const measured = levels.filter(hasDifficulty);
   const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors, width);
   const failures = levels.filter(({ difficulty }) => difficulty === null);
@@ -17,8 +23,14 @@ export function difficultyPretty(levels: readonly MeasuredLevel[], colors: Color
       ? showFileProblems(file, problems, colors)
       : `${visibleLine(file)}: ${colors.yellow('not measured')}: ${visibleLine(why)}\n`,
   );
+  const [only] = levels;
+  const taught =
+    levels.length === 1 && only.players !== null
+      ? playersDetail(only.players, only.difficulty?.robustness.p40.p ?? null, colors, width)
+      : playersTable(levels, colors, width);
+  const read = plays === null ? '' : playsInWords(plays, levels);
   const grade = measured.length === 0 ? '' : 'the grade (1 to 10) is an estimate made from the other numbers\n';
-  return `${text}${reported.join('')}${grade}`;
+  return `${text}${taught}${reported.join('')}${read}${grade}`;
 }
 
 type Hard = MeasuredLevel & { readonly difficulty: Difficulty };

@@ -1,0 +1,100 @@
+import { type Pack, packedLevel } from '../../check/pack/index.ts';
+import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../schema/index.ts';
+import { cacheFolder } from '../cache/index.ts';
+import {
+  type AskedOptions,
+  type CheckedLevel,
+  type CheckSettings,
+  checkFiles,
+  judgeLevels,
+  openLevelCache,
+  settingsFor,
+} from '../check/index.ts';
+import type { Configuration } from '../configuration.ts';
+import { Failure } from '../failure.ts';
+import { NotAFile, readRegularFile } from '../regular-file.ts';
+import type { StoppingSignal } from '../signals.ts';
+import type { PackFile } from './find-pack.ts';
+
+/** How the levels of a pack are checked. */
+export interface BuildOptions {
+  readonly asked: AskedOptions;
+  /** undefined: that of the configuration, else the default */
+  readonly accuracy?: AccuracyName;
+  /** The folder of the cache, or false for none; null: the usual one. */
+  readonly cache: boolean | string | null;
+  readonly jobs: number;
+  /** Called now and then with the number of levels that are done. */
+  readonly onProgress: (done: number) => void;
+}
+
+/** What became of the levels of a pack. */
+export interface BuiltPack {
+  readonly accuracy: AccuracyName;
+  /** In the order of the pack. */
+  readonly levels: readonly (CheckedLevel & { readonly id: string })[];
+  /** The bytes that were checked, by file; none of a file that can't be read. */
+  readonly bytes: ReadonlyMap<string, Uint8Array>;
+  /** The signal that ended the check early; null if none came. */
+  readonly signal: StoppingSignal | null;
+}
+
+/** Checks the levels of a pack as `gq check` does. @throws Failure if a file changes meanwhile */
+export async function checkPack(
+  files: readonly PackFile[],
+  configuration: Configuration,
+  { asked, accuracy: wanted, cache: choice, jobs, onProgress }: BuildOptions,
+): Promise<BuiltPack> {
+  const accuracy = wanted ?? configuration.accuracy ?? DEFAULT_ACCURACY;
+  const settings: CheckSettings = {
+    ...settingsFor(asked, configuration, files.length),
+    accuracy: ACCURACIES[accuracy],
+    forLock: false,
+    inFull: false,
+  };
+  const folder = cacheFolder(choice);
+  const cache = folder === null ? null : openLevelCache(folder, settings);
+  const bytes = new Map<string, Uint8Array>();
+  for (const { file } of files) {
+    const content = bytesOrNull(file);
+    if (content !== null) bytes.set(file, content);
+  }
+  const names = files.map(({ file }) => file);
+  const { levels, signal } = await checkFiles(names, settings, jobs, onProgress, { cache });
+  for (const [file, content] of bytes) {
+    const now = bytesOrNull(file);
+    if (now === null || Buffer.compare(now, content) !== 0)
+      throw new Failure(`${file}: the file has changed during the check, so nothing was written: build again`);
+  }
+  const ids = new Map(files.map(({ file, id }) => [file, id]));
+  const judged = await judgeLevels(levels, configuration);
+  return { accuracy, levels: judged.map((level) => ({ ...level, id: ids.get(level.file)! })), bytes, signal };
+}
+
+/** @throws Failure if it is not a regular file: a pipe can't be read both by the check and for the pack */
+function bytesOrNull(file: string): Uint8Array | null {
+  try {
+    return readRegularFile(file, MAX_FILE_SIZE);
+  } catch (error) {
+    if (error instanceof NotAFile) throw new Failure(`${file}: can't be built: ${error.message}; expected a level file`);
+    // the check says why
+    return null;
+  }
+}
+
+/** The pack of levels that were checked and are valid. */
+export function packOf(
+  { accuracy, levels, bytes }: BuiltPack,
+  { title, rules, withRuns }: { readonly title: string; readonly rules: OwnRules; readonly withRuns: boolean },
+): Pack {
+  return {
+    title,
+    accuracy,
+    levels: levels.map(({ id, file, found }) => {
+      const read = readLevel(bytes.get(file)!);
+      if (!read.ok) throw new Error(`${file}: was valid and now is not`);
+      return { id, level: packedLevel(read.document.file, { rules, withRuns, found }) };
+    }),
+  };
+}

@@ -1,0 +1,5 @@
+export { type BuiltPack, checkPack, packOf } from './check-pack.ts';
+export { findPack } from './find-pack.ts';
+export { GAME, readGame } from './game-files.ts';
+export { siteFiles } from './site-files.ts';
+export { planSite, type SiteFile, type SiteWords, writeSite } from './write-site.ts';

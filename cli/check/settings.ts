@@ -1,0 +1,48 @@
+import type { Configuration } from '../configuration.ts';
+import { Failure } from '../failure.ts';
+import { limitsOf, type SearchOptions } from '../search-options.ts';
+import type { CheckSettings } from './checked-level.ts';
+
+/**
+ * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
+ * levels must not keep the user waiting.
+ */
+export const FEW_FILES = 64;
+
+/** The options that say what a check asks of each level. */
+export interface AskedOptions extends SearchOptions {
+  readonly solve?: true;
+  /** false with --no-require-slack */
+  readonly requireSlack?: number | false;
+  readonly maxTime: number;
+  readonly maxWork: number;
+}
+
+/** @throws Failure if a limit is given for a search that is not asked for */
+export function refuseLimitsWithoutSearch({ solve, budget, effort }: AskedOptions): void {
+  const part = budget !== undefined ? '--budget' : effort !== undefined ? '--effort' : null;
+  if (!solve && part !== null) throw new Failure(`${part} limits the search of --solve: give --solve as well`);
+}
+
+/** What a check of so many files asks of each level, except for the accuracy and the extent of the report. */
+export function settingsFor(
+  options: AskedOptions,
+  { rules, requireSlack }: Pick<Configuration, 'rules' | 'requireSlack'>,
+  count: number,
+): Omit<CheckSettings, 'accuracy' | 'inFull'> {
+  const { solve = false, seed, maxTime, maxWork } = options;
+  return {
+    rules,
+    maxTime,
+    maxWork,
+    search: solve ? { limits: limitsOf(options), seed } : null,
+    proveMinerals: solve || count <= FEW_FILES,
+    requireSlack: slackOf(options.requireSlack, requireSlack),
+  };
+}
+
+/** The ticks that are required; null: none. The command line wins over the configuration, where 0 requires nothing. */
+function slackOf(asked: number | false | undefined, configured: number | null): number | null {
+  if (asked === false) return null;
+  return asked ?? (configured || null);
+}

@@ -1,0 +1,89 @@
+import { join } from 'node:path';
+import { plural, VERDICT_MEANS } from '../../../check/words/index.ts';
+import type { BuildReport } from '../../../schema/index.ts';
+import type { BuiltPack, SiteFile } from '../../build/index.ts';
+import type { Colors } from '../../colors.ts';
+import { problemJson, showFileProblems } from '../../report-parts/index.ts';
+import { shellPath } from '../../shown-path.ts';
+import { visibleLine } from '../../visible.ts';
+
+type Levels = BuiltPack['levels'];
+
+export interface BuildResult {
+  readonly site: string;
+  readonly title: string;
+  readonly levels: Levels;
+  /** The levels because of which nothing was written. */
+  readonly refused: Levels;
+  readonly files: readonly SiteFile[];
+  /** Bytes of all files as a server sends them. */
+  readonly gzipped: number;
+}
+
+const sizeOf = (files: readonly SiteFile[]): number => files.reduce((sum, { bytes }) => sum + bytes, 0);
+
+/** The results of `build` as JSON. */
+export function buildJson({ site, title, levels, refused, files, gzipped }: BuildResult): string {
+  const report: BuildReport = {
+    version: 1,
+    written: refused.length === 0,
+    site,
+    title,
+    levels: levels.map(({ id, file, name, verdict, problems }) => ({
+      id,
+      file,
+      name,
+      verdict,
+      refused: refused.some((one) => one.id === id),
+      problems: problems.map(problemJson),
+    })),
+    files: files.map(({ file, status, bytes }) => ({ file, status, bytes })),
+    bytes: sizeOf(files),
+    gzipped,
+  };
+  return `${JSON.stringify(report)}\n`;
+}
+
+const kilobytes = (bytes: number): string => `${Math.max(1, Math.round(bytes / 1000)).toLocaleString('en')} kB`;
+
+/** The results of `build` for people. */
+export function buildPretty({ site, title, levels, files, gzipped }: BuildResult): string {
+  const changed = files.filter(({ status }) => status !== 'unchanged');
+  const lines = changed.map(({ file, status }) => `${status} ${visibleLine(file)}`);
+  if (changed.length < files.length) lines.push(`unchanged: ${plural(files.length - changed.length, 'other file')}`);
+  const folder = shellPath(site);
+  return `${lines.join('\n')}
+“${visibleLine(title)}”: ${plural(levels.length, 'level')}, ${kilobytes(sizeOf(files))} (${kilobytes(gzipped)} compressed)
+
+next:
+  open ${shellPath(join(site, 'index.html'))} in a browser: it needs no server
+  npx --yes serve ${folder}, to try it as a web server sends it
+  put the folder on any web server or static host; docs/publish.md shows GitHub Pages and itch.io
+`;
+}
+
+/** Why levels are refused, or that they are built all the same: what `gq check` says of each. */
+export function refusedInWords(
+  { levels }: BuiltPack,
+  refused: Levels,
+  { force, colors }: { readonly force: boolean | 'built'; readonly colors: Colors },
+): string {
+  const lines = refused.map(({ file, name, verdict, problems }) => {
+    const isNamed = verdict !== 'invalid' && verdict !== 'crashed';
+    const paint = verdict === 'completable' || verdict === 'unproven' ? colors.yellow : colors.red;
+    const errors = problems.filter(({ severity }) => severity === 'error');
+    const meaning = verdict === 'completable' ? 'it has an error' : VERDICT_MEANS[verdict];
+    return `${paint(verdict)} ${visibleLine(file)}${isNamed ? ` (${visibleLine(name)})` : ''}: ${meaning}\n${showFileProblems(file, errors, colors)}`;
+  });
+  const count = `${refused.length} of ${plural(levels.length, 'level')}`;
+  return `${lines.join('')}${force === 'built' ? `warning: built all the same: ${count}\n` : refusal(count, refused, force)}`;
+}
+
+function refusal(count: string, refused: Levels, force: boolean): string {
+  const isBroken = refused.some(({ verdict }) => verdict === 'invalid' || verdict === 'crashed');
+  const others = refused.some(({ verdict }) => verdict !== 'invalid' && verdict !== 'crashed');
+  const leaveOut = 'fix them, or leave them out with "ignore" in gq.config.json';
+  const anyway = others && !force ? '; --force builds levels that are not known to be completable' : '';
+  const never = isBroken ? '; nobody can play a level that is not valid, so --force does not build it' : '';
+  return `nothing was written, because of ${count}: ${leaveOut}${anyway}${never}\n`;
+}

@@ -1,0 +1,41 @@
+import { plural } from '../../../check/words/index.ts';
+import { type Accuracy, compile, simulate } from '../../../engine/index.ts';
+import { renderSvg } from '../../../picture/index.ts';
+import { type OwnRules, readLevel } from '../../../schema/index.ts';
+import type { MeasuredLevel } from '../../difficulty/index.ts';
+import { readBytes } from '../../read-bytes.ts';
+import { percent } from '../../report-parts/index.ts';
+import { causeInWords } from './players-pretty.ts';
+
+/** More rings than this hide the level. */
+const MOST_RINGS = 6;
+
+/**
+ * Draws a level with the places where players fail, and with the run that they are compared with.
+ * @returns the SVG document, or null if there is nothing to draw
+ */
+export function drawPlayers(
+  { file, players }: MeasuredLevel,
+  accuracy: Accuracy,
+  rules: OwnRules,
+  theme: 'dark' | 'light',
+): string | null {
+  if (players === null || players.statistics.attempts === 0) return null;
+  const read = readLevel(readBytes(file), { rules });
+  if (!read.ok) return null;
+  const { all, clusters, attempts, share, low, high, reference, players: known } = players.statistics;
+  const who = known === 0 ? '' : ` of ${plural(known, 'player')}`;
+  return renderSvg(read.level, {
+    theme,
+    run: reference === null ? undefined : simulate(compile(read.level, accuracy), reference.holds),
+    title: `Where players of ${read.level.name} fail`,
+    note: `${plural(attempts, 'attempt')}${who}: ${percent(share)} succeed (${percent(low)} to ${percent(high)})`,
+    failures: {
+      places: all.flatMap(({ cause, x, y }) => (cause === null ? [] : { x, y })),
+      clusters: clusters.slice(0, MOST_RINGS).map(({ x, y, spread, cause, count, share: part }) => ({
+        ...{ x, y, spread },
+        label: `${causeInWords(cause)}, ${count} (${percent(part)})`,
+      })),
+    },
+  });
+}

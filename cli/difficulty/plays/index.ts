@@ -1,0 +1,1 @@
+export { type CollectedPlays, collectPlays, type LevelPlays } from './collect-plays.ts';

@@ -1,0 +1,65 @@
+import { createPlayReplayer, type PlayReplayer } from '../../../check/plays/index.ts';
+import { decodePlay, ENGINE_ID, PLAY_LIMITS } from '../../../game/index.ts';
+import { type OwnRules, readLevel } from '../../../schema/index.ts';
+import type { Goal } from '../../../solver/index.ts';
+import { Failure, systemReason } from '../../failure.ts';
+import { readBytes } from '../../read-bytes.ts';
+import { readRegularFile } from '../../regular-file.ts';
+import { readLine } from '../../verify/index.ts';
+import type { PlayedLevel, PlayFinding, PlaySource, PlayTask } from './play-task.ts';
+
+/** Levels that are ready for replays, of this thread. */
+const ready = new Map<string, PlayReplayer>();
+
+/** Reads plays and simulates each once. Throws only if gq itself fails. */
+export function readPlays({ sources, levels, rules, goal }: PlayTask): PlayFinding[] {
+  const known = new Map(levels.map((level) => [level.hash, level]));
+  return sources.map((source) => {
+    const bytes = bytesOf(source);
+    if (!('bytes' in bytes)) return bytes;
+    const { id, subject } = bytes;
+    const decoded = decodePlay(bytes.bytes);
+    if (!decoded.ok) return { id, subject, kind: 'refused', verdict: decoded.verdict, message: decoded.message };
+    const { play } = decoded;
+    if (play.engine !== ENGINE_ID) {
+      const message = `expected a play of engine ${ENGINE_ID}, found one of ${play.engine}`;
+      return { id, subject, kind: 'refused', verdict: 'unknown-engine', message };
+    }
+    const level = known.get(play.level);
+    if (level === undefined) return { id, subject, kind: 'elsewhere', hash: play.level };
+    return { id, subject, kind: 'played', hash: play.level, replayed: replayerOf(level, rules, goal).replay(play, 0) };
+  });
+}
+
+interface Read {
+  readonly id: string | null;
+  readonly subject: string | null;
+  readonly bytes: Uint8Array;
+}
+
+function bytesOf(source: PlaySource): Read | PlayFinding {
+  const nobody = { id: null, subject: null };
+  if ('path' in source) {
+    try {
+      return { ...nobody, bytes: readRegularFile(source.path, PLAY_LIMITS.bytes) };
+    } catch (error) {
+      return { ...nobody, kind: 'unreadable', message: systemReason(error) };
+    }
+  }
+  const line = readLine(source.line);
+  if (line === null) return { ...nobody, kind: 'empty' };
+  const id = line.id === null ? null : String(line.id);
+  if ('verdict' in line) return { id, subject: null, kind: 'refused', verdict: line.verdict, message: line.why };
+  return { id, subject: line.subject, bytes: line.bytes };
+}
+
+function replayerOf({ hash, file }: PlayedLevel, rules: OwnRules, goal: Goal): PlayReplayer {
+  const key = JSON.stringify([hash, goal]);
+  const known = ready.get(key);
+  if (known !== undefined) return known;
+  const read = readLevel(readBytes(file), { rules });
+  if (!read.ok) throw new Failure(`${file} has changed meanwhile: run gq again`);
+  const replayer = createPlayReplayer(read.level, goal);
+  ready.set(key, replayer);
+  return replayer;
+}

@@ -1,0 +1,1 @@
+export { readPlays as default } from './read-plays.ts';

@@ -1,0 +1,118 @@
+import { lstatSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { VERDICT_MEANS } from '../../check/words/index.ts';
+import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK } from '../../engine/index.ts';
+import { LEVEL_ID_PART, type PublishRequest, type PublishResponse, type RefusedLevel } from '../../schema/index.ts';
+import {
+  type BuiltPack,
+  checkPack,
+  findPack,
+  packOf,
+  planSite,
+  readGame,
+  type SiteWords,
+  siteFiles,
+  writeSite,
+} from '../build/index.ts';
+import type { ConfigOptions } from '../config-file.ts';
+import { Failure } from '../failure.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { isFailing } from '../show-failure/index.ts';
+import { findLevel } from './level-files.ts';
+import { Refusal } from './refusal.ts';
+import { unknownLevel } from './refusals.ts';
+
+export interface PublishOptions {
+  /** The folder's real path. */
+  readonly root: string;
+  /** The folder as the user named it. */
+  readonly shown: string;
+  /** The search for `gq.config.json` starts in this folder and goes upwards. */
+  readonly configFrom: string;
+  /** A file to read instead, or false for none. */
+  readonly config?: ConfigOptions['config'];
+  /** The folder that contains the built game. */
+  readonly game: string;
+}
+
+/** Makes a page of levels. @throws Refusal; nothing is written then */
+export type Publish = (request: PublishRequest) => Promise<PublishResponse>;
+
+/**
+ * Publishes levels of a folder into another one beside it. The name of that folder is one name and no path; a folder that is there
+ * is written to only if it is empty or of an earlier build, and never through a link.
+ */
+export function createPublish(options: PublishOptions): Publish {
+  let last: Promise<unknown> = Promise.resolve();
+  // one after the other: two must not write into one folder
+  return (request) => {
+    const next = last.then(() => publish(options, request));
+    last = next.catch(() => {});
+    return next;
+  };
+}
+
+async function publish(
+  { root, shown, configFrom, config, game }: PublishOptions,
+  request: PublishRequest,
+): Promise<PublishResponse> {
+  const { site: name, level, title, withRuns, force } = request;
+  const site = siteOf(root, name);
+  const words: SiteWords = { shown: join(shown, '..', name), ifTaken: 'choose another name', ifChanged: 'choose another name' };
+  try {
+    planSite(site, new Map(), false, words);
+    const configuration = readConfiguration({ config }, configFrom);
+    const files = level === null ? await findPack([shown], configuration) : [fileOf(root, shown, level)];
+    const pack = await checkPack(files, configuration, {
+      // slack is not asked for, which would take long
+      asked: { seed: 0, maxTime: DEFAULT_MAX_TIME, maxWork: DEFAULT_MAX_WORK, requireSlack: false },
+      cache: configuration.cache,
+      // few threads: the page that asks is on the same machine
+      jobs: 2,
+      onProgress: () => {},
+    });
+    refuseLevels(pack, force);
+    const content = siteFiles(readGame(game), packOf(pack, { title, rules: configuration.rules, withRuns }));
+    const written = await writeSite(planSite(site, content, false, words));
+    return { site: words.shown, levels: pack.levels.length, bytes: written.reduce((sum, { bytes }) => sum + bytes, 0) };
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    throw new Refusal('not-published', error.message, 'Nothing was written; change what it says, then publish again.');
+  }
+}
+
+function siteOf(root: string, name: string): string {
+  const hint = 'Use at most 80 letters a-z, digits, spaces, _ and -, and begin with a letter or digit.';
+  if (!LEVEL_ID_PART.test(name))
+    throw new Refusal('bad-name', `${JSON.stringify(name)} is not a name that a folder can have on every system`, hint);
+  if (name.toLowerCase() === basename(root).toLowerCase())
+    throw new Refusal('bad-name', `${name} is the folder of the levels`, 'Choose another name for the page.');
+  const site = join(dirname(root), name);
+  if (lstatSync(site, { throwIfNoEntry: false })?.isSymbolicLink() === true)
+    throw new Refusal('not-published', `${name} is a link, which the editor doesn't follow`, 'Choose another name.');
+  return site;
+}
+
+function fileOf(root: string, shown: string, id: string): { file: string; id: string } {
+  const found = findLevel(root, id);
+  if (found === undefined || found.isLink) throw unknownLevel(id, `in ${shown}`);
+  return { file: join(shown, `${id}.level.json`), id };
+}
+
+function refuseLevels({ levels }: BuiltPack, force: boolean): void {
+  const isNever = ({ verdict }: (typeof levels)[number]): boolean => verdict === 'invalid' || verdict === 'crashed';
+  const refused = levels.filter((one) => (force ? isNever(one) : isFailing(one)));
+  if (refused.length === 0) return;
+  const list = refused.map(({ id, name, verdict, problems }): RefusedLevel => {
+    const error = problems.find(({ severity }) => severity === 'error');
+    return {
+      id,
+      name,
+      verdict,
+      message: error?.message ?? (verdict === 'completable' ? 'it has an error' : VERDICT_MEANS[verdict]),
+    };
+  });
+  const message = `${refused.length} of ${levels.length} levels can't be published as they are`;
+  const hint = refused.some(isNever) ? 'Fix the levels that are not valid.' : 'Fix them, or publish them all the same.';
+  throw new Refusal('not-completable', message, hint, { levels: list });
+}

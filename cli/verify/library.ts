@@ -1,0 +1,47 @@
+import type { Level, OwnRules } from '../../schema/index.ts';
+import { Failure } from '../failure.ts';
+import { readBytes } from '../read-bytes.ts';
+import type { EngineModule } from './engine-module.ts';
+
+/** A level that plays may be of. */
+export interface KnownLevel {
+  readonly file: string;
+  readonly name: string;
+  readonly hash: string;
+  readonly level: Level;
+}
+
+/** The levels that plays may be of, found by their hash. */
+export interface Library {
+  /** The level with a hash; of several files with one content, the first. */
+  find(hash: string): KnownLevel | null;
+  readonly levels: readonly KnownLevel[];
+  /** Files that are no level, or can't be read, each with the reason. */
+  readonly unusable: readonly { readonly file: string; readonly reason: string }[];
+}
+
+/** Reads levels and computes their hashes, as an engine sees them. */
+export function readLibrary(files: readonly string[], rules: OwnRules, engine: EngineModule): Library {
+  const byHash = new Map<string, KnownLevel>();
+  const levels: KnownLevel[] = [];
+  const unusable: { file: string; reason: string }[] = [];
+  for (const file of files) {
+    let bytes: Uint8Array;
+    try {
+      bytes = readBytes(file);
+    } catch (error) {
+      if (!(error instanceof Failure)) throw error;
+      unusable.push({ file, reason: error.message });
+      continue;
+    }
+    const level = engine.readLevel(bytes, rules);
+    if (level === null) {
+      unusable.push({ file, reason: `${file}: not a valid level` });
+      continue;
+    }
+    const known: KnownLevel = { file, name: level.name, hash: engine.levelHash(level), level };
+    levels.push(known);
+    if (!byHash.has(known.hash)) byHash.set(known.hash, known);
+  }
+  return { find: (hash) => byHash.get(hash) ?? null, levels, unusable };
+}

@@ -1,0 +1,88 @@
+import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
+
+/** Bytes of the longest line that is read: a play of the largest size as text, and room for its name. */
+const MOST_BYTES = 2 * PLAY_LIMITS.bytes;
+
+const NEWLINE = 0x0a;
+
+/** A line of standard input. */
+export interface InputLine {
+  /** From 1. */
+  readonly number: number;
+  /** null: the line is longer than any play. */
+  readonly text: string | null;
+}
+
+/** Cuts a stream into lines without keeping more than one of them. Gives those of each piece of the stream together. */
+export async function* linesOf(stream: AsyncIterable<Uint8Array>): AsyncGenerator<InputLine[]> {
+  let number = 0;
+  let length = 0;
+  let pieces: Uint8Array[] = [];
+  const take = (piece: Uint8Array): void => {
+    length += piece.length;
+    if (length > MOST_BYTES) pieces = [];
+    else pieces.push(piece);
+  };
+  const line = (): InputLine => {
+    const text = length > MOST_BYTES ? null : Buffer.concat(pieces).toString();
+    length = 0;
+    pieces = [];
+    return { number: ++number, text };
+  };
+  for await (const piece of stream) {
+    const lines: InputLine[] = [];
+    let from = 0;
+    for (let at = piece.indexOf(NEWLINE); at >= 0; at = piece.indexOf(NEWLINE, from)) {
+      take(piece.subarray(from, at));
+      lines.push(line());
+      from = at + 1;
+    }
+    // the stream may use the memory of its piece again
+    if (from < piece.length) take(piece.slice(from));
+    yield lines;
+  }
+  if (length > 0) yield [line()];
+}
+
+/** What a line of standard input says. */
+export type SubmittedPlay =
+  | { readonly id: string | number | null; readonly subject: string | null; readonly bytes: Uint8Array }
+  | { readonly id: string | number | null; readonly verdict: 'malformed' | 'too-long'; readonly why: string };
+
+const EXPECTED = 'expected {"id": ..., "play": "<base64url>"} or the base64url of a play';
+
+/** Reads a line: a play as text, with or without quotes, or an object with it. null for an empty line. */
+export function readLine(text: string | null): SubmittedPlay | null {
+  if (text === null)
+    return { id: null, verdict: 'too-long', why: `expected a line of at most ${MOST_BYTES} bytes, found a longer one` };
+  const trimmed = text.trim();
+  if (trimmed === '') return null;
+  if (!/^[{"[]/.test(trimmed)) return submitted(null, null, trimmed);
+  let value: unknown;
+  try {
+    value = JSON.parse(trimmed);
+  } catch {
+    return { id: null, verdict: 'malformed', why: `${EXPECTED}, found a line that is not valid JSON` };
+  }
+  if (typeof value === 'string') return submitted(null, null, value);
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    return { id: null, verdict: 'malformed', why: `${EXPECTED}, found a list` };
+  }
+  const { id = null, play, subject = null } = value as { id?: unknown; play?: unknown; subject?: unknown };
+  if (id !== null && typeof id !== 'string' && typeof id !== 'number') {
+    return { id: null, verdict: 'malformed', why: 'expected an "id" that is a text or a number' };
+  }
+  if (subject !== null && typeof subject !== 'string')
+    return { id, verdict: 'malformed', why: 'expected a "subject" that is a text' };
+  if (typeof play !== 'string') return { id, verdict: 'malformed', why: `${EXPECTED}, found no text as "play"` };
+  return submitted(id, subject, play);
+}
+
+function submitted(id: string | number | null, subject: string | null, text: string): SubmittedPlay {
+  const bytes = playFromText(text);
+  if (bytes !== null) return { id, subject, bytes };
+  if (text.length > MOST_BYTES / 2 && /^[\w-]*$/.test(text)) {
+    return { id, verdict: 'too-long', why: `expected a play of at most ${PLAY_LIMITS.bytes} bytes, found a longer one` };
+  }
+  return { id, verdict: 'malformed', why: 'expected the base64url of a play: letters, digits, - and _ without padding' };
+}

@@ -1,0 +1,1 @@
+export { replayAll as default } from './replay.ts';
