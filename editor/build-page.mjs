@@ -1,5 +1,5 @@
 // Builds the page, unless what it is made of is the same as in the last build: that takes 10 s.
-import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { fingerprint, isSource } from './page-sources.mjs';
@@ -27,4 +27,14 @@ if (!isBuilt()) {
   const plugins = [sourcesAreKnown];
   await build({ root: join(project, 'editor'), logLevel: 'warn', plugins, worker: { plugins: () => plugins } });
   writeFileSync(stamp, now);
+}
+
+// the game, which the page puts into what it publishes
+const game = join(project, 'dist/editor/game');
+const gameNow = readFileSync(join(project, 'dist/site.stamp'), 'utf8');
+const gameStamp = join(project, 'dist/editor-game.stamp');
+if (!existsSync(game) || !existsSync(gameStamp) || readFileSync(gameStamp, 'utf8') !== gameNow) {
+  rmSync(game, { recursive: true, force: true });
+  cpSync(join(project, 'dist/site'), game, { recursive: true });
+  writeFileSync(gameStamp, gameNow);
 }

@@ -4,12 +4,14 @@ import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import * as z from 'zod';
 import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
+import { followPlayLinks, takeLinkedPlay } from './plays/index.ts';
 import './ui/touch.css';
 import './ui/contrast.css';
 
 // the strict content security policy forbids code made from text
 z.config({ jitless: true });
 
+const linkedPlay = takeLinkedPlay(window);
 const editor = await createEditor();
 createRoot(document.getElementById('root') as HTMLElement).render(
   <StrictMode>
@@ -17,6 +19,7 @@ createRoot(document.getElementById('root') as HTMLElement).render(
   </StrictMode>,
 );
 await openFirstLevel(editor);
+followPlayLinks(editor, linkedPlay);
 void tellKept(editor);
 // save the latest changes before the page may be closed
 document.addEventListener('visibilitychange', () => void editor.open.getState()?.opened.saver.flush());

@@ -7,8 +7,9 @@ export const SOURCES = [
   'check',
   'editor',
   'engine',
+  'game',
   'levels',
-
+  'phaser',
   'picture',
   'review',
   'schema',
@@ -18,11 +19,27 @@ export const SOURCES = [
   'tsconfig.base.json',
 ];
 
+/** Everything the game of `gq build` is made of. */
+export const SITE_SOURCES = [
+  'engine',
+  'examples/phaser/index.html',
+  'examples/phaser/src',
+  'examples/phaser/vite.config.ts',
+  'game',
+  'levels',
+  'phaser',
+  'schema',
+  'package-lock.json',
+  'package.json',
+  'tsconfig.base.json',
+];
+
 /**
  * A hash of the names and texts of all sources in a project, and of the version of Node. Names that begin with a dot are left out.
  * @param {string} project
+ * @param {readonly string[]} sources
  */
-export function fingerprint(project) {
+export function fingerprint(project, sources = SOURCES) {
   const hash = createHash('sha256').update(process.version);
   const add = (/** @type {string} */ path) => {
     const full = join(project, path);
@@ -31,7 +48,7 @@ export function fingerprint(project) {
     // pipes, and links to folders or to nothing, may stand in a folder of levels, and are no part of the page
     else if (statSync(full, { throwIfNoEntry: false })?.isFile()) hash.update(`\0${path}\0`).update(readFileSync(full));
   };
-  for (const path of SOURCES) add(path);
+  for (const path of sources) add(path);
   return hash.digest('hex');
 }
 
@@ -41,8 +58,28 @@ export function fingerprint(project) {
  * @param {string} id as the bundler has it, perhaps with a query
  */
 export function isSource(project, id) {
+  const path = pathOf(project, id);
+  return path === null || path.split('/').includes('node_modules') || SOURCES.includes(path.split('/')[0]);
+}
+
+/**
+ * The same for the game of `gq build`, which is made of rooms as they are compiled.
+ * @param {string} project
+ * @param {string} id
+ */
+export function isSiteSource(project, id) {
+  const path = pathOf(project, id);
+  if (path === null || path.split('/').includes('node_modules')) return true;
+  const source = path.replace(/^dist\//, '');
+  return SITE_SOURCES.some((one) => source === one || source.startsWith(`${one}/`));
+}
+
+/**
+ * The path of a module in the project, with slashes; null if the bundler has made it up.
+ * @param {string} project
+ * @param {string} id
+ */
+function pathOf(project, id) {
   const file = id.replace(/\?.*$/, '');
-  if (!isAbsolute(file)) return true;
-  const path = relative(project, file);
-  return path.split(sep).includes('node_modules') || SOURCES.includes(path.split(sep)[0]);
+  return isAbsolute(file) ? relative(project, file).split(sep).join('/') : null;
 }

@@ -6,9 +6,12 @@ import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
+import { AttemptsWatch } from '../panels/attempts/index.ts';
 import { openListed, SamplesButton } from '../panels/levels/index.ts';
 import { HeatLegend, SolverWatch, solverSessionOf } from '../panels/solver/index.ts';
-import { PlayView, playCommands } from '../play/index.ts';
+import { PlayView, playCommands, ReplayView } from '../play/index.ts';
+import { playsCommands } from '../plays/index.ts';
+import { shelfOf } from '../shelf/index.ts';
 import { Timeline } from '../timeline/index.ts';
 import { Button, keepFocus } from '../ui/index.ts';
 import './app.css';
@@ -100,6 +103,9 @@ function LevelScreen() {
   const key = useLevelKey();
   const mode = useSession((state) => state.mode);
   const { overlay } = solverSessionOf(editor, level);
+  const isReplay = useSession(({ playFrom }) => playFrom === 'replay');
+  const asked = useStore(shelfOf(level).store, (state) => state.replay);
+  const replay = isReplay ? asked : null;
   return (
     <>
       <TopBar />
@@ -111,7 +117,7 @@ function LevelScreen() {
             <CanvasView key={key} search={overlay} />
             <Toolbar />
             <HeatLegend />
-            {mode === 'play' && <PlayView />}
+            {mode === 'play' && (replay === null ? <PlayView /> : <ReplayView replay={replay} />)}
           </>
         }
         timeline={<Timeline key={key} />}
@@ -119,6 +125,7 @@ function LevelScreen() {
       />
       <StatusBar />
       <SolverWatch />
+      <AttemptsWatch />
     </>
   );
 }
@@ -191,6 +198,7 @@ function Screen() {
     const forget = commands.register([
       ...appCommands(editor),
       ...playCommands(editor),
+      ...playsCommands(editor),
       ...panelCommands(editor),
       ...ruleCommands(editor),
     ]);

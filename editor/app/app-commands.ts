@@ -10,6 +10,7 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   slackFan: 'slack fan',
   ghosts: 'ghosts of attempts and candidates',
   heatMap: 'search heat map',
+  deaths: 'heat map of deaths',
 };
 
 /** Commands that work whatever is shown. */
@@ -48,6 +49,7 @@ export function appCommands(editor: Editor): readonly Command[] {
     },
     { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], inText: true, run: show('newLevel') },
     { id: 'file.share', title: 'Import, export, link', group: 'File', run: show('share') },
+    { id: 'file.publish', title: 'Publish as a page to play', group: 'File', run: show('publish') },
     { id: 'file.kept', title: 'Unsaved changes kept in this browser', group: 'File', run: show('kept') },
     { id: 'file.trash', title: 'Deleted levels', group: 'File', run: show('trash') },
     {

@@ -1,7 +1,8 @@
-import { Files, Gauge, ListTree, Puzzle, SlidersHorizontal, Sparkles, TriangleAlert, Waypoints } from 'lucide-react';
+import { Files, Gauge, History, ListTree, Puzzle, SlidersHorizontal, Sparkles, TriangleAlert, Waypoints } from 'lucide-react';
 import type { ReactNode } from 'react';
 import { PerLevel } from '../context/index.ts';
 import { AccuracyPanel } from '../panels/accuracy/index.ts';
+import { AttemptsPanel } from '../panels/attempts/index.ts';
 import { Effects } from '../panels/effects/index.ts';
 import { Inspector } from '../panels/inspector/index.ts';
 import { LevelsPanel } from '../panels/levels/index.ts';
@@ -23,6 +24,7 @@ export const LEVELS: SidePanel = { id: 'levels', title: 'Levels', icon: <Files s
 export const LEFT: readonly SidePanel[] = [
   { id: 'outline', title: 'Outline', icon: <ListTree size={ICON} />, content: inLevel(<Outliner />) },
   { id: 'runs', title: 'Runs', icon: <Waypoints size={ICON} />, content: inLevel(<RunsPanel />) },
+  { id: 'attempts', title: 'Attempts', icon: <History size={ICON} />, content: inLevel(<AttemptsPanel />) },
 ];
 
 /** On the right side, one at a time. */

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import { type AccuracyName, TICK } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold, LevelFile, OwnRules } from '../../schema/index.ts';
 
 /** One attempt of the user at a level. */
 export interface Attempt {
@@ -16,6 +16,17 @@ export interface Attempt {
   readonly accuracy: AccuracyName;
   /** x, y at every tick, px */
   readonly points: Float32Array;
+  /** What it takes to send it; absent if that is not known. */
+  readonly played?: PlayedOn;
+}
+
+/** A play as a file, and the level that it was played on. */
+export interface PlayedOn {
+  /** The content of its `.gqr` file. */
+  readonly bytes: Uint8Array;
+  readonly file: LevelFile;
+  /** The rules of the folder. */
+  readonly rules: OwnRules;
 }
 
 /** number of attempts that are kept, as each is a line on the canvas */
@@ -24,6 +35,7 @@ const KEPT = 24;
 export interface Attempts {
   readonly store: StoreApi<readonly Attempt[]>;
   add(attempt: Omit<Attempt, 'number'>): Attempt;
+  remove(number: number): void;
   clear(): void;
 }
 
@@ -41,6 +53,11 @@ export function createAttempts(): Attempts {
       store.setState(all.length > KEPT ? all.filter((one) => one !== spare) : all, true);
       return numbered;
     },
+    remove: (number) =>
+      store.setState(
+        store.getState().filter((one) => one.number !== number),
+        true,
+      ),
     clear: () => store.setState([], true),
   };
 }

@@ -6,6 +6,8 @@ import { createCanvasState } from './canvas-state.ts';
 import { EndReason } from './EndReason.tsx';
 import './canvas.css';
 import { CROSSHAIR_HELP } from './crosshair/index.ts';
+import { DeathLegend } from './DeathLegend.tsx';
+import { DeathTip } from './DeathTip.tsx';
 import type { SearchPicture } from './layers/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
 
@@ -47,6 +49,8 @@ export function CanvasView({ search }: CanvasViewProps) {
         {words}
       </p>
       <EndReason canvas={canvas} />
+      <DeathLegend />
+      <DeathTip canvas={canvas} host={host} />
     </>
   );
 }

@@ -1,6 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { Box } from '../../engine/index.ts';
 import type { Editor, OpenLevel, Pose } from '../context/index.ts';
+import { shelfOf } from '../shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { SearchPicture } from './layers/index.ts';
 import { poseAt } from './run-pose.ts';
@@ -13,6 +14,7 @@ export function pictureOf(
   canvas: StoreApi<CanvasState>,
   search: Pick<StoreApi<SearchPicture>, 'getState'>,
 ): () => Picture {
+  const plays = shelfOf({ document }).store;
   // the pose of a tick is computed once, however many frames show it
   let posed: { proof: object; tick: number; pose: Pose } | null = null;
   const pose = (): Pose => {
@@ -44,6 +46,7 @@ export function pictureOf(
       grid: snapToGrid ? grid : null,
       ghosts: ghosts.getState(),
       search: search.getState(),
+      deaths: plays.getState().deaths,
       pose: pose(),
       editing: session.getState().mode === 'edit',
       showsRun: session.getState().mode === 'edit' || settings.getState().runInPlay,

@@ -10,6 +10,7 @@ import {
   pasteObjects,
   readClipping,
 } from '../document/index.ts';
+import { isPlayText } from '../shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { ObjectChanges } from './object-changes.ts';
 
@@ -18,7 +19,7 @@ const BESIDE = 32;
 
 /** Delete, duplicate, copy, cut and paste. */
 export function clipboardCommands(
-  { notices }: Editor,
+  { notices, commands }: Editor,
   { document, selection }: OpenLevel,
   canvas: StoreApi<CanvasState>,
   { needsSelected, change, add }: ObjectChanges,
@@ -43,6 +44,10 @@ export function clipboardCommands(
       text = await navigator.clipboard.readText();
     } catch {
       notices.show('warning', 'The browser does not let this page read the clipboard.', { topic: 'clipboard' });
+      return;
+    }
+    if (isPlayText(text)) {
+      commands.run('plays.paste');
       return;
     }
     const reading = readClipping(text);

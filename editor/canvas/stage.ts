@@ -5,10 +5,12 @@ import type { Ghost, Pose } from '../context/index.ts';
 import type { ObjectKey } from '../document/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { Layer } from '../session/index.ts';
+import type { DeathMap } from '../shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
 import {
   AstronautLayer,
+  DeathLayer,
   ObjectLayer,
   OverlayLayer,
   SearchLayer,
@@ -33,6 +35,8 @@ export interface Picture {
   readonly grid: number | null;
   readonly ghosts: readonly Ghost[];
   readonly search: SearchPicture;
+  /** Where players die in the opened plays; null: not known. */
+  readonly deaths: DeathMap | null;
   readonly pose: Pose;
   readonly editing: boolean;
   /** Whether the path of the run is shown. */
@@ -47,6 +51,7 @@ interface Layers {
   readonly theme: Theme;
   readonly overlay: OverlayLayer;
   readonly search: SearchLayer;
+  readonly deaths: DeathLayer;
   readonly way: WayLayer;
   readonly astronaut: AstronautLayer;
 }
@@ -81,7 +86,7 @@ class LevelScene extends Scene {
     const space = this.scene.get('space') as SpaceScene;
     const isRedressed = this.layers?.theme !== picture.theme;
     if (isRedressed) this.layers = this.dress(picture.theme, objects, space);
-    const { overlay, search, way, astronaut } = this.layers as Layers;
+    const { overlay, search, deaths, way, astronaut } = this.layers as Layers;
     const fresh = last === null || isRedressed;
     const { view } = picture.canvas;
     if (fresh || last.canvas.view !== view) {
@@ -94,6 +99,7 @@ class LevelScene extends Scene {
     if (!same('file', 'her', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
     if (zoomed || !same('proof', 'ghosts', 'layers', 'showsRun')) way.show({ ...picture, zoom: view.zoom });
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
+    if (!same('deaths', 'layers')) deaths.show(picture.layers.deaths ? picture.deaths : null);
     if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
@@ -105,6 +111,7 @@ class LevelScene extends Scene {
     const colours = COLOURS[theme];
     this.layers?.overlay.destroy();
     this.layers?.search.destroy();
+    this.layers?.deaths.destroy();
     this.layers?.way.destroy();
     this.layers?.astronaut.destroy();
     objects.clear();
@@ -114,6 +121,7 @@ class LevelScene extends Scene {
       theme,
       overlay: new OverlayLayer(this, colours),
       search: new SearchLayer(this, colours),
+      deaths: new DeathLayer(this, colours),
       way: new WayLayer(this, colours),
       astronaut: new AstronautLayer(this, colours),
     };

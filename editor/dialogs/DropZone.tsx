@@ -2,11 +2,13 @@ import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useEditor } from '../context/index.ts';
 import { folderOf } from '../files/index.ts';
+import { droppedFiles, openPlayFiles } from '../plays/index.ts';
+import { isPlayFile } from '../shelf/index.ts';
 import { IMPORT_TOPIC, importFiles } from './import-files.ts';
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;
 
-/** Imports files that are dropped anywhere on the page. */
+/** Imports levels and opens plays that are dropped anywhere on the page, as files or in folders. */
 export function DropZone() {
   const editor = useEditor();
   const [isOver, setIsOver] = useState(false);
@@ -37,9 +39,15 @@ export function DropZone() {
       const folder = folderOf(editor.workspace.store.getState().opened?.id() ?? '');
       const { notices } = editor;
       notices.settle(IMPORT_TOPIC);
-      void importFiles(editor, folder, [...(event.dataTransfer?.files ?? [])], true).then(({ refusals }) => {
+      const take = async (files: readonly File[]) => {
+        const plays = files.filter(isPlayFile);
+        const levels = files.filter((file) => !isPlayFile(file));
+        if (plays.length > 0) void openPlayFiles(editor, plays);
+        if (levels.length === 0) return;
+        const { refusals } = await importFiles(editor, folder, levels, true);
         if (refusals.length > 0) notices.show('error', refusals.join('\n'), { topic: IMPORT_TOPIC });
-      });
+      };
+      if (event.dataTransfer !== null) void droppedFiles(event.dataTransfer).then(take);
     });
     return () => stopping.abort();
   }, [editor]);
@@ -47,7 +55,7 @@ export function DropZone() {
   return (
     <div className="dropzone" role="status">
       <FileDown size={28} aria-hidden />
-      Drop to import as new levels
+      Drop levels to import them, plays to open them
     </div>
   );
 }

@@ -1,8 +1,8 @@
 import { Braces, Copy, FileImage, Image } from 'lucide-react';
 import { useMemo, useState } from 'react';
-import { formatLevel } from '../../schema/index.ts';
+import { formatLevel, leavingFolder } from '../../schema/index.ts';
 import { useDocument, useEditor, useFolderRules, useLevel, usePageTheme } from '../context/index.ts';
-import { copyText, type ExportedFile, keepFile, leavingFolder, levelFile, pictureSvg, toPng } from '../share/index.ts';
+import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from '../share/index.ts';
 import { Button, NumberField } from '../ui/index.ts';
 
 /** px */

@@ -1,9 +1,9 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
-import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { enteringFolder, formatLevel, type LevelFile } from '../../schema/index.ts';
 import { useEditor, useFolderRules, usePageTheme } from '../context/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
-import { enteringFolder, slugOf } from '../share/index.ts';
+import { slugOf } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
 import { surveyLink } from './survey-link.ts';
 

@@ -1,32 +1,92 @@
 import { Copy } from 'lucide-react';
-import { useEffect, useMemo, useState } from 'react';
+import { useEffect, useId, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { leavingFolder } from '../../schema/index.ts';
 import { useDocument, useEditor, useFolderRules } from '../context/index.ts';
-import { copyText, type Linking, leavingFolder, linkTo } from '../share/index.ts';
+import { copyText, type Linking, linkTo, playPageOf } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 
-/** A link that contains the open level. */
+/** A link that contains the open level: for this editor, or for a page on which it can only be played. */
 export function LinkTab() {
-  const { notices, workspace } = useEditor();
+  const { notices, workspace, session, settings } = useEditor();
   const open = useDocument((state) => state.file);
   const rules = useFolderRules();
+  const field = useId();
+  const typed = useStore(settings, (state) => state.playPage);
   const file = useMemo(() => leavingFolder(open, rules.own), [open, rules.own]);
   const [withRuns, setWithRuns] = useState(true);
+  const [isPlayOnly, setPlayOnly] = useState(false);
   const [linking, setLinking] = useState<Linking | null>(null);
+  const page = useMemo(() => (typed.trim() === '' ? null : playPageOf(typed)), [typed]);
+  const here = `${location.origin}${location.pathname}`;
+  const address = isPlayOnly ? (page?.ok ? page.address : null) : here;
   useEffect(() => {
     let isGone = false;
+    setLinking(null);
     const { runs: _, ...bare } = file;
-    void linkTo(withRuns ? file : bare, `${location.origin}${location.pathname}`).then((made) => {
-      if (!isGone) setLinking(made);
-    });
+    if (address !== null)
+      void linkTo(withRuns ? file : bare, address).then((made) => {
+        if (!isGone) setLinking(made);
+      });
     return () => {
       isGone = true;
     };
-  }, [file, withRuns]);
+  }, [file, withRuns, address]);
   return (
     <div className="share">
+      <fieldset className="publish__targets">
+        <legend className="unseen">What the link opens</legend>
+        <label className="share__check">
+          <input type="radio" name={`${field}-page`} checked={!isPlayOnly} onChange={() => setPlayOnly(false)} />
+          opens in this editor
+        </label>
+        <label className="share__check">
+          <input type="radio" name={`${field}-page`} checked={isPlayOnly} onChange={() => setPlayOnly(true)} />
+          play only: opens in the game, on a page that you have published
+        </label>
+      </fieldset>
+      {isPlayOnly && (
+        <>
+          <div className="publish__fields">
+            <label htmlFor={`${field}-address`}>Address of the page</label>
+            <input
+              id={`${field}-address`}
+              className="field"
+              type="text"
+              inputMode="url"
+              spellCheck={false}
+              placeholder="https://me.github.io/levels/"
+              value={typed}
+              aria-invalid={page?.ok === false}
+              onChange={(event) => settings.setState({ playPage: event.target.value })}
+            />
+          </div>
+          {page === null && (
+            <div className="share__buttons">
+              <p className="share__about">
+                The link needs a page that is on the web: publish one, put it on a web server, and enter its address here. Any
+                published page plays any level.
+              </p>
+              <Button
+                hint="Make a page on which levels are played"
+                look="outlined"
+                onClick={() => session.setState({ overlay: 'publish' })}
+              >
+                Publish a page
+              </Button>
+            </div>
+          )}
+          {page?.ok === false && <p role="alert">Address of the page: {page.message}.</p>}
+        </>
+      )}
       <p className="share__about">
-        Anyone who opens this link gets a copy of the level as it is now. The link itself contains the level, compressed.
-        {workspace.storage.kind === 'server' && ' This editor runs on your machine only, so the link works only for you.'}
+        {isPlayOnly
+          ? 'Anyone who opens this link plays the level as it is now, and can’t edit it. '
+          : 'Anyone who opens this link gets a copy of the level as it is now. '}
+        The link itself contains the level, compressed.
+        {!isPlayOnly &&
+          workspace.storage.kind === 'server' &&
+          ' This editor runs on your machine only, so the link works only for you.'}
         {file !== open && ` The link includes the rules of ${rules.file}, so that the level plays the same without that file.`}
       </p>
       <label className="share__check">

@@ -8,7 +8,8 @@ async function takeLink({ notices, incoming }: Editor): Promise<void> {
   if (placeIn(hash) !== null) return;
   const linked = await levelOf(hash);
   if (linked === null) return;
-  if (window.location.hash === hash) {
+  // a play beside the level is taken by itself
+  if (hash.startsWith(window.location.hash) && window.location.hash !== '') {
     // A full URL: a path that begins with two slashes would otherwise name another host.
     const bare = new URL(window.location.href);
     bare.hash = '';

@@ -81,6 +81,7 @@ export function createBrowserStorage(
     trash: () => look(({ trash }) => trash.map(({ text: _, ...entry }) => entry)),
     restore: (name, to) => change((shelf) => restoreLevel(shelf, name, to)),
     order: (_, ids) => change((shelf) => orderLevels(shelf, ids)),
+    publish: null,
     watch(onEvent, onLink) {
       let isOver = false;
       channel?.addEventListener('message', ({ data }) => {

@@ -1,3 +1,4 @@
+export { allLevels } from './all-levels.ts';
 export { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 export { readStored, readText } from './disk-text.ts';
 export { folderRulesIn } from './folder-rules.ts';

@@ -6,7 +6,10 @@ import type {
   LevelEntry,
   ListResponse,
   OrderResponse,
+  PublishRequest,
+  PublishResponse,
   ReadResponse,
+  RefusedLevel,
   TrashEntry,
 } from '../../schema/index.ts';
 
@@ -18,12 +21,17 @@ export interface StorageError {
   readonly problems: NonNullable<ErrorResponse['error']['problems']>;
   /** `conflict`: the current state instead of the base; null: the level no longer exists. */
   readonly current: ReadResponse | null;
+  /** `not-completable`: the levels that are not published as they are. */
+  readonly levels?: readonly RefusedLevel[];
 }
 
 export type Answer<T> = { readonly ok: true; readonly value: T } | { readonly ok: false; readonly error: StorageError };
 
 /** Whether a storage can be reached. `otherRun`: the server was restarted and does not know this page. */
 export type Link = 'up' | 'gone' | 'otherRun';
+
+/** What is to be published, and where. */
+export type Publishing = Omit<PublishRequest, 'client'>;
 
 /** Where levels are stored: in a folder behind `gq edit`, or in this browser. Its promises never reject. */
 export interface LevelStorage {
@@ -40,6 +48,8 @@ export interface LevelStorage {
   trash(): Promise<Answer<readonly TrashEntry[]>>;
   restore(trash: string, to?: string): Promise<Answer<LevelEntry>>;
   order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>>;
+  /** Makes a page of levels in a folder beside them; null where there are no folders. */
+  readonly publish: ((wanted: Publishing) => Promise<Answer<PublishResponse>>) | null;
   /**
    * Reports changes of levels by anyone but this page.
    * @param onLink called when the link changes
@@ -53,7 +63,7 @@ export const storageError = (
   code: StorageError['code'],
   message: string,
   hint: string,
-  more: Partial<Pick<StorageError, 'problems' | 'current'>> = {},
+  more: Partial<Pick<StorageError, 'problems' | 'current' | 'levels'>> = {},
 ): StorageError => ({ code, message, hint, problems: [], current: null, ...more });
 
 /** What went wrong and what to do, as sentences. */

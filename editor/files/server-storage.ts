@@ -10,6 +10,8 @@ import {
   listResponseSchema,
   type OrderRequest,
   orderResponseSchema,
+  type PublishRequest,
+  publishResponseSchema,
   type RenameRequest,
   type RestoreRequest,
   readResponseSchema,
@@ -88,10 +90,10 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     } else {
       const parsed = errorResponseSchema.safeParse(value);
       if (parsed.success) {
-        const { code, message, hint, problems = [], current = null } = parsed.data.error;
+        const { code, message, hint, problems = [], current = null, levels } = parsed.data.error;
         if (code === 'wrong-token')
           return { ok: false, error: token === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
-        return { ok: false, error: { code, message, hint, problems, current } };
+        return { ok: false, error: { code, message, hint, problems, current, ...(levels !== undefined && { levels }) } };
       }
     }
     const hint = 'are the page and gq edit of the same version? Reload the page';
@@ -139,6 +141,10 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     order(folder, ids) {
       const body: OrderRequest = { folder, ids: [...ids], client };
       return post(EDIT_API.ORDER, orderResponseSchema, body);
+    },
+    publish(wanted) {
+      const body: PublishRequest = { ...wanted, client };
+      return post(EDIT_API.PUBLISH, publishResponseSchema, body);
     },
     watch(onEvent, onLink) {
       // without a token, the server reports nothing

@@ -1,6 +1,7 @@
 import { closestName, type LevelEntry, type PlaceReading } from '../../schema/index.ts';
 import { poseAt } from '../canvas/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
+import { allLevels } from '../files/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { isWhole } from '../proof/index.ts';
 import { levelsCalled, nearlyCalled } from './find-level.ts';
@@ -47,21 +48,6 @@ export async function showPlace(editor: Editor, { place, problem }: PlaceReading
   if (place.tick !== null) said.push(...showTick(editor, level, place.tick));
   tell(said);
   return true;
-}
-
-/** The list of levels once it is complete: a long one comes in parts. */
-function allLevels({ store }: Editor['workspace']): Promise<readonly LevelEntry[]> {
-  return new Promise((resolve) => {
-    let stop = () => {};
-    const look = () => {
-      const { list, error } = store.getState();
-      if (error === null && list !== null && list.unread > 0) return false;
-      stop();
-      resolve(list?.levels ?? []);
-      return true;
-    };
-    if (!look()) stop = store.subscribe(look);
-  });
 }
 
 /** Shows a run of the open level. @returns what to tell the user */

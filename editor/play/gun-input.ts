@@ -1,7 +1,13 @@
+/** What the button of the gun does: a player, or what stands for one. */
+export interface GunButton {
+  press(): void;
+  release(): void;
+}
+
 /** The input that holds the gun in a playtest. */
 export interface GunInput {
-  /** Whether the gun is held now; a press shorter than a frame counts once. */
-  read(): boolean;
+  /** Whether a pointer or a key holds the gun now. */
+  isHeld(): boolean;
   stop(): void;
 }
 
@@ -11,15 +17,18 @@ const isOnButton = ({ target }: Event): boolean => target instanceof Element && 
  * Reads mouse, touch or a key as the gun.
  * @param element where presses of the pointer count
  * @param key `KeyboardEvent.code`; Space also works
+ * @param button pressed by the first pointer or key that is down, released when the last one is up
  */
-export function listenToGun(page: Window, element: HTMLElement, key: () => string): GunInput {
+export function listenToGun(page: Window, element: HTMLElement, key: () => string, button: GunButton): GunInput {
   const held = new Set<string>();
-  let tapped = false;
   const stopping = new AbortController();
   const options = { signal: stopping.signal };
   const press = (source: string) => {
     held.add(source);
-    tapped = true;
+    button.press();
+  };
+  const release = (source: string) => {
+    if (held.delete(source) && held.size === 0) button.release();
   };
   const isGun = (event: KeyboardEvent) => event.code === key() || event.code === 'Space';
 
@@ -36,7 +45,7 @@ export function listenToGun(page: Window, element: HTMLElement, key: () => strin
     options,
   );
   for (const type of ['pointerup', 'pointercancel'] as const) {
-    element.addEventListener(type, (event) => held.delete(`pointer ${event.pointerId}`), options);
+    element.addEventListener(type, (event) => release(`pointer ${event.pointerId}`), options);
   }
   page.addEventListener(
     'keydown',
@@ -49,14 +58,17 @@ export function listenToGun(page: Window, element: HTMLElement, key: () => strin
     },
     options,
   );
-  page.addEventListener('keyup', (event) => held.delete(event.code), options);
-  page.addEventListener('blur', () => held.clear(), options);
-  return {
-    read() {
-      const now = held.size > 0 || tapped;
-      tapped = false;
-      return now;
+  page.addEventListener('keyup', (event) => release(event.code), options);
+  page.addEventListener(
+    'blur',
+    () => {
+      held.clear();
+      button.release();
     },
+    options,
+  );
+  return {
+    isHeld: () => held.size > 0,
     stop: () => stopping.abort(),
   };
 }

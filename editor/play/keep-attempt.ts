@@ -1,7 +1,8 @@
 import { simulate } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
 import type { Attempt } from '../attempts/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
-import { addRun, type ChangeResult, freeRunName, replaceHolds } from '../document/index.ts';
+import { addRun, type ChangeResult, freeRunName, replaceHolds, titled } from '../document/index.ts';
 
 interface Parts {
   readonly editor: Pick<Editor, 'session' | 'notices'>;
@@ -16,13 +17,20 @@ function changed({ editor: { notices } }: Parts, result: ChangeResult): boolean 
 }
 
 /** Adds an attempt to the level as its last run; no other run changes. */
-export function keepAsRun(parts: Parts, { number, holds }: Attempt): void {
+export const keepAsRun = (parts: Parts, { number, holds }: Pick<Attempt, 'number' | 'holds'>): void =>
+  keepHolds(parts, `attempt ${number}`, holds);
+
+/** Characters of a run's name that come from the name of a file. */
+const LONGEST_NAME = 60;
+
+/** Adds holds to the level as its last run. @param title where they come from, which the run is called after */
+export function keepHolds(parts: Parts, title: string, holds: readonly Hold[]): void {
   const { document } = parts.level;
   const { session, notices } = parts.editor;
-  const name = freeRunName(document.file(), `attempt ${number}`);
-  if (!changed(parts, document.change(`Keep attempt ${number} as a run`, addRun(name, holds)))) return;
+  const name = freeRunName(document.file(), title.replace(/\.gqr$/i, '').slice(-LONGEST_NAME));
+  if (!changed(parts, document.change(`Keep ${title} as a run`, addRun(name, holds)))) return;
   session.setState({ run: name });
-  notices.show('info', `Attempt ${number} is kept as the last run, “${name}”.`, TOPIC);
+  notices.show('info', `${titled(title)} is kept as the last run, “${name}”.`, TOPIC);
 }
 
 /**

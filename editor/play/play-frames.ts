@@ -12,47 +12,60 @@ interface FramesParts {
   readonly settings: SettingsStore;
   /** Simulated seconds per second. */
   readonly rate: () => number;
-  /** The playtest; null: none. */
-  readonly playing: () => Playtest | null;
   /** Called when the readout should be updated. */
   readonly onReadout: (playing: Playtest) => void;
-  /** Called once when a playtest ends. */
-  readonly onEnd: (playing: Playtest) => void;
 }
 
-/** Runs the playtest frame by frame with the input of the gun, and plays its sounds. @returns stops it */
-export function playFrames({ element, settings, rate, playing: current, onReadout, onEnd }: FramesParts): () => void {
-  const gun = listenToGun(window, element, () => settings.getState().gunKey);
+/** The frames of the page, which play a playtest. */
+export interface PlayFrames {
+  /** Plays an attempt from now on; a gun that is held counts from its first tick. null: none */
+  play(playing: Playtest | null): void;
+  /** The sounds of what happens in an attempt. */
+  onMineral(): void;
+  onEnd(playing: Playtest): void;
+  stop(): void;
+}
+
+/** Runs playtests frame by frame with the input of the gun, and plays their sounds. */
+export function playFrames({ element, settings, rate, onReadout }: FramesParts): PlayFrames {
+  let current: Playtest | null = null;
+  const gun = listenToGun(window, element, () => settings.getState().gunKey, {
+    press: () => current?.player.press(),
+    release: () => current?.player.release(),
+  });
   const sound = createSound(() => (settings.getState().sound ? settings.getState().volume : 0));
   let last = performance.now();
   let shownAt = 0;
-  let ended: Playtest | null = null;
   const onFrame = (now: number) => {
     frame = requestAnimationFrame(onFrame);
-    const playing = current();
-    const seconds = (Math.max(0, now - last) / 1000) * rate();
+    const ms = (now - last) * rate();
     last = now;
-    const held = gun.read();
-    if (playing === null) return;
-    const before = playing.minerals;
-    playing.advance(seconds, held);
-    sound.gun(held && playing.end === null, playing.speed);
-    if (playing.minerals > before) sound.mineral();
-    if (playing.end !== null && ended !== playing) {
-      ended = playing;
-      if (playing.end.outcome === 'completed') sound.won();
-      else sound.died();
-      onEnd(playing);
-    }
+    if (current === null) return;
+    const playing = current;
+    playing.player.advance(ms);
+    sound.gun(gun.isHeld() && playing.end === null, playing.speed);
     if (now - shownAt > READOUT) {
       shownAt = now;
       onReadout(playing);
     }
   };
   let frame = requestAnimationFrame(onFrame);
-  return () => {
-    cancelAnimationFrame(frame);
-    gun.stop();
-    sound.close();
+  return {
+    play(playing) {
+      current = playing;
+      // the user takes over from a run that may hold the gun
+      if (gun.isHeld()) current?.player.press();
+      else current?.player.release();
+    },
+    onMineral: () => sound.mineral(),
+    onEnd({ end }) {
+      if (end?.outcome === 'completed') sound.won();
+      else sound.died();
+    },
+    stop() {
+      cancelAnimationFrame(frame);
+      gun.stop();
+      sound.close();
+    },
   };
 }

@@ -1,7 +1,9 @@
 import { type RefObject, useCallback, useEffect, useRef, useState } from 'react';
+import { encodePlay, playOf } from '../../game/index.ts';
 import type { Attempt } from '../attempts/index.ts';
-import { useEditor, useLevel, useSession } from '../context/index.ts';
-import { playFrames } from './play-frames.ts';
+import { type Editor, type OpenLevel, useEditor, useLevel, useSession } from '../context/index.ts';
+import { folderRulesIn } from '../files/index.ts';
+import { type PlayFrames, playFrames } from './play-frames.ts';
 import { createPlaytest, type Playtest } from './playtest.ts';
 
 /** What the HUD shows; updated a few times a second, as the canvas shows every frame. */
@@ -11,7 +13,14 @@ export interface Readout {
   readonly speed: number;
 }
 
-const read = ({ tick, minerals, speed }: Playtest): Readout => ({ tick, minerals, speed });
+const read = ({ player, minerals, speed }: Playtest): Readout => ({ tick: player.tick, minerals, speed });
+
+/** What is played: the level as it is now, the rules of its folder, and the accuracy. */
+const nowOf = ({ workspace }: Editor, { document, proof }: OpenLevel) => ({
+  file: document.file(),
+  rules: folderRulesIn(workspace.store.getState()).own,
+  accuracy: proof.proof().accuracy,
+});
 
 interface PlaytestOnPage {
   readonly readout: Readout | null;
@@ -28,6 +37,8 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   const rate = useSession((state) => state.rate);
   const from = useSession((state) => state.playFrom);
   const play = useRef<Playtest | null>(null);
+  const frames = useRef<PlayFrames | null>(null);
+  const begun = useRef(nowOf(editor, level));
   const rateNow = useRef(rate);
   rateNow.current = rate;
   const [readout, setReadout] = useState<Readout | null>(null);
@@ -36,9 +47,11 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   /** Adds what was played so far to the attempts. */
   const keep = useCallback(
     (playing: Playtest): Attempt => {
-      const { accuracy } = level.proof.proof();
-      const { end, tick, minerals } = playing;
-      return level.attempts.add({ holds: playing.holds(), end, tick, minerals, accuracy, points: playing.points() });
+      const { player, end, minerals } = playing;
+      const { holds, tick } = player;
+      const { accuracy, file, rules } = begun.current;
+      const played = { bytes: encodePlay(playOf(player)), file, rules };
+      return level.attempts.add({ holds, end, tick, minerals, accuracy, points: playing.points(), played });
     },
     [level],
   );
@@ -46,43 +59,50 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   const abandon = useCallback(() => {
     const playing = play.current;
     play.current = null;
-    if (playing !== null && playing.end === null && playing.tick > playing.startTick) keep(playing);
+    if (playing !== null && playing.end === null && playing.player.tick > playing.startTick) keep(playing);
   }, [keep]);
 
   const start = useCallback(() => {
     abandon();
+    begun.current = nowOf(editor, level);
     const { run, scene } = level.proof.proof();
     const { tick } = editor.session.getState();
-    const playing = createPlaytest(scene, from === 'scrubbed' ? { holds: run.holds, tick } : null);
+    const playing = createPlaytest(scene, {
+      from: from === 'scrubbed' ? { holds: run.holds, tick } : null,
+      onMineral: () => frames.current?.onMineral(),
+      onEnd(ended) {
+        frames.current?.onEnd(ended);
+        setAttempt(keep(ended));
+        setReadout(read(ended));
+      },
+    });
     play.current = playing;
+    frames.current?.play(playing);
     level.playtest.setState({ pose: () => playing.pose() }, true);
     setReadout(read(playing));
     setAttempt(null);
     // The button that restarted it is gone, and the focus with it.
     host.current?.focus({ preventScroll: true });
-  }, [editor, level, from, abandon, host]);
+  }, [editor, level, from, keep, abandon, host]);
 
   useEffect(() => {
     const element = host.current;
     if (element === null) return;
-    start();
-    const stop = playFrames({
+    const running = playFrames({
       element,
       settings: editor.settings,
       rate: () => rateNow.current,
-      playing: () => play.current,
       onReadout: (playing) => setReadout(read(playing)),
-      onEnd(playing) {
-        setAttempt(keep(playing));
-        setReadout(read(playing));
-      },
     });
+    frames.current = running;
+    start();
     return () => {
-      stop();
+      running.stop();
+      frames.current = null;
       level.playtest.setState(null, true);
       abandon();
     };
-  }, [editor, level, start, keep, abandon, host]);
+  }, [editor, level, start, abandon, host]);
 
   return { readout, attempt, start };
 }

@@ -7,7 +7,7 @@ export type Tool = 'select' | 'hand' | Placeable;
 export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** Optional layers over the level. */
-export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap'] as const;
+export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths'] as const;
 export type Layer = (typeof LAYERS)[number];
 
 /** Speeds of the timeline and the playtest, relative to real time. */
@@ -22,6 +22,7 @@ export type Overlay =
   | 'newLevel'
   | 'open'
   | 'share'
+  | 'publish'
   | 'trash'
   | 'tour'
   | 'conflict'
@@ -30,8 +31,8 @@ export type Overlay =
 /** The transient state of the page, neither saved nor undone; the level is in the document. */
 export interface Session {
   readonly mode: 'edit' | 'play';
-  /** Where a playtest begins: at the start, or at the current tick of the shown run. */
-  readonly playFrom: 'start' | 'scrubbed';
+  /** Where a playtest begins: at the start, or at the current tick of the shown run. `replay`: an attempt or a play is shown. */
+  readonly playFrom: 'start' | 'scrubbed' | 'replay';
   readonly tool: Tool;
   /** The run that is shown and edited; null if the level has none. */
   readonly run: string | null;
@@ -69,7 +70,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     isPlayingBack: false,
     rate: 1,
     accuracy,
-    layers: { ranges: true, margins: true, nearMisses: true, slackFan: true, ghosts: true, heatMap: false },
+    layers: { ranges: true, margins: true, nearMisses: true, slackFan: true, ghosts: true, heatMap: false, deaths: true },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
     askedRule: null,

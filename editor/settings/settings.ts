@@ -19,6 +19,8 @@ const settingsSchema = z.object({
   reduceMotion: z.enum(['system', 'yes', 'no']),
   accuracy: z.enum(['arcade', 'fast', 'standard', 'precise']),
   tourSeen: z.boolean(),
+  /** The address of a published page, for links that only play a level; '': none is known. */
+  playPage: z.string().max(2000),
 });
 
 /** The user's preferences, kept in this browser for all levels. */
@@ -38,6 +40,7 @@ const DEFAULTS: Settings = {
   reduceMotion: 'system',
   accuracy: 'precise',
   tourSeen: false,
+  playPage: '',
 };
 
 const KEY = 'gravity-quest-editor-settings';

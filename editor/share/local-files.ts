@@ -29,3 +29,13 @@ export async function keepFile({ name, blob }: ExportedFile): Promise<boolean> {
     throw error;
   }
 }
+
+/** Downloads a file at once: a dialog would no longer be allowed some seconds after the click that asked for the file. */
+export function downloadFile({ name, blob }: ExportedFile): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // some browsers read it only after this task
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

@@ -1,5 +1,7 @@
 import type { LevelVerdict, LostMineral, RunFindings } from '../../check/index.ts';
+import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
+import type { PlayVerdict } from '../../game/index.ts';
 import type { Hold, Level, LevelFile, OwnRules } from '../../schema/index.ts';
 import type {
   Closest,
@@ -60,6 +62,18 @@ export interface Requests {
   };
   /** A new level that can be completed. */
   generate: { readonly options: GeneratorOptions };
+  /** Verifies plays of a level, and says what they teach together with those that are known. */
+  plays: {
+    readonly level: Level;
+    /** The contents of their `.gqr` files. */
+    readonly plays: readonly Uint8Array[];
+    /** What plays that were verified before turned out to be. */
+    readonly known: readonly Attempt[];
+    /** The index of the first of `plays` among all plays. */
+    readonly first: number;
+  };
+  /** Her path with these holds, up to a tick. */
+  path: Played & { readonly holds: readonly Hold[]; readonly until: number };
 }
 
 export type JobKind = keyof Requests;
@@ -99,6 +113,15 @@ export interface Setting {
   readonly sameVerdict: boolean;
 }
 
+/** What a play is found to be. */
+export interface CheckedPlay {
+  readonly verdict: PlayVerdict;
+  /** The verdict in words. */
+  readonly message: string;
+  /** What its holds lead to; null unless the verdict is `ok`. */
+  readonly replayed: Attempt | null;
+}
+
 /** The results of jobs. */
 export interface Results {
   solve: Solving;
@@ -117,6 +140,9 @@ export interface Results {
   };
   /** `grade`: 1 to 10 */
   generate: { readonly file: LevelFile; readonly grade: number };
+  plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
+  /** x, y in px at every tick and at the end */
+  path: { readonly points: Float32Array };
 }
 
 /** The intermediate results that jobs report. */
@@ -130,6 +156,9 @@ export interface Progresses {
   accuracy: never;
   thumbnail: never;
   generate: { readonly attempts: number };
+  /** The number of plays that are verified. */
+  plays: { readonly done: number };
+  path: never;
 }
 
 export type ToWorker =

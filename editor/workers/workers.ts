@@ -44,7 +44,10 @@ const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'generate', '
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
  * cancelled.
  */
-const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check']);
+const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check', 'path']);
+
+/** A folder of plays takes a while, and must delay neither pictures and proofs nor wait for a search. */
+const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
 
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
@@ -54,10 +57,12 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   fan: 20_000,
   robustness: 120_000,
   accuracy: 60_000,
+  path: 20_000,
   // these have a time limit of their own or run until they are cancelled
   solve: null,
   difficulty: null,
   generate: null,
+  plays: null,
 };
 
 /** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
@@ -175,14 +180,14 @@ class Lane {
   }
 }
 
-/** Workers for long, short and quick jobs, started on demand. */
+/** Workers for long, short and quick jobs and for plays, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
-  const lanes = { long: new Lane(options), short: new Lane(options), quick: new Lane(options) };
+  const lanes = { long: new Lane(options), short: new Lane(options), quick: new Lane(options), plays: new Lane(options) };
   let last = 0;
   return {
     start(kind, request, onProgress = () => {}) {
       const id = ++last;
-      const lane = LONG.has(kind) ? lanes.long : QUICK.has(kind) ? lanes.quick : lanes.short;
+      const lane = LONG.has(kind) ? lanes.long : QUICK.has(kind) ? lanes.quick : PLAYS.has(kind) ? lanes.plays : lanes.short;
       const end = new Promise<JobEnd<typeof kind>>((resolve) => {
         lane.give({
           id,
@@ -198,6 +203,7 @@ export function createWorkers(options: WorkersOptions): Workers {
       lanes.long.close();
       lanes.short.close();
       lanes.quick.close();
+      lanes.plays.close();
     },
   };
 }

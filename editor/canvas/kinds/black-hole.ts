@@ -1,37 +1,11 @@
 import { Orbit } from 'lucide-react';
-import { type Brush, disc, fadingDisc, faint, ring } from '../brush.ts';
-import type { Colours } from '../colours.ts';
+import { DRAWINGS } from '../../../phaser/index.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
-
-/** radians per second */
-const SPIN = -0.5;
-
-/** The black hole: a dark middle, and arms of light that spiral into it. */
-function drawBlackHole(brush: Brush, colours: Colours): void {
-  fadingDisc(brush, 1, [
-    [0, faint(colours.holeRim, 0.9)],
-    [0.5, faint(colours.holeRim, 0.5)],
-    [1, faint(colours.holeRim, 0)],
-  ]);
-  brush.lineCap = 'round';
-  for (let arm = 0; arm < 4; arm++) {
-    for (let k = 0; k < 40; k++) {
-      const share = k / 40;
-      const out = 0.46 + 0.5 * share;
-      const angle = (Math.PI / 2) * arm + 3.2 * share;
-      brush.fillStyle = faint(k % 3 === 0 ? '#ffffff' : colours.holeRim, 0.75 * (1 - share));
-      disc(brush, out * Math.cos(angle), out * Math.sin(angle), 0.075 * (1 - 0.6 * share));
-    }
-  }
-  brush.fillStyle = colours.hole;
-  disc(brush, 0, 0, 0.5);
-  ring(brush, 0.5, 0.04, '#ffffff');
-}
 
 /** The black hole with its arms, which reach to twice its radius; it turns. */
 export const blackHole: KindOnCanvas = {
   sign: { Icon: Orbit, tone: 'unknown' },
-  textures: { 'black-hole': drawBlackHole },
-  parts: () => [{ texture: 'black-hole', depth: 2, scale: 2 }],
-  turn: ({ images: [body] }, time) => void body.setRotation(SPIN * time),
+  textures: DRAWINGS.blackHole.textures,
+  parts: DRAWINGS.blackHole.parts,
+  turn: ({ images: [body] }, time) => void body.setRotation(DRAWINGS.blackHole.spin * time),
 };

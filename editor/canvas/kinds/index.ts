@@ -10,7 +10,7 @@ import { repulsor } from './repulsor.ts';
 import { wind } from './wind.ts';
 import { wormhole } from './wormhole.ts';
 
-export { type Figure, type Part, put } from './kind-on-canvas.ts';
+export { type Figure, put } from './kind-on-canvas.ts';
 
 /** How each kind of object is drawn on the canvas. */
 export const ON_CANVAS: Readonly<Record<ObjectKind, KindOnCanvas>> = {

@@ -1,8 +1,7 @@
 import type { LucideIcon } from 'lucide-react';
+import type { DrawTexture, Part } from '../../../phaser/index.ts';
 import type { Pose } from '../../context/index.ts';
 import type { FoundObject } from '../../document/index.ts';
-import type { Brush } from '../brush.ts';
-import type { Colours, Theme } from '../colours.ts';
 import type { Thing } from '../thing.ts';
 import type { Point } from '../view.ts';
 
@@ -10,22 +9,6 @@ import type { Point } from '../view.ts';
 export interface Sign {
   readonly Icon: LucideIcon;
   readonly tone: 'quiet' | 'bad' | 'good' | 'accent' | 'unknown';
-}
-
-/** Draws a texture. Its unit circle is the object's rim, scaled by the part that uses the texture. */
-export type DrawTexture = (brush: Brush, colours: Colours, theme: Theme) => void;
-
-/** One of the images that an object consists of. */
-export interface Part {
-  readonly texture: string;
-  /** Greater depths are drawn above; parts of equal depth in their order. */
-  readonly depth: number;
-  /** Radius of the texture's unit circle, in radii of the object; 1 if absent. */
-  readonly scale?: number;
-  /** Its centre relative to the object's, in radii. */
-  readonly offset?: Point;
-  /** radians, clockwise */
-  readonly rotation?: number;
 }
 
 /** An object at one of its places, as shown. */

@@ -1,61 +1,11 @@
 import { Gem } from 'lucide-react';
-import { type Brush, fadingDisc, faint } from '../brush.ts';
-import type { Colours } from '../colours.ts';
+import { DRAWINGS } from '../../../phaser/index.ts';
 import type { KindOnCanvas } from './kind-on-canvas.ts';
-
-/** A mineral: a cut crystal with a light around it. */
-function drawMineral(brush: Brush, colours: Colours): void {
-  fadingDisc(brush, 1, [
-    [0, faint(colours.mineral, 0.55)],
-    [1, faint(colours.mineral, 0)],
-  ]);
-  const facets: readonly (readonly [colour: string, points: readonly (readonly [number, number])[]])[] = [
-    [
-      colours.mineralLight,
-      [
-        [0, -0.85],
-        [-0.5, -0.25],
-        [0, -0.1],
-      ],
-    ],
-    [
-      colours.mineral,
-      [
-        [0, -0.85],
-        [0.5, -0.25],
-        [0, -0.1],
-      ],
-    ],
-    [
-      colours.mineral,
-      [
-        [-0.5, -0.25],
-        [0, 0.85],
-        [0, -0.1],
-      ],
-    ],
-    [
-      '#1b8fa3',
-      [
-        [0.5, -0.25],
-        [0, 0.85],
-        [0, -0.1],
-      ],
-    ],
-  ];
-  for (const [colour, points] of facets) {
-    brush.fillStyle = colour;
-    brush.beginPath();
-    for (const [x, y] of points) brush.lineTo(x, y);
-    brush.closePath();
-    brush.fill();
-  }
-}
 
 /** A mineral with its light; faint once it is collected. */
 export const mineral: KindOnCanvas = {
   sign: { Icon: Gem, tone: 'accent' },
-  textures: { mineral: drawMineral },
-  parts: () => [{ texture: 'mineral', depth: 6, scale: 1.8 }],
+  textures: DRAWINGS.mineral.textures,
+  parts: DRAWINGS.mineral.parts,
   pose: ({ found, images: [body] }, pose) => void body.setAlpha(pose?.collected.has(found.index) === true ? 0.18 : 1),
 };

@@ -1,4 +1,5 @@
 export { AstronautLayer } from './astronaut-layer.ts';
+export { DeathLayer } from './death-layer.ts';
 export { ObjectLayer } from './object-layer.ts';
 export { OverlayLayer } from './overlay-layer.ts';
 export { SearchLayer, type SearchPicture } from './search-layer.ts';

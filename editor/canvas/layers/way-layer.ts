@@ -12,6 +12,18 @@ const DOTS = 6;
 /** ticks at the end of a failing path that are drawn in the colour of danger */
 const DOOM = 45;
 
+/** More selected paths than this are drawn fainter. */
+const CROWD = 4;
+
+/** How each kind of ghost is drawn; widths in px of the screen. */
+const GHOST_LINES = {
+  attempt: { colour: 'ghost', width: 1, alpha: 0.6 },
+  candidate: { colour: 'select', width: 1.6, alpha: 0.6 },
+  slack: { colour: 'slack', width: 1, alpha: 0.22 },
+  selected: { colour: 'select', width: 2, alpha: 0.9 },
+  crowd: { colour: 'select', width: 1.2, alpha: 0.5 },
+} as const satisfies Readonly<Record<Ghost['look'] | 'crowd', { colour: keyof Colours; width: number; alpha: number }>>;
+
 export interface WayInput {
   readonly proof: LiveProof;
   readonly ghosts: readonly Ghost[];
@@ -46,19 +58,26 @@ export class WayLayer {
   }
 
   private ghosts({ ghosts, layers, zoom, showsRun }: WayInput): void {
+    const isCrowd = ghosts.filter(({ look }) => look === 'selected').length > CROWD;
     for (const { points, look } of ghosts) {
       if (look === 'slack' ? !layers.slackFan : !layers.ghosts) continue;
-      // attempts by the user give nothing away
-      if (!showsRun && look !== 'attempt') continue;
-      const colour = look === 'slack' ? this.colours.slack : look === 'candidate' ? this.colours.select : this.colours.ghost;
-      this.graphics.lineStyle((look === 'candidate' ? 1.6 : 1) / zoom, colourNumber(colour), look === 'slack' ? 0.22 : 0.6);
+      // attempts by the user give nothing away, and what is selected was asked for
+      if (!showsRun && look !== 'attempt' && look !== 'selected') continue;
+      const { colour, width, alpha } = GHOST_LINES[look === 'selected' && isCrowd ? 'crowd' : look];
+      this.graphics.lineStyle(width / zoom, colourNumber(this.colours[colour]), alpha);
       this.graphics.beginPath();
       for (const line of linesOf(points)) {
         this.graphics.moveTo(line[0], line[1]);
         for (let i = 2; i < line.length; i += 2) this.graphics.lineTo(line[i], line[i + 1]);
       }
       this.graphics.strokePath();
+      if (look === 'selected' && points.length > 1) this.ring(points[points.length - 2], points[points.length - 1], zoom);
     }
+  }
+
+  /** Where a selected attempt ends. */
+  private ring(x: number, y: number, zoom: number): void {
+    this.graphics.lineStyle(2 / zoom, colourNumber(this.colours.select), 1).strokeCircle(x, y, 6 / zoom);
   }
 
   private way({ proof, zoom }: WayInput): void {

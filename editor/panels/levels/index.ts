@@ -16,3 +16,4 @@ export {
 export { listHistoryOf } from './list-history.ts';
 export { SamplesButton } from './SamplesButton.tsx';
 export { TextDialog } from './TextDialog.tsx';
+export { VerdictSign } from './VerdictSign.tsx';

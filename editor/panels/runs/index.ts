@@ -1,2 +1,3 @@
+export { OutcomeSign } from './OutcomeSign.tsx';
 export { RunsPanel } from './RunsPanel.tsx';
 export { useRunEnds } from './run-ends.ts';

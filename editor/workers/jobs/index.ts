@@ -5,6 +5,8 @@ import { check } from './check.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { generate } from './generate.ts';
+import { path } from './path.ts';
+import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
 import { robustness } from './robustness.ts';
 import { solve } from './solve.ts';
@@ -21,4 +23,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   check,
   thumbnail,
   generate,
+  plays,
+  path,
 };

@@ -1,0 +1,77 @@
+import type { RefusedLevel } from '../../schema/index.ts';
+import type { Editor } from '../context/index.ts';
+import { errorInWords, folderRulesIn } from '../files/index.ts';
+import { downloadFile, fetchGame, singlePage, slugOf } from '../share/index.ts';
+import { collectLevels } from './collect-levels.ts';
+
+/** What is published, and as what. */
+export type Target = 'folder' | 'levelFolder' | 'file' | 'levelFile';
+
+export interface PublishWish {
+  readonly target: Target;
+  /** The name of the folder. */
+  readonly site: string;
+  readonly title: string;
+  readonly withRuns: boolean;
+  /** Whether to publish levels that are not known to be completable. */
+  readonly force: boolean;
+  readonly onProgress: (checked: number, all: number) => void;
+}
+
+/** What became of it. */
+export type Published =
+  | { readonly kind: 'done'; readonly message: string }
+  | { readonly kind: 'failed'; readonly message: string }
+  | { readonly kind: 'refused'; readonly levels: readonly RefusedLevel[] };
+
+const megabytes = (bytes: number): string => `${(bytes / 1e6).toFixed(1)} MB`;
+const levelsInWords = (count: number): string => (count === 1 ? '1 level' : `${count} levels`);
+
+/** Publishes levels. Never rejects. */
+export async function publish(editor: Editor, wish: PublishWish): Promise<Published> {
+  try {
+    // what is published is what is saved
+    await editor.workspace.store.getState().opened?.saver.flush();
+    return await (wish.target === 'folder' || wish.target === 'levelFolder' ? intoFolder : asFile)(editor, wish);
+  } catch (error) {
+    return { kind: 'failed', message: `The levels could not be published: ${error instanceof Error ? error.message : error}.` };
+  }
+}
+
+async function intoFolder({ workspace }: Editor, { target, site, title, withRuns, force }: PublishWish): Promise<Published> {
+  const { storage, store } = workspace;
+  const level = target === 'folder' ? null : (store.getState().opened?.id() ?? null);
+  if (storage.publish === null) throw new Error('this page has no folders');
+  const answer = await storage.publish({ site, level, title, withRuns, force });
+  if (answer.ok) {
+    const { site: path, levels, bytes } = answer.value;
+    const message = `Published ${levelsInWords(levels)} in ${path} (${megabytes(bytes)}). Open index.html there, or put the folder on any web server.`;
+    return { kind: 'done', message };
+  }
+  if (answer.error.levels !== undefined) return { kind: 'refused', levels: answer.error.levels };
+  return { kind: 'failed', message: errorInWords(answer.error) };
+}
+
+async function asFile(editor: Editor, { target, title, withRuns, force, onProgress }: PublishWish): Promise<Published> {
+  const { workspace, workers, settings } = editor;
+  const { list, opened } = workspace.store.getState();
+  const entries = (list?.levels ?? []).filter(({ id }) => target === 'file' || id === opened?.id());
+  if (entries.length === 0) throw new Error('there is no level');
+  const { accuracy } = settings.getState();
+  const { levels, refused } = await collectLevels(entries, {
+    storage: workspace.storage,
+    workers,
+    rules: folderRulesIn(workspace.store.getState()).own,
+    accuracy,
+    withRuns,
+    onProgress: (checked) => onProgress(checked, entries.length),
+  });
+  if (refused.some(({ verdict }) => verdict === 'invalid') || (refused.length > 0 && !force))
+    return { kind: 'refused', levels: refused };
+  const game = await fetchGame(new URL('game/', document.baseURI).href);
+  const blob = new Blob([singlePage(game, { title, accuracy, levels })], { type: 'text/html' });
+  const name = `${slugOf(title)}.html`;
+  downloadFile({ name, blob });
+  const message = `Downloaded ${name}: ${levelsInWords(levels.length)}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;
+  return { kind: 'done', message };
+}

@@ -1,0 +1,211 @@
+import { FolderOpen, Gamepad2, X } from 'lucide-react';
+import { type KeyboardEvent, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { useEditor, useLevel, useProof } from '../../context/index.ts';
+import { type Reading, readingOf } from '../../plays/index.ts';
+import { hashNow, shelfOf } from '../../shelf/index.ts';
+import { Button } from '../../ui/index.ts';
+import { Progress, useThrottledProof } from '../parts/index.ts';
+import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
+import { AttemptLine } from './AttemptLine.tsx';
+import { type AttemptRow, attemptRows, type ListOptions, SHOWN, type Shown, SORTS, type Sort } from './attempt-rows.ts';
+import './attempts.css';
+import { DeathList } from './DeathList.tsx';
+import { replayRow, rowMenu } from './row-actions.ts';
+
+/** px */
+const rowHeight = () => 42;
+
+const SORT_TITLES: Readonly<Record<Sort, string>> = {
+  newest: 'Newest first',
+  oldest: 'Oldest first',
+  shortest: 'Shortest first',
+  longest: 'Longest first',
+  minerals: 'Most minerals first',
+  name: 'By name',
+};
+const SHOWN_TITLES: Readonly<Record<Shown, string>> = {
+  all: 'All',
+  completed: 'Completed',
+  failed: 'Failed',
+  left: 'Left before the end',
+  mine: 'Of this session',
+  opened: 'Opened plays',
+  differs: 'Not as they claim',
+};
+const FIRST: ListOptions = { sort: 'newest', shown: 'all', words: '' };
+
+/** The attempts of this session and the opened plays of the level. Those that are selected are shown on the canvas. */
+export function AttemptsPanel() {
+  const editor = useEditor();
+  const level = useLevel();
+  const { store, select } = useMemo(() => shelfOf(level), [level]);
+  const attempts = useStore(level.attempts.store);
+  const plays = useStore(store, (state) => state.plays);
+  const selected = useStore(store, (state) => state.selected);
+  const reading = useStore(readingOf(editor));
+  const range = useProof((proof) => proof.level.range);
+  const minerals = useProof((proof) => proof.level.minerals.length);
+  const [options, setOptions] = useState(FIRST);
+  const [active, setActive] = useState<string | null>(null);
+  const rows = useMemo(() => attemptRows(attempts, plays, options, range), [attempts, plays, options, range]);
+
+  const pick = ({ key }: AttemptRow, { shift, mod }: Modifiers) => {
+    if (shift && active !== null) select(leavesBetween(rows, active, key));
+    else if (mod) select(selected.has(key) ? [...selected].filter((other) => other !== key) : [...selected, key]);
+    else select([key]);
+  };
+  const onKey = (event: KeyboardEvent, { attempt }: AttemptRow): boolean => {
+    if (event.key === 'Escape' && selected.size > 0) select([]);
+    else if ((event.key === 'Delete' || event.key === 'Backspace') && attempt !== null) level.attempts.remove(attempt.number);
+    else return false;
+    return true;
+  };
+  const all = attempts.length + plays.length;
+
+  return (
+    <section className="panel attempts-panel" aria-label="Attempts and plays">
+      <div className="panel__head">
+        <h2 className="panel__title">Attempts</h2>
+        {plays.length > 0 && (
+          <Button hint="Close all opened plays" icon={<X size={15} />} onClick={() => editor.commands.run('plays.close')} />
+        )}
+        <Button hint="Open plays…" icon={<FolderOpen size={15} />} onClick={() => editor.commands.run('plays.open')} />
+      </div>
+      {reading !== null && <ReadingLine reading={reading} />}
+      {all === 0 ? (
+        <NoAttempts />
+      ) : (
+        <>
+          <Changed />
+          <Filters options={options} onChange={setOptions} shown={rows.length} all={all} />
+          <Tree
+            label="Attempts at the level"
+            rows={rows}
+            rowHeight={rowHeight}
+            multiple
+            follows
+            selected={selected}
+            active={active}
+            onActive={setActive}
+            onPick={pick}
+            onOpen={(row) => replayRow(editor, level, row)}
+            onKey={onKey}
+            menu={(row) => rowMenu(editor, level, row)}
+            render={(row) => <AttemptLine row={row} minerals={minerals} />}
+          />
+          <DeathList />
+        </>
+      )}
+    </section>
+  );
+}
+
+/** What is being read, and a way to stop it. */
+function ReadingLine({ reading: { what, done, of, cancel } }: { readonly reading: Reading }) {
+  const words = what === 'files' ? `Reading ${of} files…` : `Verifying plays: ${done} of ${of}`;
+  return (
+    <div className="attempts-panel__reading">
+      <span className="numbers">{words}</span>
+      <Progress label="Plays" isRunning share={what === 'files' ? undefined : done / of} />
+      <Button hint="Stop: these plays are not opened" look="outlined" onClick={cancel}>
+        Cancel
+      </Button>
+    </div>
+  );
+}
+
+/** Says that the plays are of an earlier version of the level. */
+function Changed() {
+  const level = useLevel();
+  const of = useStore(shelfOf(level).store, (state) => state.of);
+  // the hash is computed anew only if the level has changed
+  useThrottledProof((proof) => proof.level);
+  if (of === null || hashNow(level) === of.hash) return null;
+  return (
+    <p className="attempts-panel__note" role="note">
+      The level has changed since these plays. They, and the deaths on the canvas, are those of the level before.
+    </p>
+  );
+}
+
+interface FiltersProps {
+  readonly options: ListOptions;
+  readonly onChange: (options: ListOptions) => void;
+  readonly shown: number;
+  readonly all: number;
+}
+
+/** Search, filter and order. */
+function Filters({ options, onChange, shown, all }: FiltersProps) {
+  return (
+    <div className="attempts-panel__filters">
+      <input
+        type="search"
+        className="field"
+        aria-label="Search attempts"
+        placeholder="Search: name, nova 3, lost…"
+        value={options.words}
+        onChange={(event) => onChange({ ...options, words: event.target.value })}
+      />
+      <select
+        className="field"
+        aria-label="Show"
+        value={options.shown}
+        onChange={(event) => onChange({ ...options, shown: event.target.value as Shown })}
+      >
+        {SHOWN.map((one) => (
+          <option key={one} value={one}>
+            {SHOWN_TITLES[one]}
+          </option>
+        ))}
+      </select>
+      <select
+        className="field"
+        aria-label="Order"
+        value={options.sort}
+        onChange={(event) => onChange({ ...options, sort: event.target.value as Sort })}
+      >
+        {SORTS.map((one) => (
+          <option key={one} value={one}>
+            {SORT_TITLES[one]}
+          </option>
+        ))}
+      </select>
+      <span className="attempts-panel__count numbers" role="status">
+        {shown === all ? `${all} ${all === 1 ? 'attempt' : 'attempts'}` : `${shown} of ${all} attempts`}
+      </span>
+    </div>
+  );
+}
+
+/** How to get attempts. */
+function NoAttempts() {
+  const { commands } = useEditor();
+  return (
+    <div className="attempts-panel__empty">
+      <p>Nobody has played this level here yet.</p>
+      <Button
+        hint="Play from the start"
+        shortcut="Space"
+        look="main"
+        icon={<Gamepad2 size={15} />}
+        onClick={() => commands.run('play.start')}
+      >
+        Play the level
+      </Button>
+      <p>
+        Or open plays of others: <code>.gqr</code> files, as the game saves and sends them. Drop files or a folder of them
+        anywhere on the page, or paste a play that was copied as text.
+      </p>
+      <span className="attempts-panel__buttons">
+        <Button hint="Choose .gqr files" look="outlined" onClick={() => commands.run('plays.open')}>
+          Open plays…
+        </Button>
+        <Button hint="Choose a folder of .gqr files" look="outlined" onClick={() => commands.run('plays.open-folder')}>
+          Open a folder…
+        </Button>
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,2 @@
+export { AttemptsPanel } from './AttemptsPanel.tsx';
+export { AttemptsWatch } from './AttemptsWatch.tsx';

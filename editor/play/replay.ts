@@ -1,0 +1,46 @@
+import { compile, TICK_RATE } from '../../engine/index.ts';
+import { createPlayer } from '../../game/index.ts';
+import type { Level } from '../../schema/index.ts';
+import type { Pose } from '../context/index.ts';
+import type { Replay } from '../shelf/index.ts';
+import { showPlayer } from './shown-player.ts';
+
+/** A replay in progress. */
+export interface ReplayPlayer {
+  readonly tick: number;
+  readonly held: boolean;
+  readonly isOver: boolean;
+  readonly minerals: number;
+  /** px/s */
+  readonly speed: number;
+  advance(ms: number): void;
+  /** Goes to a tick, forwards or backwards. */
+  seek(tick: number): void;
+  pose(): Pose;
+}
+
+/** Replays holds in a level, at the accuracy that they were played at. */
+export function createReplay(level: Level, { holds, accuracy, tick: last }: Replay): ReplayPlayer {
+  const player = createPlayer(compile(level, accuracy), { replay: holds, maxTime: last / TICK_RATE });
+  const shown = showPlayer(player);
+  return {
+    get tick() {
+      return player.tick;
+    },
+    get held() {
+      return player.held && player.ending === null;
+    },
+    get isOver() {
+      return player.ending !== null;
+    },
+    get minerals() {
+      return shown.minerals();
+    },
+    get speed() {
+      return shown.speed();
+    },
+    advance: (ms) => void player.advance(ms),
+    seek: (tick) => player.restart({ from: tick > 0 ? { holds, tick: Math.min(last, Math.round(tick)) } : null, replay: holds }),
+    pose: shown.pose,
+  };
+}

@@ -1,0 +1,14 @@
+export { type DeathMap, deathsNear } from './death-map.ts';
+export {
+  type GivenPlay,
+  isPlayFile,
+  isPlayText,
+  PLAY_EXTENSION,
+  playFileName,
+  playInFragment,
+  playsInText,
+  type RefusedFile,
+  readPlayFiles,
+} from './given.ts';
+export { hashNow } from './level-now.ts';
+export { type OpenedPlay, type Replay, shelfOf } from './shelf.ts';

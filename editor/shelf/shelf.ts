@@ -1,0 +1,107 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { PlayStatistics, Attempt as Replayed } from '../../check/plays/index.ts';
+import type { AccuracyName } from '../../engine/index.ts';
+import { type Play, type PlayVerdict, playToText } from '../../game/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import type { OpenLevel } from '../context/index.ts';
+import { type DeathMap, deathMapOf } from './death-map.ts';
+
+/** A play that was opened from outside, and what it turned out to be. */
+export interface OpenedPlay {
+  /** unique within the level */
+  readonly key: string;
+  /** Where it comes from: the name of its file, or what else it was. */
+  readonly source: string;
+  /** The content of its `.gqr` file. */
+  readonly bytes: Uint8Array;
+  readonly play: Play;
+  readonly verdict: PlayVerdict;
+  /** The verdict in words. */
+  readonly message: string;
+  /** What its holds lead to; null unless the verdict is `ok`. */
+  readonly replayed: Replayed | null;
+}
+
+/** Holds that are shown as a replay over the canvas. */
+export interface Replay {
+  readonly title: string;
+  readonly holds: readonly Hold[];
+  readonly accuracy: AccuracyName;
+  /** the last tick */
+  readonly tick: number;
+  /** How it ends, as a sentence. */
+  readonly end: string;
+  readonly look: 'won' | 'lost';
+}
+
+/** A level as it was played. */
+export interface PlayedLevel {
+  readonly level: Level;
+  readonly hash: string;
+}
+
+export interface ShelfState {
+  /** The opened plays of the level, in the order in which they were opened. */
+  readonly plays: readonly OpenedPlay[];
+  /** What they teach; null if there are none. */
+  readonly statistics: PlayStatistics | null;
+  /** Where players die in them; null if none does. */
+  readonly deaths: DeathMap | null;
+  /** The level when they were verified, and its hash; null if there are none. */
+  readonly of: PlayedLevel | null;
+  /** Keys of the attempts and plays that are selected. */
+  readonly selected: ReadonlySet<string>;
+  /** null: none is shown */
+  readonly replay: Replay | null;
+}
+
+/** The opened plays of a level. */
+export interface Shelf {
+  readonly store: StoreApi<ShelfState>;
+  /** Whether a play is there already. */
+  has(bytes: Uint8Array): boolean;
+  /** Adds verified plays. @param statistics of all plays, with the index of each in the order of the shelf */
+  add(plays: readonly Omit<OpenedPlay, 'key'>[], statistics: PlayStatistics, of: PlayedLevel): readonly OpenedPlay[];
+  /** Removes all plays. */
+  clear(): void;
+  select(keys: Iterable<string>): void;
+  show(replay: Replay | null): void;
+}
+
+const EMPTY = { plays: [], statistics: null, deaths: null, of: null } as const;
+
+export function createShelf(): Shelf {
+  const store = createStore<ShelfState>(() => ({ ...EMPTY, selected: new Set(), replay: null }));
+  const known = new Set<string>();
+  let count = 0;
+  return {
+    store,
+    has: (bytes) => known.has(playToText(bytes)),
+    add(plays, statistics, of) {
+      const added = plays.map((play): OpenedPlay => ({ ...play, key: `play-${++count}` }));
+      for (const { bytes } of added) known.add(playToText(bytes));
+      store.setState({
+        plays: [...store.getState().plays, ...added],
+        statistics,
+        deaths: deathMapOf(statistics.all),
+        of,
+      });
+      return added;
+    },
+    clear() {
+      known.clear();
+      store.setState({ ...EMPTY, selected: new Set() });
+    },
+    select: (keys) => store.setState({ selected: new Set(keys) }),
+    show: (replay) => store.setState({ replay }),
+  };
+}
+
+const shelves = new WeakMap<OpenLevel['document'], Shelf>();
+
+/** The opened plays of a level; they stay while the page lives, also when another level is opened in the meantime. */
+export function shelfOf({ document }: Pick<OpenLevel, 'document'>): Shelf {
+  const shelf = shelves.get(document) ?? createShelf();
+  shelves.set(document, shelf);
+  return shelf;
+}
