@@ -12,7 +12,7 @@ import { ROOMS } from './architecture/rooms.ts';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
-const runtime = Object.keys(manifest.dependencies);
+const runtime = Object.keys({ ...manifest.dependencies, ...manifest.optionalDependencies });
 const bundled = [...runtime, ...Object.keys(manifest.devDependencies)];
 
 const NOT_OURS = new Set(['node_modules', 'dist', '.git', 'coverage']);
@@ -55,6 +55,22 @@ describe.each(Object.entries(ROOMS).filter(([name]) => existsSync(join(root, nam
   });
 });
 
+describe('the example', () => {
+  it('imports only what the package publishes, Phaser, and its own files', () => {
+    const sources = sourcesOf('examples/phaser/src');
+    expect(sources.length).toBeGreaterThan(10);
+    const published = Object.keys(manifest.exports).map((entry) => entry.replace('.', 'gravity-quest-toolkit'));
+    const others = sources.flatMap(({ path, text }) =>
+      importsOf(path, text)
+        .filter(
+          (name) => name === null || !(published.includes(name) || name === 'phaser' || /^\.\/[\w-]+\.(ts|css)$/.test(name)),
+        )
+        .map((name) => `${path}: ${name}`),
+    );
+    expect(others).toEqual([]);
+  });
+});
+
 describe('imports of files', () => {
   it('have no cycles, and never bypass the index file of a folder', () => {
     const graph = importGraph([...Object.keys(ROOMS), 'bench', 'tests'].flatMap(sourcesOf));
@@ -80,8 +96,14 @@ describe('rules are read from the level', () => {
       'engine/contact/index.ts': 'passes it on',
       'engine/index.ts': 'passes it on',
       'engine/work-precision/tunnelling.ts': 'a scene of its own, not of a level',
+      'game/play/level-hash.ts': 'leaves out the rules of a level that are the game’s own',
+      'schema/basics/index.ts': 'passes them on',
+      'schema/default-rules.ts': 'defines them',
+      'schema/folder-rules.ts': 'takes the rules of a folder into a level that leaves it',
       'schema/index.ts': 'passes them on',
-      'schema/rules.ts': 'defines them',
+      'schema/plain/resolve-shape.ts': 'leaves out the rules of a level that are the game’s own',
+      'schema/resolve.ts': 'does so, too',
+      'schema/rules.ts': 'has them in the table of rules',
     };
     expect(usersOf(/\bDEFAULT_(RULES|BOX)\b/, rooms)).toEqual(Object.keys(allowed));
   });
@@ -193,6 +215,10 @@ describe('the check of imports finds a violation', () => {
     ['engine/a.ts', `import Phaser from 'phaser';`, /Phaser/],
     ['engine/a.ts', `import '../tests/x.ts';`, /engine may not know tests/],
     ['cli/a.ts', `import Phaser from 'phaser';`, /Phaser/],
+    ['phaser/a.ts', `import { Scene } from 'phaser';`, /only known by its types/],
+    ['phaser/a.ts', `const all = await import('phaser');`, /only known by its types/],
+    ['phaser/a.ts', `export { Scene } from 'phaser';`, /only known by its types/],
+    ['game/a.ts', `import type { Scene } from 'phaser';`, /game may not know Phaser/],
     ['cli/a.ts', `import { Hash } from '../engine/hash.ts';`, /not the face of its folder/],
     ['cli/commands/a.ts', `import { x } from '../../editor/index.ts';`, /cli may not know editor/],
     ['editor/a.tsx', `import fs from 'node:fs';`, /editor is no place for Node/],
@@ -215,6 +241,7 @@ describe('the check of imports finds a violation', () => {
     ['engine/arcade/a.ts', `import type { Level } from '../../schema/index.ts';`],
     ['cli/a.ts', `import { findWarnings } from '../engine/warnings/index.ts'; import fs from 'node:fs';`],
     ['editor/a.ts', `import Phaser from 'phaser'; import { x } from '../solver/index.ts';`],
+    ['phaser/a.ts', `import type { Scene } from 'phaser';`],
     ['editor/main.tsx', `import { App } from './app/index.ts';`],
     ['editor/app/a.ts', `import { x } from './b.ts'; import { y } from '../context/index.ts';`],
     ['engine/a.ts', `// import fs from 'node:fs'\nconst text = "import fs from 'node:fs'"; export { text };`],

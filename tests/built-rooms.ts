@@ -3,7 +3,7 @@ import { dirname, join, relative, resolve, sep } from 'node:path';
 import type { Plugin } from 'vitest/config';
 
 /** The rooms of which `tsc -b` and `tsc -b bench` write a module for each source. */
-const BUILT = ['schema', 'engine', 'solver', 'check', 'picture', 'review', 'cli', 'bench'];
+const BUILT = ['schema', 'engine', 'game', 'phaser', 'solver', 'check', 'picture', 'review', 'cli', 'bench'];
 
 /** What Node loads by itself, without a transformation. */
 export const BUILT_FILES = new RegExp(`/dist/(${BUILT.join('|')})/.*\\.js$`);

@@ -1,10 +1,13 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { dirname, join, relative, sep } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { reasonAgainst } from '../.ci/before-publish.mjs';
+import { lineOf, versionProblems } from '../.ci/check-version.mjs';
+import { ENGINE_ENTRIES, engineManifest, reach } from '../.ci/pack-engine.mjs';
+import { ENGINE_ID } from '../game/index.ts';
 
 const root = dirname(import.meta.dirname);
 const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
@@ -44,6 +47,43 @@ describe.runIf(process.platform !== 'win32')('the package', () => {
   });
 });
 
+describe('the package of the engine alone', () => {
+  const entries = ENGINE_ENTRIES.flatMap((entry) => Object.values<string>(manifest.exports[entry])).map((path) =>
+    join(root, path),
+  );
+  const { files, packages } = reach(entries);
+
+  it('needs two packages, and Phaser for its types: no zod, which engine, game and phaser avoid by schema/basics', () => {
+    expect([...packages].sort()).toEqual(['@noble/hashes', 'flatbush', 'phaser']);
+    const made = engineManifest(manifest, packages);
+    expect(Object.keys(made.dependencies ?? {}).sort()).toEqual(['@noble/hashes', 'flatbush']);
+    expect(made).toMatchObject({
+      version: manifest.version,
+      peerDependencies: { phaser: manifest.peerDependencies.phaser },
+      peerDependenciesMeta: { phaser: { optional: true } },
+    });
+  });
+
+  it('has modules of schema, engine, game and phaser alone, each with its declarations', () => {
+    const rooms = new Set([...files].map((file) => relative(join(root, 'dist'), file).split(sep)[0]));
+    expect([...rooms].sort()).toEqual(['engine', 'game', 'phaser', 'schema']);
+    expect([...files].filter((file) => file.endsWith('.d.ts')).length).toBeGreaterThan(50);
+  });
+
+  it('is refused when a module imports a package that is no dependency, or a module of Node', () => {
+    expect(() => engineManifest(manifest, new Set(['left-pad']))).toThrow(/imports left-pad, which package\.json does not list/);
+    expect(() => reach([join(root, 'dist/cli/failure.js'), join(root, 'dist/cli/write-file.js')])).toThrow(/imports node:/);
+    expect(() => reach([join(root, 'dist/engine/index.js').replace('index', 'missing')])).toThrow();
+  });
+
+  it('is read by TypeScript before 5.7, which has no typed arrays with a type argument', () => {
+    const generic = [...files].filter(
+      (file) => file.endsWith('.d.ts') && /\b(?:Float64|Int32|Uint8|Uint32)Array</.test(readFileSync(file, 'utf8')),
+    );
+    expect(generic).toEqual([]);
+  });
+});
+
 describe('publishing', () => {
   it('is refused without the address of the repository', () => {
     expect(reasonAgainst({})).toMatch(/no "repository"/);
@@ -52,5 +92,47 @@ describe('publishing', () => {
     expect(reasonAgainst({ repository: 'github:a/b' })).toBeNull();
     const ended = spawnSync(process.execPath, [join(root, '.ci/before-publish.mjs')], { encoding: 'utf8' });
     expect(ended.status).toBe(reasonAgainst(manifest) === null ? 0 : 1);
+  });
+});
+
+describe('the version', () => {
+  const results = JSON.parse(readFileSync(join(root, '.ci/results.json'), 'utf8'));
+  const changelog = readFileSync(join(root, 'CHANGELOG.md'), 'utf8');
+  const here = { version: manifest.version, identity: ENGINE_ID, results, changelog };
+  const other = ENGINE_ID.replace(/^./, (digit) => (digit === 'f' ? '0' : 'f'));
+
+  it('allows the results of runs that the engine has', () => {
+    expect(versionProblems(here)).toEqual([]);
+  });
+
+  it.each([
+    ['0.1.0', '0.1'],
+    ['0.12.3', '0.12'],
+    ['1.4.0', '1'],
+    ['12.0.1', '12'],
+  ])('%s belongs to the line %s, within which results stay the same', (version, line) => {
+    expect(lineOf(version)).toBe(line);
+  });
+
+  it('must be another line when results change', () => {
+    expect(versionProblems({ ...here, identity: other })).toEqual([
+      expect.stringMatching(/results of runs have changed: .*0\.2\.0/),
+    ]);
+    const major = { ...here, version: '3.1.4', changelog: '\n## [3.0.0]', results: { 3: ENGINE_ID } };
+    expect(versionProblems(major)).toEqual([]);
+    expect(versionProblems({ ...major, identity: other })).toEqual([expect.stringContaining('version 4.0 in package.json')]);
+  });
+
+  it('needs its line in the table, and in the changelog', () => {
+    expect(versionProblems({ ...here, version: '7.0.0' })).toEqual([expect.stringContaining(`add "7": "${ENGINE_ID}"`)]);
+    const two = { ...results, 0.2: other };
+    expect(versionProblems({ ...here, results: two })).toEqual([expect.stringMatching(/CHANGELOG\.md has no heading for 0\.2/)]);
+    expect(versionProblems({ ...here, results: { ...results, 0.2: ENGINE_ID }, changelog: '\n## [0.1.0]\n## [0.2.0]' })).toEqual([
+      expect.stringContaining('results did not change'),
+    ]);
+  });
+
+  it('is the one of which docs/versioning.md speaks', () => {
+    expect(readFileSync(join(root, 'docs/versioning.md'), 'utf8')).toContain('`.ci/results.json`');
   });
 });

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, expect, it } from 'vitest';
-import { fingerprint, isSource, SOURCES } from '../editor/page-sources.mjs';
+import { fingerprint, isSiteSource, isSource, SITE_SOURCES, SOURCES } from '../editor/page-sources.mjs';
 
 // The page is built again only if its sources have another fingerprint than at the last build.
 
@@ -63,4 +63,30 @@ it.each([
   ['../elsewhere.ts', false],
 ])('%s: a source or in a package: %s', (path, is) => {
   expect(isSource('/project', join('/project', path))).toBe(is);
+});
+
+it('the game of gq build is built again when one of its sources has changed, and not for other files', () => {
+  const path = (source: string) => (source.includes('.') ? source : `${source}/a.ts`);
+  for (const source of SITE_SOURCES) put(path(source), source);
+  const seen = [fingerprint(project, SITE_SOURCES)];
+  put('examples/phaser/dist/game.js', 'built');
+  put('editor/more.ts', 'more');
+  expect(fingerprint(project, SITE_SOURCES)).toBe(seen[0]);
+  for (const source of SITE_SOURCES) {
+    put(path(source), 'changed');
+    seen.push(fingerprint(project, SITE_SOURCES));
+  }
+  expect(new Set(seen).size).toBe(seen.length);
+});
+
+it.each([
+  ['dist/engine/index.js', true],
+  ['examples/phaser/src/main.ts', true],
+  ['examples/phaser/src/style.css?inline', true],
+  ['node_modules/phaser/dist/phaser.js', true],
+  ['examples/other/main.ts', false],
+  ['dist/cli/main.js', false],
+  ['../elsewhere.ts', false],
+])('%s: a source of the game or in a package: %s', (path, is) => {
+  expect(isSiteSource('/project', join('/project', path))).toBe(is);
 });

@@ -19,6 +19,18 @@ export function importsOf(path: string, text: string): (string | null)[] {
   return found;
 }
 
+/** Of what a source file imports more than types. */
+function valuesFrom(path: string, text: string): Set<string | null> {
+  const found = new Set<string | null>();
+  walk(treeOf(path, text), (node) => {
+    const isImport = node.type === 'ImportDeclaration' && node.importKind !== 'type';
+    const isExport =
+      (node.type === 'ExportNamedDeclaration' || node.type === 'ExportAllDeclaration') && node.exportKind !== 'type';
+    if (isImport || isExport || node.type === 'ImportExpression') found.add(literal(node.source));
+  });
+  return found;
+}
+
 const packageName = (specifier: string) =>
   specifier
     .split('/')
@@ -28,7 +40,7 @@ const packageName = (specifier: string) =>
 /**
  * What is wrong with the imports of a file in a room.
  * @param path from the project's root, with slashes: `engine/hash.ts`
- * @param dependencies the names under `dependencies` of package.json
+ * @param dependencies the names under `dependencies` and `optionalDependencies` of package.json
  */
 export function importProblems(path: string, text: string, dependencies: readonly string[]): string[] {
   const own = path.split('/')[0];
@@ -50,7 +62,9 @@ export function importProblems(path: string, text: string, dependencies: readonl
     } else if (specifier.startsWith('node:')) {
       if (room.pure || room.bundled) problems.push(`${path}: ${own} is no place for Node and may not import ${specifier}`);
     } else if (own !== 'editor' && (specifier === 'phaser' || specifier.startsWith('phaser/'))) {
-      problems.push(`${path}: ${own} may not know Phaser`);
+      if (own !== 'phaser') problems.push(`${path}: ${own} may not know Phaser`);
+      else if (valuesFrom(path, text).has(specifier))
+        problems.push(`${path}: Phaser is given by the game and only known by its types`);
     } else {
       const name = packageName(specifier);
       if (!dependencies.includes(name)) problems.push(`${path}: ${name} is not among the dependencies of package.json`);

@@ -14,12 +14,19 @@ export interface Room {
 export const ROOMS: Readonly<Record<string, Room>> = {
   schema: { knows: [], packages: ['zod'], pure: true },
   engine: { knows: ['schema'], packages: ['flatbush', 'kdbush'], pure: true },
+  game: { knows: ['schema', 'engine'], packages: ['@noble/hashes'], pure: true },
+  phaser: { knows: ['schema', 'engine', 'game'], packages: ['phaser'], pure: false },
   solver: { knows: ['schema', 'engine'], packages: ['flatbush', 'kdbush'], pure: true },
-  check: { knows: ['schema', 'engine', 'solver'], packages: [], pure: true },
+  check: { knows: ['schema', 'engine', 'game', 'solver'], packages: [], pure: true },
   picture: { knows: ['schema', 'engine'], packages: [], pure: true, drawing: true },
   review: { knows: ['schema', 'engine', 'solver', 'check', 'picture'], packages: [], pure: true, drawing: true },
-  cli: { knows: ['schema', 'engine', 'solver', 'check', 'picture', 'review'], packages: null, pure: false },
-  editor: { knows: ['schema', 'engine', 'solver', 'check', 'picture', 'review'], packages: null, pure: false, bundled: true },
+  cli: { knows: ['schema', 'engine', 'game', 'solver', 'check', 'picture', 'review'], packages: null, pure: false },
+  editor: {
+    knows: ['schema', 'engine', 'game', 'phaser', 'solver', 'check', 'picture', 'review'],
+    packages: null,
+    pure: false,
+    bundled: true,
+  },
 };
 
 /** Folders that stand on all others of their room, and who alone may know them: whoever else did would stand on itself. */

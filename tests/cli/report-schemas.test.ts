@@ -5,11 +5,14 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from '../../schema/index.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
+import { playOfRun } from './plays.ts';
 
 const files = makeFiles({
   'good.level.json': fallThrough(),
   'other.level.json': fallThrough({ runs: [{ name: 'hold', holds: [[1, 600]] }] }),
   'invalid.level.json': '{',
+  'good.gqr': playOfRun('first-pull'),
+  'cut.gqr': playOfRun('first-pull').subarray(0, 60),
   'originals.json': JSON.stringify([{ player: { x: 0, y: 0 }, target: { x: 170, y: 0, radius: 18 }, key: 1 }]),
 });
 afterAll(() => files.remove());
@@ -35,7 +38,12 @@ const COMMANDS: readonly [name: ReportName, args: string][] = [
   ['import', 'import originals.json --out imported'],
   ['export', 'export good.level.json --to gravityquest --drop --output exported.json'],
   ['init', 'init new'],
+  ['build', 'build good.level.json --out site'],
+  ['build', 'build good.level.json invalid.level.json --out refused'],
   ['diff', 'diff good.level.json other.level.json'],
+  ['verify', `verify good.gqr --levels ${shipped('01-first-pull')}`],
+  ['verify', `verify good.gqr --levels ${swing}`],
+  ['verify', `verify cut.gqr --levels ${swing}`],
 ];
 
 describe('the JSON of every command', () => {

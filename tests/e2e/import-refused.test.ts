@@ -1,22 +1,12 @@
 import { readdirSync } from 'node:fs';
-import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { drop } from './drop.ts';
 import { straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const PNG = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52];
 const ZIP = [0x50, 0x4b, 3, 4, 20, 0];
-
-/** Drops files on the page, like a drag from a folder. */
-const drop = (page: Page, files: Readonly<Record<string, readonly number[] | string>>): Promise<void> =>
-  page.evaluate((given) => {
-    const dataTransfer = new DataTransfer();
-    for (const [name, content] of Object.entries(given)) {
-      dataTransfer.items.add(new File([typeof content === 'string' ? content : Uint8Array.from(content)], name));
-    }
-    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-  }, files);
 
 inChromium('a refused import in Chromium', ({ on }) => {
   it(

@@ -11,6 +11,7 @@ const DIALOGS = {
   Settings: 'Settings',
   'New level': 'New level',
   'Import, export, link': 'Import, export, link',
+  'Publish as a page to play': 'Publish',
   'Deleted levels': 'Deleted levels',
   'Unsaved changes kept in this browser': 'Unsaved changes',
 };

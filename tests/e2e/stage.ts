@@ -150,6 +150,7 @@ const textOf = (content: unknown): string => (typeof content === 'string' ? cont
 const NOBODY = 65534;
 
 const BUILT_PAGE = fileURLToPath(new URL('../../dist/editor', import.meta.url));
+const BUILT_GAME = fileURLToPath(new URL('../../dist/site', import.meta.url));
 
 /** Serves a folder from this process, which is much cheaper than another process. */
 async function serveHere(folder: string): Promise<StageServer> {
@@ -157,7 +158,14 @@ async function serveHere(folder: string): Promise<StageServer> {
   const onCrash = (error: unknown) => {
     complaints += `${error instanceof Error ? error.stack : error}\n`;
   };
-  const { port, address, close } = await startServer({ folder, port: 0, configFrom: folder, page: BUILT_PAGE, onCrash });
+  const { port, address, close } = await startServer({
+    folder,
+    port: 0,
+    configFrom: folder,
+    page: BUILT_PAGE,
+    game: BUILT_GAME,
+    onCrash,
+  });
   return { port, address, complaints: () => complaints, end: close };
 }
 

@@ -9,7 +9,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
-import { verdict } from './commands.ts';
+import { command, verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { paceFrames } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
@@ -85,8 +85,36 @@ else {
         .waitFor();
     const isOpen = (page: Page, name: string) => page.getByRole('heading', { level: 1, name, exact: true }).waitFor();
 
+    it('publishes all levels as one file, since there are no folders, and names a level without a run', async () => {
+      const complaints: string[] = [];
+      const one = await person(complaints);
+      const page = await one.open(`${hosted.address}#level=${packed(straight({ name: 'Linked', runs: [] }))}`);
+      await page.getByRole('dialog', { name: 'Add the level from the link?' }).getByRole('button', { name: 'Add level' }).click();
+      await isOpen(page, 'Linked');
+      await saved(page);
+      await command(page, 'Publish as a page to play');
+      const dialog = page.getByRole('dialog', { name: 'Publish' });
+      expect(await dialog.getByRole('radio').count()).toBe(2);
+      await dialog.getByRole('button', { name: 'Publish', exact: true }).click();
+      await dialog
+        .getByRole('alert')
+        .getByText(/unproven.*Linked/)
+        .waitFor();
+      const [download] = await Promise.all([
+        page.waitForEvent('download'),
+        dialog.getByRole('button', { name: 'Publish all the same' }).click(),
+      ]);
+      expect(download.suggestedFilename()).toBe('gravity-quest.html');
+      const text = readFileSync(await download.path(), 'utf8');
+      expect(text).toContain('"name":"Linked"');
+      expect(text).not.toMatch(/<script[^>]* src=/);
+      expect(complaints).toEqual([]);
+      await one.context.close();
+    });
+
     it('creates a level, edits it, keeps it after a reload, shares it by link, and downloads it', async () => {
       const complaints: string[] = [];
+      const before = hosted.asked.length;
       const one = await person(complaints);
       const page = await one.open(hosted.address);
       await page.getByText('No levels here yet.').waitFor();
@@ -137,7 +165,8 @@ else {
       expect(await theirs.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').count()).toBe(1);
       await Promise.all([one.context.close(), other.context.close()]);
       // only files were requested from the host
-      expect(hosted.asked.filter((url) => !/^\/game\/($|assets\/[\w.-]+$|icon\.svg$)/.test(url))).toEqual([]);
+      const requests = hosted.asked.slice(before);
+      expect(requests.filter((url) => !/^\/game\/($|assets\/[\w.-]+$|icon\.svg$)/.test(url))).toEqual([]);
       expect(complaints).toEqual([]);
     });
 

@@ -13,6 +13,7 @@ const DIALOGS: Readonly<Record<string, string>> = {
   Settings: 'Settings',
   'New level': 'New level',
   'Import, export, link': 'Import, export, link',
+  'Publish as a page to play': 'Publish',
   'Import levels': 'Import, export, link',
   'Deleted levels': 'Deleted levels',
   'Unsaved changes kept in this browser': 'Unsaved changes',

@@ -3,7 +3,6 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Brush } from '../../editor/canvas/brush.ts';
 import { COLOURS } from '../../editor/canvas/colours.ts';
 import { extentOf } from '../../editor/canvas/extent.ts';
 import { hitTest, objectsIn } from '../../editor/canvas/hit-test.ts';
@@ -36,6 +35,7 @@ import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { TOOLS } from '../../editor/session/index.ts';
 import { boxOf, EFFECTS } from '../../engine/index.ts';
+import type { Brush } from '../../phaser/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
   DEFAULT_RULES,

@@ -6,23 +6,15 @@ import { describe, expect, it } from 'vitest';
 import { surveyLink } from '../../editor/dialogs/survey-link.ts';
 import { applyPatches, createEditedLevel, diffFiles } from '../../editor/document/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import {
-  enteringFolder,
-  importLevels,
-  LONGEST_LINK,
-  leavingFolder,
-  levelFile,
-  levelOf,
-  linkTo,
-  pictureSvg,
-  slugOf,
-} from '../../editor/share/index.ts';
+import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
+  enteringFolder,
   formatLevel,
   LEVEL_ID_PART,
   type LevelFile,
+  leavingFolder,
   type OwnRules,
   RULE_NAMES,
   RULES,

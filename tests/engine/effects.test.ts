@@ -1,6 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
+import { INDEXING } from '../../engine/box-index.ts';
+import { EffectSet } from '../../engine/effects/index.ts';
 import { compile, createSimulation, EFFECTS, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, listOf, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
 import { accuracyNames } from './accuracies.ts';
@@ -75,4 +77,12 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
     expect(numbers({ ...plain, winds: [wind, wind] }) - numbers(plain)).toBe(own + 2);
     expect(numbers({ ...plain, wormholes: [wormhole, wormhole] }) - numbers(plain)).toBe(2);
   });
+});
+
+it('an effect or event without a place in the order is refused, since it would never act', () => {
+  const more = { ...EFFECTS[0], name: 'drag' };
+  expect(() => new EffectSet([more], INDEXING)).toThrow('expected a place for "drag" in engine/effects/order.ts, found none');
+  const event = { ...(EFFECTS[0].events ?? [])[0], name: 'stall' };
+  expect(() => new EffectSet([{ ...EFFECTS[0], events: [event] }], INDEXING)).toThrow('"stall"');
+  expect(() => new EffectSet([...EFFECTS].reverse(), INDEXING)).not.toThrow();
 });

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
 import { type RandomScene, randomScene } from '../../bench/soak/random-scene.ts';
 import { windyScene } from '../../bench/soak/windy-scene.ts';
-import { ContinuousSimulation } from '../../engine/continuous/simulation.ts';
+import { ContinuousSimulation, WHOLE_METHOD } from '../../engine/continuous/index.ts';
 import { alienTravel, ownTravel, rockTravel } from '../../engine/events/index.ts';
 import {
   ACCURACIES,
@@ -78,7 +78,12 @@ function farthest(scene: RandomScene, accuracy: Accuracy): { beyond: number; sha
     }
   };
   const budget = new WorkBudget(2000);
-  const simulation = new ContinuousSimulation(compile(scene.level, accuracy), { piece, event: () => {} }, budget);
+  const simulation = new ContinuousSimulation(
+    WHOLE_METHOD,
+    compile(scene.level, accuracy),
+    { keeps: true, piece, event: () => {} },
+    budget,
+  );
   try {
     playScript(simulation, joinHolds(scene.holds), Math.min(3600, scene.maxTime * 60));
   } catch (error) {

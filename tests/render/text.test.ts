@@ -1,8 +1,10 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { renderPng } from '../../cli/png.ts';
+import { loadPngRenderer } from '../../cli/png.ts';
 import { renderSvg } from '../../picture/index.ts';
 import { DROP, level } from './scenes.ts';
+
+const renderPng = await loadPngRenderer();
 
 const HOSTILE = [
   '</title><script>alert(1)</script>',
@@ -17,18 +19,18 @@ const HOSTILE = [
 ];
 
 describe('texts of a level can’t break out of the picture', () => {
-  test.each(HOSTILE)('%j', async (text) => {
+  test.each(HOSTILE)('%j', (text) => {
     const svg = renderSvg(level({ ...DROP, name: text, description: text }));
     expect(svg).not.toMatch(/<script|<img| onload="/);
     // resvg refuses what is not well-formed.
-    expect((await renderPng(svg, 60)).length).toBeGreaterThan(100);
+    expect(renderPng(svg, 60).length).toBeGreaterThan(100);
   });
 
-  test('whatever the name, the document is well-formed', async () => {
+  test('whatever the name, the document is well-formed', () => {
     const any = fc.string({ unit: 'binary', minLength: 1, maxLength: 120 });
-    await fc.assert(
-      fc.asyncProperty(any, async (name) => {
-        await renderPng(renderSvg(level({ ...DROP, name })), 20);
+    fc.assert(
+      fc.property(any, (name) => {
+        renderPng(renderSvg(level({ ...DROP, name })), 20);
       }),
       { numRuns: 15 },
     );

@@ -25,7 +25,7 @@ describe('the API of gq edit', () => {
       Forbidden: ['foreign-page', 'not-writable', 'wrong-host'],
       'Not Found': ['unknown-address', 'unknown-folder', 'unknown-level'],
       'Method Not Allowed': ['wrong-method'],
-      Conflict: ['list-changed', 'name-taken'],
+      Conflict: ['list-changed', 'name-taken', 'not-completable', 'not-published'],
       'Precondition Failed': ['conflict'],
       'Payload Too Large': ['body-too-large'],
       'Unsupported Media Type': ['wrong-content-type'],

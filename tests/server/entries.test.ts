@@ -4,9 +4,10 @@ import process from 'node:process';
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createKnownLevels } from '../../cli/edit/known-levels.ts';
-import { findLevel, findLevels, findLike, hasFolder, inOrderOfPlay, joinId, splitId } from '../../cli/edit/level-files.ts';
+import { findLevel, findLevels, findLike, hasFolder, joinId, splitId } from '../../cli/edit/level-files.ts';
 import { createEntryReader } from '../../cli/edit/read-entry.ts';
 import { findTrash, makeStampFolder, moveToTrash } from '../../cli/edit/trash.ts';
+import { inOrderOfPlay } from '../../cli/order-of-play.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
 

@@ -108,7 +108,7 @@ describe.runIf(process.platform !== 'win32')('a server', () => {
     return { levels: levels.folder, page: page.folder };
   };
   const start = (at: ReturnType<typeof made>, port: number | null) =>
-    startServer({ folder: at.levels, port, configFrom: at.levels, page: at.page, onCrash: () => {} });
+    startServer({ folder: at.levels, port, configFrom: at.levels, page: at.page, game: at.page, onCrash: () => {} });
   const listener = async (port = 0) => {
     const server = createServer();
     await new Promise<void>((resolve) => server.listen(port, '127.0.0.1', resolve));

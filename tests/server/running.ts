@@ -3,6 +3,7 @@ import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
+import { fileURLToPath } from 'node:url';
 import { type EditServer, startServer } from '../../cli/edit/index.ts';
 import { EDIT_API } from '../../schema/index.ts';
 
@@ -109,6 +110,7 @@ export async function serve(folder: string): Promise<EditServer & { page: Page; 
     port: 0,
     configFrom: folder,
     page: built.folder,
+    game: fileURLToPath(new URL('../../dist/site', import.meta.url)),
     onCrash: (error) => crashes.push(error),
   });
   built.remove();

@@ -1,4 +1,5 @@
-import { afterEach, describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { EffectSet } from '../../engine/effects/index.ts';
 import { compile, EFFECTS, type Effect } from '../../engine/index.ts';
 import { type Level, type OwnRules, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { PROVERS, type Proof, proveBy, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
@@ -15,9 +16,21 @@ const WIND: Effect = {
   calledFor: () => ({ called: true, because: 'the wind blows everywhere' }),
 };
 const game = EFFECTS as Effect[];
-const blow = () => game.push(WIND);
+const blow = () => {
+  game.push(WIND);
+  const choose = EffectSet.prototype.choose;
+  vi.spyOn(EffectSet.prototype, 'choose').mockImplementation(function (this: EffectSet, level) {
+    const chosen = choose.call(this, level);
+    return { ...chosen, simulated: [...chosen.simulated, { name: WIND.name, because: WIND.calledFor(level).because }] };
+  });
+};
+const calm = () => {
+  vi.restoreAllMocks();
+  game.pop();
+};
 
 afterEach(() => {
+  vi.restoreAllMocks();
   if (game.at(-1) === WIND) game.pop();
 });
 
@@ -41,7 +54,7 @@ describe.each(KINDS)('%s', (kind) => {
       ok: false,
       why: 'the level calls for the effect test-wind, which proofs of this kind do not cover',
     });
-    game.pop();
+    calm();
     expect(proveBy(kind, level, HOLE)).toEqual(proof);
     expect(verifyProof(level, proof)).toEqual({ ok: true });
   });

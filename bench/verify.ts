@@ -1,0 +1,90 @@
+import { type AccuracyName, compile } from '../engine/index.ts';
+import { createPlayer, createVerifier, encodePlay, type PlayVerifier, playOf } from '../game/index.ts';
+import { atLeast, consume, publish, spread } from './harness.ts';
+import { askedLevels } from './levels.ts';
+import { minuteOfPlay } from './scenes/minute-plays.ts';
+
+const ACCURACIES: readonly AccuracyName[] = ['arcade', 'fast', 'standard', 'precise'];
+const PLAYS_A_LEVEL = 4;
+const ROUNDS = 15;
+/** Shortest time of a round, ms of processor time. */
+const SAMPLE = 150;
+/** Plays of a minute that must be verified in a second of one core, at the default accuracy. */
+const GOAL = 2000;
+
+interface Recorded {
+  readonly verifier: PlayVerifier;
+  readonly bytes: Uint8Array;
+  readonly edges: number;
+}
+
+const levels = askedLevels();
+const left: string[] = [];
+
+/** Plays of a minute on every level. */
+function recorded(accuracy: AccuracyName): Recorded[] {
+  return levels.flatMap(({ name, level }, i) => {
+    const scene = compile(level, accuracy);
+    const verifier = createVerifier(level);
+    const plays = Array.from({ length: PLAYS_A_LEVEL }, (_, k) => minuteOfPlay(scene, 1 + i * PLAYS_A_LEVEL + k)).flatMap(
+      (replay) => {
+        if (replay === null) return [];
+        const player = createPlayer(scene, { replay, maxTime: 60 });
+        while (player.ending === null) player.advance(100);
+        if (player.tick !== 3600) throw new Error(`${name}: expected a play of 3600 ticks, found ${player.tick}`);
+        return [{ verifier, bytes: encodePlay(playOf(player)), edges: 2 * player.holds.length }];
+      },
+    );
+    if (plays.length < PLAYS_A_LEVEL) left.push(`${name} at ${accuracy}: ${plays.length}`);
+    return plays;
+  });
+}
+
+function verifyAll(plays: readonly Recorded[]): void {
+  for (const { verifier, bytes } of plays) {
+    const { verdict, message, work } = verifier.verify(bytes);
+    if (verdict !== 'ok') throw new Error(`expected ok, found ${verdict}: ${message}`);
+    consume(work);
+  }
+}
+
+/** Plays a second of processor time, in every round. */
+function measure(plays: readonly Recorded[]): number[] {
+  const seconds = (times: number): number => {
+    const before = process.cpuUsage();
+    for (let i = 0; i < times; i++) verifyAll(plays);
+    return process.cpuUsage(before).user / 1e6;
+  };
+  const first = seconds(3) / 3;
+  const times = Math.max(1, Math.round(SAMPLE / 1000 / first));
+  seconds(times);
+  return Array.from({ length: ROUNDS }, () => (times * plays.length) / seconds(times));
+}
+
+const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+const rows = ACCURACIES.map((accuracy) => {
+  const plays = recorded(accuracy);
+  const { median, q1, q3 } = spread(measure(plays));
+  return {
+    accuracy,
+    plays: plays.length,
+    median,
+    q1,
+    q3,
+    edges: mean(plays.map((p) => p.edges)),
+    bytes: mean(plays.map((p) => p.bytes.length)),
+  };
+});
+
+publish({
+  title: `Plays of a minute that verifyPlay repeats in a second of one core, on ${levels.length} levels`,
+  columns: ['accuracy', 'plays', 'a second: median', 'quartile', 'quartile', 'edges', 'bytes'],
+  rows: rows.map(({ accuracy, plays, median, q1, q3, edges, bytes }) => [accuracy, plays, median, q1, q3, edges, bytes]),
+  claims: [atLeast('plays of a minute a second at precise', rows[rows.length - 1].median, GOAL)],
+  notes: [
+    `${PLAYS_A_LEVEL} plays of 3600 ticks on each level as it is, by a random walk of presses and releases that goes back where the play would end.`,
+    'User time of the processor; a level is compiled once for all its plays.',
+    ...(left.length > 0 ? [`No play of a minute was found for some: ${left.join(', ')}`] : []),
+  ],
+});

@@ -1,0 +1,193 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { alignEdges } from '../../check/plays/alignment.ts';
+import { dbscan, type Point } from '../../check/plays/dbscan.ts';
+import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
+import { Tally } from '../../check/plays/quartiles.ts';
+import type { Play } from '../../game/index.ts';
+import type { Hold } from '../../schema/index.ts';
+import { noisy, playedBy, shippedLevel } from './played.ts';
+
+/** DBSCAN as its authors wrote it, but that border points choose the nearest core point: every pair is compared. */
+function plainDbscan(points: readonly Point[], reach: number, least: number): number[] {
+  const squared = (a: Point, b: Point) => (a.x - b.x) ** 2 + (a.y - b.y) ** 2;
+  const isNear = (a: Point, b: Point) => squared(a, b) <= reach * reach;
+  const isCore = points.map((a) => points.filter((b) => isNear(a, b)).length >= least);
+  const labels = points.map(() => -1);
+  let next = 0;
+  for (const [i] of points.entries()) {
+    if (!isCore[i] || labels[i] >= 0) continue;
+    const label = next++;
+    const waiting = [i];
+    for (let at = waiting.pop(); at !== undefined; at = waiting.pop()) {
+      labels[at] = label;
+      for (const [k, other] of points.entries()) if (isCore[k] && labels[k] < 0 && isNear(points[at], other)) waiting.push(k);
+    }
+  }
+  return points.map((point, i) => {
+    if (isCore[i]) return labels[i];
+    const cores = [...points.keys()].filter((k) => isCore[k] && isNear(point, points[k]));
+    const order = (a: number, b: number) =>
+      squared(point, points[a]) - squared(point, points[b]) || points[a].x - points[b].x || points[a].y - points[b].y;
+    return cores.length === 0 ? -1 : labels[cores.sort(order)[0]];
+  });
+}
+
+/** Renumbers clusters by their first point. */
+const renumbered = (labels: Iterable<number>): number[] => {
+  const names = new Map<number, number>([[-1, -1]]);
+  return [...labels].map((label) => {
+    if (!names.has(label)) names.set(label, names.size - 1);
+    return names.get(label) as number;
+  });
+};
+
+describe('dbscan', () => {
+  const place = fc.record({ x: fc.integer({ min: -60, max: 60 }), y: fc.integer({ min: -60, max: 60 }) });
+
+  it('finds the clusters that a comparison of all pairs finds', () => {
+    const least = fc.integer({ min: 1, max: 6 });
+    const points = fc.array(place, { maxLength: 80 });
+    fc.assert(
+      fc.property(points, fc.constantFrom(7, 10, 25), least, (some, reach, enough) => {
+        expect(renumbered(dbscan(some, reach, enough))).toEqual(renumbered(plainDbscan(some, reach, enough)));
+      }),
+      { numRuns: 300 },
+    );
+  });
+});
+
+describe('alignEdges', () => {
+  const edges = fc.uniqueArray(fc.integer({ min: 0, max: 400 }), { maxLength: 5 }).map((ticks) => ticks.sort((a, b) => a - b));
+
+  /** The cost of the cheapest alignment, every one tried. */
+  const cheapest = (reference: readonly number[], own: readonly number[]): number => {
+    const from = (i: number, j: number): number => {
+      const rest = 60 * (own.length - j);
+      if (i === reference.length || j === own.length) return rest;
+      const ways = [rest, 30 + from(i + 1, j), 60 + from(i, j + 1)];
+      if ((i - j) % 2 === 0) ways.push(Math.abs(reference[i] - own[j]) + from(i + 1, j + 1));
+      return Math.min(...ways);
+    };
+    return from(0, 0);
+  };
+
+  const costOf = (reference: readonly number[], own: readonly number[], partners: Int32Array): number => {
+    const paired = [...partners.keys()].filter((i) => partners[i] >= 0);
+    const reached = (paired.at(-1) ?? -1) + 1;
+    const alone = 30 * (reached - paired.length) + 60 * (own.length - paired.length);
+    return alone + paired.reduce((sum, i) => sum + Math.abs(reference[i] - own[partners[i]]), 0);
+  };
+
+  it('is as cheap as the cheapest, in order, and never pairs a press with a release', () => {
+    fc.assert(
+      fc.property(edges, edges, (reference, own) => {
+        const partners = alignEdges(reference, own);
+        expect(costOf(reference, own, partners)).toBe(cheapest(reference, own));
+        const paired = [...partners].flatMap((partner, i) => (partner < 0 ? [] : [[i, partner]]));
+        expect(paired.every(([i, partner]) => (i - partner) % 2 === 0)).toBe(true);
+        expect(paired.map(([, partner]) => partner)).toEqual(paired.map(([, partner]) => partner).sort((a, b) => a - b));
+      }),
+    );
+  });
+
+  it('skips a tap between, and a press that was missed', () => {
+    expect([...alignEdges([100, 200], [98, 130, 150, 203])]).toEqual([0, 3]);
+    expect([...alignEdges([100, 110, 300, 400], [301, 390])]).toEqual([-1, -1, 0, 1]);
+    expect([...alignEdges([100, 200, 300, 400], [104, 199])]).toEqual([0, 1, -1, -1]);
+  });
+});
+
+describe('quartiles', () => {
+  it('are those of R, as published for its default type 7', () => {
+    const tally = new Tally();
+    // quantile(c(1, 2, 3, 4, 5, 6, 7, 8, 9, 10)): 25% 3.25, 50% 5.50, 75% 7.75
+    for (let i = 1; i <= 10; i++) tally.add(i);
+    expect(tally.quartiles()).toEqual({ count: 10, low: 3.25, median: 5.5, high: 7.75 });
+    expect(new Tally().quartiles()).toBeNull();
+  });
+});
+
+const SWING = shippedLevel('02-first-swing');
+const play = playedBy(SWING);
+const [RUN] = SWING.runs;
+
+describe('statisticsOf', () => {
+  const some = noisy(RUN.holds, 250, 120, 1).map((holds) => play(holds));
+
+  it('counts what happened, and every play once', () => {
+    const result = statisticsOf(SWING, some);
+    const completed = some.filter(({ claim }) => claim.outcome === 'completed').length;
+    expect(result).toMatchObject({ attempts: 120, successes: completed, players: 1, playersWhoSucceed: 1, refused: [] });
+    const failures = 120 - completed;
+    const sum = (counts: readonly number[]) => counts.reduce((a, b) => a + b, 0);
+    expect(sum(result.causes.map(({ count }) => count))).toBe(failures);
+    expect(sum(result.failureTimes)).toBe(failures);
+    expect(sum(result.edges.map(({ failed }) => failed))).toBe(failures);
+    expect(sum(result.routes.map(({ count }) => count))).toBe(completed);
+    expect(result.edges[0].reached).toBe(120);
+    expect(result.reference?.name).toBe(RUN.name);
+  });
+
+  it('does not trust a claim, and names plays that differ from theirs', () => {
+    const [own] = some;
+    const lies: Play[] = [
+      { ...own, claim: { ...own.claim, tick: own.claim.tick - 1 } },
+      { ...own, claim: { ...own.claim, outcome: own.claim.outcome === 'completed' ? 'lost' : 'completed' } },
+      { ...own, claim: { ...own.claim, minerals: own.claim.minerals + 1 } },
+      { ...own, claim: { ...own.claim, tick: 10 ** 9 } },
+      { ...own, level: '0'.repeat(64) },
+      { ...own, engine: '0'.repeat(16) },
+    ];
+    const result = statisticsOf(SWING, [...lies, own]);
+    expect(result.attempts).toBe(1);
+    expect(result.refused.map(({ play: index, verdict }) => [index, verdict])).toEqual([
+      [0, 'claim-differs'],
+      [1, 'claim-differs'],
+      [2, 'claim-differs'],
+      [3, 'too-long'],
+      [4, 'stale-level'],
+      [5, 'unknown-engine'],
+    ]);
+  });
+
+  it('is the same for any order of the plays', () => {
+    const by = some.map((_, i) => ({ player: `player ${i % 7}`, order: i }));
+    const bare = ({ all, refused, clusters, routes, ...rest }: PlayStatistics) => ({
+      ...rest,
+      clusters: clusters.map(({ plays, ...cluster }) => cluster),
+      routes: routes.map(({ play: quickest, ...route }) => route),
+    });
+    const once = bare(statisticsOf(SWING, some, { by }));
+    fc.assert(
+      fc.property(fc.shuffledSubarray([...some.keys()], { minLength: some.length }), (order) => {
+        const shuffled = statisticsOf(
+          SWING,
+          order.map((i) => some[i]),
+          { by: order.map((i) => by[i]) },
+        );
+        expect(bare(shuffled)).toEqual(once);
+      }),
+      { numRuns: 5 },
+    );
+  });
+
+  it('has nothing to say without plays', () => {
+    expect(statisticsOf(SWING, [])).toMatchObject({
+      attempts: 0,
+      share: 0,
+      low: 0,
+      high: 1,
+      clusters: [],
+      routes: [],
+      byAttempt: [],
+    });
+  });
+
+  it('a player who never presses fails at the start', () => {
+    const none: readonly Hold[] = [];
+    const { edges } = statisticsOf(SWING, [play(none), play(none, 30)]);
+    expect(edges[0]).toMatchObject({ type: 'start', reached: 2, failed: 2, share: 1 });
+    expect(edges.slice(1).every(({ reached }) => reached === 0)).toBe(true);
+  });
+});

@@ -1,0 +1,96 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { createPlaytest, type Playtest } from '../../editor/play/playtest.ts';
+import { compile, simulate, TICK_RATE } from '../../engine/index.ts';
+import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
+
+const FILE: LevelFile = {
+  version: 1,
+  name: 'Field',
+  astronaut: { x: 200, y: 304, vy: 30 },
+  blackHole: { x: 704, y: 304 },
+  asteroids: [
+    { x: 448, y: 304, radius: 16 },
+    { x: 300, y: 120, radius: 24 },
+  ],
+  minerals: [{ x: 320, y: 330, radius: 40 }],
+};
+const level: Level = resolveLevel(FILE);
+const scene = compile(level, 'precise');
+const MS = 1000 / TICK_RATE;
+
+/** What a person does in a playtest: frames of some length, and presses or releases between them. */
+const frames = fc.array(fc.record({ ms: fc.double({ min: 0, max: 60, noNaN: true }), held: fc.boolean() }), { maxLength: 120 });
+
+function playAll(playtest: Playtest, all: readonly { ms: number; held: boolean }[]): void {
+  for (const { ms, held } of all) {
+    if (held) playtest.player.press();
+    else playtest.player.release();
+    playtest.player.advance(ms);
+  }
+}
+
+describe('a playtest', () => {
+  it('has a point for every tick, and its holds repeat it bit for bit', () => {
+    fc.assert(
+      fc.property(frames, (all) => {
+        const playtest = createPlaytest(scene, { from: null });
+        playAll(playtest, all);
+        const { player } = playtest;
+        const points = playtest.points();
+        expect(points).toHaveLength(2 * (player.tick + 1));
+        expect([points[0], points[1]]).toEqual([200, 304]);
+        const again = createPlaytest(scene, { from: { holds: player.holds, tick: player.tick } });
+        expect(again.points()).toEqual(points);
+        expect([again.player.hash, again.minerals, again.end]).toEqual([player.hash, playtest.minerals, playtest.end]);
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('begins at a tick of a run, keeps the holds before it, and lets go of the gun unless the user holds it', () => {
+    for (const isHeld of [false, true]) {
+      const playtest = createPlaytest(scene, { from: { holds: [[5, 60]], tick: 20.4 } });
+      expect([playtest.startTick, playtest.player.tick]).toEqual([20, 20]);
+      if (!isHeld) playtest.player.release();
+      playtest.player.advance(2 * MS);
+      expect(playtest.player.holds).toEqual([[5, isHeld ? 22 : 20]]);
+    }
+  });
+
+  it('counts a mineral once, says so when the user collects it, and ends as the simulation of its holds does', () => {
+    const seen: string[] = [];
+    const straight = compile(
+      resolveLevel({ ...FILE, astronaut: { x: 200, y: 304 }, asteroids: FILE.asteroids?.slice(0, 1) }),
+      'precise',
+    );
+    const playtest = createPlaytest(straight, {
+      from: null,
+      onMineral: () => seen.push('mineral'),
+      onEnd: ({ end }) => seen.push(end?.outcome ?? 'none'),
+    });
+    playtest.player.press();
+    for (let i = 0; i < 1000 && playtest.end === null; i++) playtest.player.advance(40);
+    const run = simulate(straight, playtest.player.holds);
+    const collected = run.events.filter(({ type }) => type === 'mineral').length;
+    expect(collected).toBe(1);
+    expect(playtest.minerals).toBe(1);
+    expect(seen).toEqual([...Array<string>(collected).fill('mineral'), run.outcome]);
+    expect(playtest.end).toMatchObject({ outcome: run.outcome, with: run.with, time: run.time, tick: run.tick });
+  });
+
+  it('shows her between two ticks, and the beam to the asteroid that pulls her until the attempt ends', () => {
+    const playtest = createPlaytest(scene, { from: null });
+    playtest.player.advance(MS);
+    expect(playtest.pose().beamTo).toBeNull();
+    playtest.player.press();
+    playtest.player.advance(1.5 * MS);
+    const { player } = playtest;
+    const pose = playtest.pose();
+    expect(pose.y).toBeCloseTo((player.previous[1] + player.state[1]) / 2, 9);
+    expect(pose.beamTo).toMatchObject({ x: level.asteroids[player.target ?? 0].x });
+    for (let i = 0; i < 1000 && playtest.end === null; i++) playtest.player.advance(100);
+    expect(playtest.end).not.toBeNull();
+    expect(playtest.pose().beamTo).toBeNull();
+  });
+});

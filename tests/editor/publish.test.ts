@@ -1,0 +1,78 @@
+import { createHash } from 'node:crypto';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { fetchGame, playPageOf, singlePage } from '../../editor/share/index.ts';
+
+const PAGE = `<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8" />
+    <title>Gravity Quest</title>
+    <script defer src="./pack.js" ></script>
+    <script defer src="./game.js"></script>
+  </head>
+  <body>
+    <div id="app"></div>
+  </body>
+</html>
+`;
+
+describe('one file with a page, its game and a pack', () => {
+  it('has every script in it, after the elements, and a policy that lets exactly these run', () => {
+    const letters = fc.constantFrom('</script>', '</SCRIPT', '<!--', '<script>', '$&', "'", '\\', '\r\n', 'é', 'x');
+    const text = fc.array(letters, { maxLength: 8 }).map((parts) => parts.join(''));
+    fc.assert(
+      fc.property(text, text, (title, words) => {
+        const game = { page: PAGE, scripts: new Map([['./game.js', `globalThis.words = ${JSON.stringify(words)};`]]) };
+        const level = { id: words, level: { name: title } };
+        const page = singlePage(game, { title, accuracy: 'precise', levels: [level] });
+        expect(page).not.toMatch(/\bsrc=/);
+        expect(page.indexOf('id="app"')).toBeLessThan(page.indexOf('<script>'));
+        // as a browser splits it
+        const scripts = [...page.matchAll(/<script>(.*?)<\/script/gis)].map(([, script]) => script);
+        expect(scripts).toHaveLength(2);
+        const hashes = scripts.map((script) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`);
+        expect(page.replaceAll('&#39;', "'")).toContain(`script-src ${hashes.join(' ')};`);
+        const run = new Function('globalThis', scripts.join('\n'));
+        const found: { words?: string; GRAVITY_QUEST_PACK?: unknown } = {};
+        run(found);
+        expect(found.words).toBe(words);
+        expect(found.GRAVITY_QUEST_PACK).toEqual({ title, accuracy: 'precise', levels: [level] });
+      }),
+    );
+  });
+
+  it('is made of the game that comes with the page; what is missing is named', async () => {
+    const asked: string[] = [];
+    const get = (files: Readonly<Record<string, string>>): typeof fetch =>
+      (async (url: URL) => {
+        asked.push(url.href);
+        const text = files[url.pathname];
+        return { ok: text !== undefined, status: text === undefined ? 404 : 200, text: async () => text };
+      }) as unknown as typeof fetch;
+    const folder = 'https://me.example/editor/game/';
+    const files = { '/editor/game/index.html': PAGE, '/editor/game/game.js': 'play()' };
+    expect(await fetchGame(folder, get(files))).toEqual({ page: PAGE, scripts: new Map([['./game.js', 'play()']]) });
+    // the pack is another one
+    expect(asked).toEqual([`${folder}index.html`, `${folder}game.js`]);
+    await expect(fetchGame(folder, get({ '/editor/game/index.html': PAGE }))).rejects.toThrow(/game\.js: status 404/);
+    await expect(fetchGame(folder, () => Promise.reject(new TypeError('offline')))).rejects.toThrow(/index\.html: no answer/);
+  });
+});
+
+describe('the address of a published page', () => {
+  it.each([
+    ['https://me.github.io/levels/', 'https://me.github.io/levels/'],
+    [' me.github.io/levels ', 'https://me.github.io/levels'],
+    ['https://me.example/a?b=c#level=old', 'https://me.example/a?b=c'],
+    ['http://localhost:3000', 'http://localhost:3000/'],
+    ['localhost:3000/site/', 'http://localhost:3000/site/'],
+    ['file:///home/me/site/index.html', 'file:///home/me/site/index.html'],
+  ])('%s is %s', (typed, address) => {
+    expect(playPageOf(typed)).toEqual({ ok: true, address });
+  });
+
+  it.each(['javascript:alert(1)', 'data:text/html,x', 'https://', 'a b', 'mailto:me@example.org'])('%s is none', (typed) => {
+    expect(playPageOf(typed)).toMatchObject({ ok: false, message: expect.stringMatching(/^expected /) });
+  });
+});
