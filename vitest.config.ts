@@ -10,7 +10,11 @@ const IN_BROWSERS = 'tests/e2e/**/*.test.ts';
 const NODE = ['tests/**/*.test.ts'];
 const NO_NODE = [...configDefaults.exclude, IN_BROWSERS];
 // They replace modules of Node. `vi.mock` reaches only what is loaded after it, so that each needs modules of its own.
-const ALONE = ['disk', 'full-disk', 'locks', 'other-systems', 'refusals', 'watch'].map((name) => `tests/server/${name}.test.ts`);
+const MOCKING = ['disk', 'full-disk', 'locks', 'other-systems', 'refusals', 'watch'].map(
+  (name) => `tests/server/${name}.test.ts`,
+);
+// What a function allocates depends on the types that V8 has seen in it: other tests would show it more than a game does.
+const ALONE = [...MOCKING, 'tests/phaser/allocation.test.ts'];
 
 export default defineConfig(({ mode }) => ({
   // properties get one seed for all, see there

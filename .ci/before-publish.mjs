@@ -1,6 +1,8 @@
-// Refuses to publish the package without the address of its repository: npm resolves the links and pictures of README.md by it.
+// Refuses to publish the package without the address of its repository, since npm resolves the links and pictures of README.md by
+// it, and with results that its version does not allow.
 import { readFileSync } from 'node:fs';
 import process from 'node:process';
+import { problemsHere } from './check-version.mjs';
 
 /**
  * @param {{ readonly repository?: string | { readonly type?: string, readonly url?: string } }} manifest
@@ -14,8 +16,7 @@ export function reasonAgainst({ repository }) {
 
 if (process.argv[1] === import.meta.filename) {
   const reason = reasonAgainst(JSON.parse(readFileSync(new URL('../package.json', import.meta.url), 'utf8')));
-  if (reason !== null) {
-    console.error(`not published: ${reason}`);
-    process.exitCode = 1;
-  }
+  const reasons = [...(reason === null ? [] : [reason]), ...(await problemsHere())];
+  for (const each of reasons) console.error(`not published: ${each}`);
+  if (reasons.length > 0) process.exitCode = 1;
 }

@@ -9,6 +9,7 @@ import { drawBackground } from './background.ts';
 import { drawCaption, outcomeText } from './caption.ts';
 import { drawCollected } from './collected.ts';
 import { drawContact } from './contact.ts';
+import { drawFailureRings, drawFailures, type Failures, failureSigns } from './failures.ts';
 import { drawFan, drawFanSign } from './fan.ts';
 import { drawGap } from './gap.ts';
 import { drawGradients } from './gradients.ts';
@@ -46,6 +47,8 @@ export interface RenderOptions {
   readonly ways?: readonly NamedRun[];
   /** Where a search has been, to draw as a heat map. */
   readonly explored?: Explored;
+  /** Where attempts of players fail, to draw as a heat map. */
+  readonly failures?: Failures;
   /** The same run with its presses and releases shifted, to draw as thin paths. */
   readonly fan?: readonly Run[];
   /** The time of the closest approach to the black hole, s; the distance is drawn there. */
@@ -86,6 +89,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
     note = '',
     ways = [],
     explored,
+    failures,
     fan,
     nearest,
     proof,
@@ -105,6 +109,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
   const scene = [drawBackground(view, theme, level)];
   if (explored !== undefined) scene.push(drawHeat(view, theme, explored));
   scene.push(drawRanges(view, theme, level), drawObjects(view, theme, level, width));
+  if (failures !== undefined) scene.push(drawFailures(view, theme, failures));
   if (proof !== undefined) scene.push(drawProof(view, theme, proof));
   if (fan !== undefined) scene.push(drawFan(view, theme, fan));
   if (ways.length > 0) {
@@ -125,6 +130,8 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
   if (run !== undefined) scene.push(drawEnd(view, theme, level, run));
   if (run !== undefined && nearest !== undefined) scene.push(drawGap(view, theme, level, run, nearest));
 
+  if (failures !== undefined && words) scene.push(drawFailureRings(view, theme, failures));
+
   const about = run === undefined ? level.description : outcomeText(level, run);
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" width="${num(width)}" height="${num((height * width) / units)}" viewBox="0 0 ${units} ${num(height)}" role="img">` +
@@ -135,15 +142,17 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
 }
 
 /** Places that the picture has to contain besides the level's objects. */
-function cornersOf({ explored, proof }: RenderOptions): Point[] {
+function cornersOf({ explored, failures, proof }: RenderOptions): Point[] {
   const cells = (explored?.cells ?? []).map(({ x, y }): Point => [x, y]);
   const lines = (proof?.lines ?? []).flatMap(({ points }) => points.map(({ x, y }): Point => [x, y]));
-  return [...cells, ...lines];
+  const clusters = (failures?.clusters ?? []).map(({ x, y }): Point => [x, y]);
+  return [...cells, ...lines, ...clusters];
 }
 
-function signsOf(theme: Theme, { explored, fan, proof }: RenderOptions): LegendEntry[] {
+function signsOf(theme: Theme, { explored, failures, fan, proof }: RenderOptions): LegendEntry[] {
   const signs: LegendEntry[] = [];
   if (explored !== undefined) signs.push(...heatSigns(theme, explored));
+  if (failures !== undefined) signs.push(...failureSigns(theme, failures));
   for (const completes of [true, false]) {
     if (!fan?.some(({ outcome }) => (outcome === 'completed') === completes)) continue;
     signs.push({ label: completes ? 'still completes it' : 'fails', icon: drawFanSign(theme, completes) });

@@ -1,5 +1,5 @@
 import { createSimulation, DEFAULT_MAX_TIME, joinHolds, playScript, type Scene, simulate, TICK_RATE } from '../engine/index.ts';
-import type { Hold } from '../schema/index.ts';
+import type { Hold } from '../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from './goal.ts';
 
 /** A run that meets its goal, confirmed by a replay from the start. */

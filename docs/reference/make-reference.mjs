@@ -1,7 +1,8 @@
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { Application, ConsoleLogger, LogLevel, TSConfigReader, TypeDocReader } from 'typedoc';
 
-// Writes the API reference of engine, schema and solver as Markdown into dist/reference. Fails where something public has no
+// Writes the API reference of every module of the package as Markdown into dist/reference. Fails where something public has no
 // description, and where a link leads nowhere.
 
 /** Members of a type that the compiler infers, as of a zod schema, have no docstrings of their own. */
@@ -17,8 +18,14 @@ class GapLogger extends ConsoleLogger {
   }
 }
 
+/** The sources of the modules that the package exports. */
+const { exports } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
+const entryPoints = Object.entries(exports)
+  .filter(([, { types }]) => types !== undefined)
+  .map(([, { types }]) => types.replace(/^\.\/dist\/(.*)\.d\.ts$/, '../../$1.ts'));
+
 process.chdir(fileURLToPath(new URL('.', import.meta.url)));
-const app = await Application.bootstrapWithPlugins({}, [new TypeDocReader(), new TSConfigReader()]);
+const app = await Application.bootstrapWithPlugins({ entryPoints }, [new TypeDocReader(), new TSConfigReader()]);
 const logger = new GapLogger();
 logger.level = LogLevel.Warn;
 app.logger = logger;

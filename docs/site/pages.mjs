@@ -30,6 +30,7 @@ export const GROUPS = [
       { file: 'docs/tune.md', name: 'tune', text: 'Rules and tuning' },
       { file: 'docs/difficulty.md', name: 'difficulty', text: 'Difficulty and new levels' },
       { file: 'docs/import-and-export.md', name: 'import-and-export', text: 'Import and export' },
+      { file: 'docs/publish.md', name: 'publish', text: 'Publish levels' },
     ],
   },
   {
@@ -45,7 +46,12 @@ export const GROUPS = [
   {
     text: 'Programs',
     hasReference: true,
-    pages: [{ file: 'docs/library.md', name: 'library', text: 'Library' }],
+    pages: [
+      { file: 'docs/library.md', name: 'library', text: 'Library' },
+      { file: 'docs/phaser.md', name: 'phaser', text: 'Phaser' },
+      { file: 'docs/plays.md', name: 'plays', text: 'Plays that can be verified' },
+      { file: 'docs/versioning.md', name: 'versioning', text: 'Versions' },
+    ],
   },
   {
     text: 'Changing the toolkit',

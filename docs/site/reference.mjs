@@ -5,7 +5,12 @@ import { fileURLToPath } from 'node:url';
 /** Where `npm run reference` writes the API reference. */
 const REFERENCE = fileURLToPath(new URL('../../dist/reference', import.meta.url));
 
-const MODULES = ['engine', 'schema', 'solver'];
+/** Modules of the package, by the folders of the reference: engine, game, phaser, phaser/plugin. */
+const { exports } = JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8'));
+const MODULES = Object.entries(exports)
+  .filter(([, { types }]) => types !== undefined)
+  .map(([, { types }]) => types.replace(/^\.\/dist\/(.*?)(?:\/index)?\.d\.ts$/, '$1'))
+  .sort();
 
 /** Folders of a module, in the order of the sidebar. */
 const KINDS = [

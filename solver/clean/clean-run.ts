@@ -1,5 +1,5 @@
 import type { Scene } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Effort } from '../search/index.ts';
 import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';

@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 
 /** Removes hold `i`. */
 export const withoutHold = (holds: readonly Hold[], i: number): Hold[] => holds.filter((_, k) => k !== i);

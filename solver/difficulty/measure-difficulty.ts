@@ -1,5 +1,5 @@
 import type { Scene } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import {
   BRIEF_CERTIFY_RUNS,

@@ -1,5 +1,5 @@
 import { createSimulation, type Scene, type Simulation } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { type CoastingFilter, coastingFilter } from './coasting.ts';
 import { wins } from './wins.ts';

@@ -1,5 +1,5 @@
 import { compile, isAccuracyName, type Scene, simulate, TICK } from '../../engine/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import type { Hold, Level } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import { proveImpossible } from '../proofs/index.ts';
 import { type Candidate, createSearch } from '../search/index.ts';

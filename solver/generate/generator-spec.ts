@@ -1,4 +1,4 @@
-import type { OwnRules } from '../../schema/index.ts';
+import type { OwnRules } from '../../schema/basics/index.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
 
 /** How hard a generated level should be: a word, or a grade from 1 to 10 that is met within 0.5. */

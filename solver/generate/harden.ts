@@ -1,5 +1,5 @@
 import { compile, findWarnings, simulate } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
 import type { GeneratorSpec } from './generator-spec.ts';

@@ -1,5 +1,5 @@
 import { boxOf } from '../../engine/index.ts';
-import { type Disc, type OwnRules, type Place, placesIn, rulesOf } from '../../schema/index.ts';
+import { type Disc, type OwnRules, type Place, placesIn, rulesOf } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed/index.ts';

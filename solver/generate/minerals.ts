@@ -1,4 +1,4 @@
-import type { Disc } from '../../schema/index.ts';
+import type { Disc } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { bodiesOf, distance, type Layout, tryOften } from './layout.ts';

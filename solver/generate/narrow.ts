@@ -1,5 +1,5 @@
 import { boxOf, compile } from '../../engine/index.ts';
-import { rulesOf } from '../../schema/index.ts';
+import { rulesOf } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';

@@ -1,5 +1,5 @@
 import { boxOf } from '../../engine/index.ts';
-import { type Disc, type Place, rulesOf } from '../../schema/index.ts';
+import { type Disc, type Place, rulesOf } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { fits, type Layout, tryOften } from './layout.ts';

@@ -1,5 +1,5 @@
 import { compile, createSimulation, playScript, type Simulation, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import type { Disc, Hold, Place } from '../../schema/index.ts';
+import type { Disc, Hold, Place } from '../../schema/basics/index.ts';
 import { countOnePress } from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';

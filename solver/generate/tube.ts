@@ -1,5 +1,5 @@
 import { joinHolds, type Scene, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import type { Hold, Place } from '../../schema/index.ts';
+import type { Hold, Place } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 import { distance } from './layout.ts';

@@ -1,5 +1,5 @@
 import { EFFECTS, TICK } from '../../engine/index.ts';
-import type { Level, RuleName, Rules } from '../../schema/index.ts';
+import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { Prover } from './proof.ts';
 
 // What provers assume about the game: the effects that each of them understands, and the bounds that follow from the effects.

@@ -1,5 +1,5 @@
 import { boxCircleGap } from '../../engine/index.ts';
-import type { Circle } from '../../schema/index.ts';
+import type { Circle } from '../../schema/basics/index.ts';
 import type { About, Proof, ThingRef } from './proof.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';

@@ -1,5 +1,5 @@
 import { compile, createSimulation, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 import { createRandom } from '../random.ts';
 import { easySpeed } from './assumptions.ts';
 import { startAxis, whatEnds } from './doomed.ts';

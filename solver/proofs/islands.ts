@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import type { About, Proof } from './proof.ts';
 import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';

@@ -1,5 +1,5 @@
 import { type Box, TICK } from '../../engine/index.ts';
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import { speedAfter, unbentSpeed } from './assumptions.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';

@@ -1,5 +1,5 @@
 import { boxOf } from '../../engine/index.ts';
-import { type Level, rulesOf } from '../../schema/index.ts';
+import { type Level, rulesOf } from '../../schema/basics/index.ts';
 import { standingCircles } from './blockers.ts';
 import { placesIn } from './dead-end.ts';
 import { mostOf } from './doomed.ts';

@@ -1,5 +1,5 @@
 import { type AccuracyName, unlimited, type WorkBudget, WorkLimitReached } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 import { whyNotTried } from './assumptions.ts';
 import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
 import { proveCovered } from './covered.ts';

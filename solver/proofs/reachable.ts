@@ -1,4 +1,4 @@
-import type { Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
 

@@ -1,4 +1,4 @@
-import type { Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 
 /** A disc in which an effect acts on her while her centre is inside; px of the level. */
 export interface RimDisc {

@@ -1,4 +1,4 @@
-import { objectName, touchedName } from '../../schema/index.ts';
+import { objectName, touchedName } from '../../schema/basics/index.ts';
 import type { About, ThingRef } from './proof.ts';
 
 /** Formats a length, rounded to a tenth of a px; whole numbers have no decimals. */

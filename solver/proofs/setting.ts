@@ -1,5 +1,5 @@
 import { type AccuracyName, type Box, boxOf, DEFAULT_MAX_TIME, TICK, unlimited, type WorkBudget } from '../../engine/index.ts';
-import { type Level, type Rules, rulesOf } from '../../schema/index.ts';
+import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
 import { driftWithin, effectsOf, fastestFrame, speedAfter, strongestPush } from './assumptions.ts';
 import { type Reachable, reachable } from './reachable.ts';
 

@@ -1,4 +1,4 @@
-import type { Rules } from '../../schema/index.ts';
+import type { Rules } from '../../schema/basics/index.ts';
 import type { Drift } from './proof.ts';
 
 /**

@@ -1,5 +1,5 @@
 import { joinHolds, type Scene, type WorkBudget } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import { finish, type Steps } from '../steps.ts';
 import { type BoxResult, type Cluster, clustersInSteps, ShiftBox, shiftsUpTo } from './shift-box.ts';

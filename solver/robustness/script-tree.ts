@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { finish, type Steps } from '../steps.ts';
 import { advanceTo, isSuccess, type Trials } from './trials.ts';
 

@@ -1,5 +1,5 @@
 import { joinHolds } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { finish, type Steps } from '../steps.ts';
 import { advanceTo, isSuccess, type Trials } from './trials.ts';
 

@@ -1,5 +1,5 @@
 import { joinHolds } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 
 /**
  * What the game reads when every edge is shifted: ticks below 0 become 0, holds whose release does not come after their press

@@ -1,5 +1,5 @@
 import { createSimulation, type Scene, type Simulation, type WorkBudget } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 

@@ -1,5 +1,5 @@
 import { boxCircleGap, type Scene } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { NodeList } from './node-list.ts';
 import type { Closest } from './search.ts';
 

@@ -36,7 +36,7 @@ export class HeatTally {
  */
 export class HeatMap {
   /** Visits of each square, by its number. */
-  visits = new Int32Array(128);
+  visits: Int32Array = new Int32Array(128);
   private count = 0;
   private x = new Int32Array(128);
   private y = new Int32Array(128);

@@ -1,6 +1,6 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 
-const doubled = (array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> => {
+const doubled = (array: Int32Array): Int32Array => {
   const larger = new Int32Array(2 * array.length);
   larger.set(array);
   return larger;
@@ -9,14 +9,14 @@ const doubled = (array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> => {
 /** The nodes of the search tree. Each is the state at the end of a stretch in which the button was either held or not. */
 export class NodeList {
   count = 0;
-  parent = new Int32Array(256);
-  tick = new Int32Array(256);
+  parent: Int32Array = new Int32Array(256);
+  tick: Int32Array = new Int32Array(256);
   /** Bit 0: whether the button was held on the way here. Other bits: what has been tried from here. */
-  flags = new Int32Array(256);
+  flags: Int32Array = new Int32Array(256);
   /** Number of the heat map's square that contains the state. */
-  square = new Int32Array(256);
+  square: Int32Array = new Int32Array(256);
   /** How many different minerals she has, where the goal requires any. */
-  minerals = new Int32Array(256);
+  minerals: Int32Array = new Int32Array(256);
 
   add(parent: number, tick: number, held: boolean, square: number, minerals: number): number {
     if (this.count === this.parent.length) {

@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 
 /**

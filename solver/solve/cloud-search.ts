@@ -1,5 +1,5 @@
 import { createSimulation, type Scene, type Simulation, STATE_SIZE } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
 import { drawShift, type TickNoise, tickNoise, uniformOf } from '../robustness/index.ts';

@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { normalBeyondHalf, type TickNoise, type Trials, tickNoise } from '../robustness/index.ts';
 import { sampleNoise } from './noisy-sample.ts';
 

@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Solution } from './solution.ts';
 
 /** Two runs count as the same way through a level if they have as many holds and no edge differs by more than this, ticks. */

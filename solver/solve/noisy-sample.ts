@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { drawShift, judgeAll, shiftHolds, type TickNoise, type Trials, uniformOf } from '../robustness/index.ts';
 
 /** What timing noise did to a run. */

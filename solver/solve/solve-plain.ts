@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { createRandom } from '../random.ts';
 import { changeRun } from './change-run.ts';
 import { compareSolutions, mergeSolutions } from './merge-solutions.ts';

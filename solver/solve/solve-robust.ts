@@ -1,4 +1,4 @@
-import type { Hold } from '../../schema/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { createRandom, type Random } from '../random.ts';
 import { changeRun } from './change-run.ts';
 import { CloudSearch } from './cloud-search.ts';

@@ -1,5 +1,5 @@
 import { EFFECTS, TICK } from '../../engine/index.ts';
-import type { Level, RuleName, Rules } from '../../schema/index.ts';
+import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { ProofCode } from '../proofs/index.ts';
 
 // What the checker assumes about the game, apart from the lemmas of docs/proofs.md. It is declared here again and not read from

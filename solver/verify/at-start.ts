@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import type { ThingRef } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { apart, isIndex, less } from './rounded.ts';

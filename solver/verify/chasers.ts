@@ -1,4 +1,4 @@
-import type { Rules } from '../../schema/index.ts';
+import type { Rules } from '../../schema/basics/index.ts';
 import { apart, type Point } from './rounded.ts';
 
 /** All places, or velocities, within a distance of a centre. */

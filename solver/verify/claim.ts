@@ -1,5 +1,5 @@
 import { type Box, boxOf, DEFAULT_MAX_TIME, TICK } from '../../engine/index.ts';
-import { type Level, type Rules, rulesOf } from '../../schema/index.ts';
+import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
 import type { About } from '../proofs/index.ts';
 import { driftIn, longestFrame, mostPush } from './assumptions.ts';
 

@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import type { BarrierEdge, Blocker } from '../proofs/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';

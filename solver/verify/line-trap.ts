@@ -1,5 +1,5 @@
 import { TICK } from '../../engine/index.ts';
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
 import type { Claim } from './claim.ts';

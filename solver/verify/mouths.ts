@@ -1,4 +1,4 @@
-import type { Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 import type { Claim } from './claim.ts';
 import type { Point } from './rounded.ts';
 

@@ -1,4 +1,4 @@
-import { objectName } from '../../schema/index.ts';
+import { objectName } from '../../schema/basics/index.ts';
 import type { Claim } from './claim.ts';
 import { mouthsOf } from './mouths.ts';
 import { apart, isIndex, less } from './rounded.ts';

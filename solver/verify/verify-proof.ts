@@ -1,5 +1,5 @@
 import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 import type { Certificate, Proof } from '../proofs/index.ts';
 import { whyNotKnown } from './assumptions.ts';
 import { checkNothingInRange, checkStartsInHazard } from './at-start.ts';

@@ -1,4 +1,4 @@
-import type { Disc, ListedKind, ObjectList, Place } from '../../../schema/index.ts';
+import type { Disc, ListedKind, ObjectList, Place } from '../../../schema/basics/index.ts';
 
 /** An object as in a level file, with numbers as its only fields. */
 export type PlacedObject = Disc & Readonly<Record<string, number>>;

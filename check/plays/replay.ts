@@ -1,0 +1,132 @@
+import {
+  type AccuracyName,
+  compile,
+  createSimulation,
+  DEFAULT_MAX_WORK,
+  joinHolds,
+  playScript,
+  type RunEvent,
+  type Scene,
+  STATE_SIZE,
+  WorkBudget,
+} from '../../engine/index.ts';
+import { ENGINE_ID, levelHash, PLAY_LIMITS, type Play } from '../../game/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import { type Goal, mineralsNeeded } from '../../solver/index.ts';
+import { withinWork } from '../within-work.ts';
+import type { Attempt, FailureCause, RefusedPlay } from './attempt.ts';
+import { routeOf } from './routes.ts';
+
+/** Simulates plays of one level again, each once. */
+export interface PlayReplayer {
+  /**
+   * Simulates a play and compares it with its claim. Only the holds are trusted.
+   * @param play the play
+   * @param index its index within all plays
+   * @returns what it turned out to be, or why it does not count
+   */
+  replay(play: Play, index: number): Attempt | RefusedPlay;
+}
+
+/**
+ * Prepares a level for the replay of its plays.
+ * @param level the level
+ * @param goal what an attempt has to achieve
+ */
+export function createPlayReplayer(level: Level, goal: Goal): PlayReplayer {
+  const hash = levelHash(level);
+  const stages = new Map<AccuracyName, Stage>();
+  return {
+    replay(play, index) {
+      const refuse = (verdict: RefusedPlay['verdict'], message: string): RefusedPlay => ({ play: index, verdict, message });
+      const { accuracy, holds, claim } = play;
+      if (play.engine !== ENGINE_ID) {
+        return refuse('unknown-engine', `expected a play of engine ${ENGINE_ID}, found one of ${play.engine}`);
+      }
+      if (play.level !== hash) return refuse('stale-level', `expected a play of level ${hash}, found one of ${play.level}`);
+      if (claim.tick > PLAY_LIMITS.ticks) {
+        return refuse('too-long', `expected a play of at most ${PLAY_LIMITS.ticks} ticks, found one of ${claim.tick}`);
+      }
+      const stage = stages.get(accuracy) ?? new Stage(compile(level, accuracy), goal);
+      stages.set(accuracy, stage);
+      const attempt = stage.attempt(holds, claim.tick, claim.outcome === 'timeout' ? 'timeout' : 'left', index);
+      if (attempt === null) return refuse('too-long', `simulating it takes more work than ${DEFAULT_MAX_WORK} pieces of motion`);
+      const { counted } = stage;
+      if (attempt.outcome === claim.outcome && attempt.tick === claim.tick && counted === claim.minerals) return attempt;
+      const found = inWords({ ...attempt, minerals: counted });
+      return refuse('claim-differs', `expected ${inWords(claim)}, as the play claims; found ${found}`);
+    },
+  };
+}
+
+const inWords = ({ tick, minerals, outcome }: Pick<Attempt, 'tick' | 'minerals' | 'outcome'>): string =>
+  `${outcome} at tick ${tick} with ${minerals} mineral${minerals === 1 ? '' : 's'}`;
+
+/** A scene on which attempts are played, one after the other. */
+export class Stage {
+  private readonly events: RunEvent[] = [];
+  private readonly budget = new WorkBudget(DEFAULT_MAX_WORK);
+  private readonly state = new Float64Array(STATE_SIZE);
+  private readonly simulation;
+  private readonly needed: number;
+
+  constructor(scene: Scene, goal: Goal) {
+    this.simulation = createSimulation(scene, this.budget, this.events);
+    this.needed = mineralsNeeded(goal, scene.minerals.count);
+  }
+
+  /** Minerals of the last attempt as the game counts them: at the accuracy `arcade` it may count one twice. */
+  get counted(): number {
+    return this.simulation.mineralCount;
+  }
+
+  /**
+   * Plays an attempt.
+   * @param holds [press, release) in ticks
+   * @param until the tick at which it is over if it has not ended by then
+   * @param open how it ends in that case
+   * @returns the attempt, or null if it is too much work
+   */
+  attempt(holds: readonly Hold[], until: number, open: 'timeout' | 'left', index: number): Attempt | null {
+    const { simulation, budget, events, state } = this;
+    simulation.reset();
+    budget.looks = 0;
+    events.length = 0;
+    const joined = joinHolds(holds);
+    const isPlayed = withinWork(budget, () => {
+      playScript(simulation, joined, until);
+      return true;
+    });
+    if (isPlayed === null) return null;
+    const { tick } = simulation;
+    // who leaves before the first tick has not seen what ends the play at once
+    const ending = until === 0 && open === 'left' ? null : simulation.ending;
+    const outcome = ending?.outcome ?? open;
+    const minerals = new Set(events.flatMap((event) => (event.type === 'mineral' ? event.index : []))).size;
+    simulation.readState(state);
+    return {
+      play: index,
+      outcome,
+      cause: causeOf(outcome, ending?.with ?? null, minerals >= this.needed),
+      x: state[0],
+      y: state[1],
+      tick,
+      time: simulation.time,
+      minerals,
+      // a hold that lasts to the end has no release
+      edges: joined.flat().filter((edge) => edge < tick),
+      route: routeOf(events),
+    };
+  }
+}
+
+function causeOf(
+  outcome: Attempt['outcome'],
+  touched: { readonly kind: string; readonly index: number } | null,
+  hasMinerals: boolean,
+): FailureCause | null {
+  if (outcome === 'completed') return hasMinerals ? null : { kind: 'minerals', index: null };
+  if (outcome !== 'collided') return { kind: outcome, index: null };
+  if (touched === null) throw new Error('a collision without an object');
+  return { kind: touched.kind as 'nova' | 'asteroid' | 'alien', index: touched.index };
+}
