@@ -1,6 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
-import { createAttempts } from '../attempts/index.ts';
+import { attemptsAt } from '../attempts/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
 import { createSelection, type ObjectKey } from '../document/index.ts';
@@ -44,8 +44,8 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     checked: !editor.unchecked.has(opened.id()),
     afterRest,
   });
-  const attempts = createAttempts();
-  const ghosts = createStore<ReturnType<typeof attemptGhosts>>(() => []);
+  const attempts = attemptsAt(document);
+  const ghosts = createStore<ReturnType<typeof attemptGhosts>>(() => attemptGhosts(attempts.store.getState()));
   const stops = [
     session.subscribe((now, before) => {
       if (now.run !== before.run) proof.showRun(now.run);

@@ -62,6 +62,15 @@ export function createAttempts(): Attempts {
   };
 }
 
+const kept = new WeakMap<object, Attempts>();
+
+/** The attempts at a level; they stay while the page lives, also when another level is opened in the meantime. */
+export function attemptsAt(document: object): Attempts {
+  const attempts = kept.get(document) ?? createAttempts();
+  kept.set(document, attempts);
+  return attempts;
+}
+
 /** How an attempt ended, in words: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
 export const attemptInWords = ({ end, tick }: Pick<Attempt, 'end' | 'tick'>, range: number): string =>
   end === null ? `was left at ${(tick * TICK).toFixed(2)} s` : outcomeAsPredicate(end, range);

@@ -1,2 +1,2 @@
-export { type Attempt, type Attempts, attemptInWords, createAttempts } from './attempts.ts';
+export { type Attempt, type Attempts, attemptInWords, attemptsAt } from './attempts.ts';
 export { causeInWords } from './cause-in-words.ts';

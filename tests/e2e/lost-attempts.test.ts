@@ -12,6 +12,9 @@ const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'level
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 const theEnd = (page: Page) => playtest(page).getByRole('status');
 
+/** She drifts into the black hole in three seconds. */
+const short = (name: string) => straight({ name, astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 } });
+
 inChromium('attempts that do not complete the level, in Chromium', ({ on }) => {
   it(
     'become the last run, by key or button, even if they were left before their end',
@@ -77,5 +80,32 @@ inChromium('attempts that do not complete the level, in Chromium', ({ on }) => {
         await verdict(page, 'impossible');
       },
     ),
+  );
+
+  it(
+    'are still there when another level has been opened in the meantime, in the list and on the canvas',
+    on({ '01': short('First'), '02': short('Second') }, async ({ page, saved }) => {
+      await saved();
+      const open = (name: string) =>
+        page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').filter({ hasText: name }).click();
+      const attempts = page.getByRole('region', { name: 'Attempts and plays' });
+      await hurry(page, 4);
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await theEnd(page).getByText('Level completed').waitFor();
+      await page.keyboard.press('Escape');
+      await playtest(page).waitFor({ state: 'hidden' });
+      await page.getByRole('tab', { name: 'Attempts' }).click();
+      await attempts.getByRole('treeitem').waitFor();
+      await open('Second');
+      await attempts.getByText('Nobody has played this level here yet.').waitFor();
+      await open('First');
+      await attempts
+        .getByRole('treeitem')
+        .getByText(/She reaches the black hole/)
+        .waitFor();
+      await attempts.getByRole('treeitem').click();
+      await page.keyboard.press('Enter');
+      await page.getByRole('application', { name: /^Replay of/ }).waitFor();
+    }),
   );
 });

@@ -171,6 +171,50 @@ else {
           expect(await page.evaluate(() => (globalThis as unknown as InPage).runner.player.holds)).toEqual([]);
         }));
 
+      it(`${major}: two runners in a scene, and a second game on the page, play independently`, () =>
+        on('a script tag', major, 'CANVAS', async (page) => {
+          await page.evaluate(
+            async ([content, run]) => {
+              const here = globalThis as unknown as InPage;
+              const { Phaser, createRunner, readLevel } = here.gravityQuestTest;
+              const reading = readLevel(content);
+              const second = await new Promise((resolve) => {
+                new Phaser.Game({
+                  type: Phaser.CANVAS,
+                  width: 200,
+                  height: 150,
+                  banner: false,
+                  audio: { noAudio: true },
+                  scene: {
+                    create(this: unknown) {
+                      resolve(this);
+                    },
+                  },
+                });
+              });
+              const begin = (scene: unknown, options: object) =>
+                createRunner(scene, reading.level, { restartAfter: null, maxFrame: 1000, ...options });
+              here.runner = [
+                begin(here.scene, { replay: run }),
+                begin(here.scene, { replay: [], camera: 'none' }),
+                begin(second, { replay: run }),
+              ];
+            },
+            [text, holds] as const,
+          );
+          await page.evaluate('setRate(8)');
+          const ended = (i: number) =>
+            page.waitForFunction((k) => (globalThis as unknown as InPage).runner[k].player.ending !== null, i);
+          const hash = (i: number) => page.evaluate((k) => (globalThis as unknown as InPage).runner[k].player.hash as string, i);
+          // one that is removed takes nothing away from the others
+          await page.evaluate(() => (globalThis as unknown as InPage).runner[1].destroy());
+          await ended(0);
+          await ended(2);
+          const { hash: right } = expected();
+          expect([await hash(0), await hash(2)]).toEqual([right, right]);
+          expect(await hash(1)).not.toBe(right);
+        }));
+
       it(`${major}: runners leave nothing behind in the scene, with which the last one ends`, () =>
         on('a script tag', major, 'CANVAS', async (page) => {
           const counts = () =>
