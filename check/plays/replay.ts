@@ -10,7 +10,7 @@ import {
   STATE_SIZE,
   WorkBudget,
 } from '../../engine/index.ts';
-import { ENGINE_ID, levelHash, PLAY_LIMITS, type Play } from '../../game/index.ts';
+import { claimInWords, levelHash, type Play, whyNotReplayed } from '../../game/play/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type Goal, mineralsNeeded } from '../../solver/index.ts';
 import { withinWork } from '../within-work.ts';
@@ -40,27 +40,19 @@ export function createPlayReplayer(level: Level, goal: Goal): PlayReplayer {
     replay(play, index) {
       const refuse = (verdict: RefusedPlay['verdict'], message: string): RefusedPlay => ({ play: index, verdict, message });
       const { accuracy, holds, claim } = play;
-      if (play.engine !== ENGINE_ID) {
-        return refuse('unknown-engine', `expected a play of engine ${ENGINE_ID}, found one of ${play.engine}`);
-      }
-      if (play.level !== hash) return refuse('stale-level', `expected a play of level ${hash}, found one of ${play.level}`);
-      if (claim.tick > PLAY_LIMITS.ticks) {
-        return refuse('too-long', `expected a play of at most ${PLAY_LIMITS.ticks} ticks, found one of ${claim.tick}`);
-      }
+      const why = whyNotReplayed(play, hash);
+      if (why !== null) return refuse(why.verdict, why.message);
       const stage = stages.get(accuracy) ?? new Stage(compile(level, accuracy), goal);
       stages.set(accuracy, stage);
       const attempt = stage.attempt(holds, claim.tick, claim.outcome === 'timeout' ? 'timeout' : 'left', index);
       if (attempt === null) return refuse('too-long', `simulating it takes more work than ${DEFAULT_MAX_WORK} pieces of motion`);
       const { counted } = stage;
       if (attempt.outcome === claim.outcome && attempt.tick === claim.tick && counted === claim.minerals) return attempt;
-      const found = inWords({ ...attempt, minerals: counted });
-      return refuse('claim-differs', `expected ${inWords(claim)}, as the play claims; found ${found}`);
+      const found = claimInWords({ ...attempt, minerals: counted });
+      return refuse('claim-differs', `expected ${claimInWords(claim)}, as the play claims; found ${found}`);
     },
   };
 }
-
-const inWords = ({ tick, minerals, outcome }: Pick<Attempt, 'tick' | 'minerals' | 'outcome'>): string =>
-  `${outcome} at tick ${tick} with ${minerals} mineral${minerals === 1 ? '' : 's'}`;
 
 /** A scene on which attempts are played, one after the other. */
 export class Stage {
@@ -85,6 +77,7 @@ export class Stage {
    * @param holds [press, release) in ticks
    * @param until the tick at which it is over if it has not ended by then
    * @param open how it ends in that case
+   * @param index its index within all plays
    * @returns the attempt, or null if it is too much work
    */
   attempt(holds: readonly Hold[], until: number, open: 'timeout' | 'left', index: number): Attempt | null {

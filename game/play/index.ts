@@ -18,3 +18,4 @@ export {
   type VerifyOptions,
   verifyPlay,
 } from './verify.ts';
+export { claimInWords, whyNotReplayed } from './why-not-replayed.ts';

@@ -14,11 +14,11 @@ import type { Level } from '../../schema/basics/index.ts';
 import { CHECKPOINT_TICKS, PlayHash } from '../player/index.ts';
 import { type ChallengeState, challengeState } from './challenge.ts';
 import { decodePlay } from './decode.ts';
-import { ENGINE_ID } from './engine-id.ts';
-import { isOpen, PLAY_LIMITS } from './format.ts';
+import { isOpen } from './format.ts';
 import { levelHash } from './level-hash.ts';
 import type { Play, PlayClaim } from './play.ts';
 import { type PlaySigns, signsOf } from './signs.ts';
+import { claimInWords, whyNotReplayed } from './why-not-replayed.ts';
 
 /** What a play is found to be. */
 export const PLAY_VERDICTS = ['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long'] as const;
@@ -135,9 +135,6 @@ function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
   return { found, hash: hash.digest(found.outcome === 'left' ? '' : found.outcome), ending, wrong };
 }
 
-const inWords = ({ tick, minerals, outcome }: PlayClaim): string =>
-  `${outcome} at tick ${tick} with ${minerals} mineral${minerals === 1 ? '' : 's'}`;
-
 const seconds = (tick: number): string => (tick / TICK_RATE).toFixed(2);
 
 const CHALLENGE_IN_WORDS = {
@@ -173,16 +170,8 @@ class LevelVerifier implements PlayVerifier {
     const check = key === undefined ? null : { key, subject, now: now as number };
     const challenge = challengeState(play.challenge, this.hash, check);
     const refused = (verdict: PlayVerdict, message: string): VerifiedPlay => ({ ...nothing, verdict, message, play, challenge });
-    if (play.engine !== ENGINE_ID) {
-      return refused('unknown-engine', `expected a play of engine ${ENGINE_ID}, found one of ${play.engine}`);
-    }
-    if (play.level !== this.hash) {
-      return refused('stale-level', `expected a play of level ${this.hash}, found one of ${play.level}`);
-    }
-    const maxTicks = options.maxTicks ?? PLAY_LIMITS.ticks;
-    if (play.claim.tick > maxTicks) {
-      return refused('too-long', `expected a play of at most ${maxTicks} ticks, found one of ${play.claim.tick}`);
-    }
+    const why = whyNotReplayed(play, this.hash, options.maxTicks);
+    if (why !== null) return refused(why.verdict, why.message);
     if (challenge === 'missing' || challenge === 'forged' || challenge === 'expired') {
       return refused('claim-differs', CHALLENGE_IN_WORDS[challenge]);
     }
@@ -221,10 +210,10 @@ class LevelVerifier implements PlayVerifier {
     }
     const last = span(play.checkpoints.length * CHECKPOINT_TICKS, Math.max(found.tick, claim.tick));
     if (found.tick !== claim.tick || found.minerals !== claim.minerals || found.outcome !== claim.outcome) {
-      return differs(`expected ${inWords(claim)}, as the play claims; found ${inWords(found)}`, last);
+      return differs(`expected ${claimInWords(claim)}, as the play claims; found ${claimInWords(found)}`, last);
     }
     if (hash !== play.hash) return differs(`the replay differs from the play: first between ${last.words}`, last);
-    return { verdict: 'ok', message: inWords(found), found, ending, differs: null, signs: signsOf(this.level, play) };
+    return { verdict: 'ok', message: claimInWords(found), found, ending, differs: null, signs: signsOf(this.level, play) };
   }
 }
 

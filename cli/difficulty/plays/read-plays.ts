@@ -1,5 +1,5 @@
 import { createPlayReplayer, type PlayReplayer } from '../../../check/plays/index.ts';
-import { decodePlay, ENGINE_ID, PLAY_LIMITS } from '../../../game/index.ts';
+import { decodePlay, PLAY_LIMITS, whyNotReplayed } from '../../../game/play/index.ts';
 import { type OwnRules, readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { Failure, systemReason } from '../../failure.ts';
@@ -21,10 +21,9 @@ export function readPlays({ sources, levels, rules, goal }: PlayTask): PlayFindi
     const decoded = decodePlay(bytes.bytes);
     if (!decoded.ok) return { id, subject, kind: 'refused', verdict: decoded.verdict, message: decoded.message };
     const { play } = decoded;
-    if (play.engine !== ENGINE_ID) {
-      const message = `expected a play of engine ${ENGINE_ID}, found one of ${play.engine}`;
-      return { id, subject, kind: 'refused', verdict: 'unknown-engine', message };
-    }
+    // a play of another engine is named, whatever its level is
+    const why = whyNotReplayed(play, play.level);
+    if (why !== null) return { id, subject, kind: 'refused', ...why };
     const level = known.get(play.level);
     if (level === undefined) return { id, subject, kind: 'elsewhere', hash: play.level };
     return { id, subject, kind: 'played', hash: play.level, replayed: replayerOf(level, rules, goal).replay(play, 0) };
