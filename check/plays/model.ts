@@ -68,7 +68,7 @@ export function compareWithModel(
 ): ModelComparison {
   const { samples = 1000, seed = 0, maxTicks = DEFAULT_MAX_TICKS } = options;
   const measure = (sigma: number): Success => {
-    const success = successProbability(scene, holds, goal, sigma, { samples: sigma === 0 ? 1 : samples, seed });
+    const success = successProbability(scene, holds, goal, sigma, { samples: sigma === 0 ? 1 : samples, seed, maxTicks });
     // without noise, one attempt is certain
     return sigma === 0 ? { ...success, low: success.p, high: success.p } : success;
   };

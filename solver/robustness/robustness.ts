@@ -39,7 +39,7 @@ export interface RobustnessOptions extends SampleOptions {
  * @param scene the compiled level
  * @param holds the run, [press, release) in ticks; joined where they overlap
  * @param goal what the run has to achieve
- * @param options samples and seed of the noise, and the limit of the certificate
+ * @param options samples and seed of the noise, and the limits of an attempt and of the certificate
  * @returns the measurements; for a run that misses the goal, slack and certified ticks are 0
  * @example
  * ```ts
@@ -62,16 +62,16 @@ export const measureRobustness = (
  * @param scene the compiled level
  * @param holds the run, [press, release) in ticks; joined where they overlap
  * @param goal what the run has to achieve
- * @param options samples and seed of the noise, and the limit of the certificate
+ * @param options samples and seed of the noise, and the limits of an attempt and of the certificate
  * @returns a generator that yields between steps and returns the measurements
  */
 export function* measureRobustnessInSteps(
   scene: Scene,
   holds: readonly Hold[],
   goal: Goal,
-  { samples = DEFAULT_SAMPLES, seed = 0, maxRuns }: RobustnessOptions = {},
+  { samples = DEFAULT_SAMPLES, seed = 0, maxTicks, maxRuns }: RobustnessOptions = {},
 ): Steps<Robustness> {
-  const trials = createTrials(scene, goal);
+  const trials = createTrials(scene, goal, maxTicks);
   const joined = joinHolds(holds);
   function* under(sigma: number): Steps<Success> {
     return toSuccess(sigma, yield* countInSteps(trials, joined, tickNoise(sigma), seed, 0, samples), samples);

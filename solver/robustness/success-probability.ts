@@ -28,6 +28,8 @@ export interface SampleOptions {
   readonly samples?: number;
   /** Seed of the noise, any whole number; 0 by default. */
   readonly seed?: number;
+  /** An attempt fails when it lasts longer than this, ticks; 3600 by default. */
+  readonly maxTicks?: number;
 }
 
 /** Attempts simulated by default: the probability is then known to within 3 %. */
@@ -40,7 +42,7 @@ export const DEFAULT_SAMPLES = 1000;
  * @param holds the run, [press, release) in ticks; joined where they overlap
  * @param goal what the run has to achieve
  * @param sigma standard deviation of the noise, ms
- * @param options how many samples, and their seed
+ * @param options how many samples, their seed, and the limit of an attempt
  * @returns the share of successes and its confidence interval
  */
 export const successProbability = (
@@ -57,7 +59,7 @@ export const successProbability = (
  * @param holds the run, [press, release) in ticks; joined where they overlap
  * @param goal what the run has to achieve
  * @param sigma standard deviation of the noise, ms
- * @param options how many samples, and their seed
+ * @param options how many samples, their seed, and the limit of an attempt
  * @returns a generator that yields between steps and returns the share of successes with its confidence interval
  */
 export function* successInSteps(
@@ -65,9 +67,9 @@ export function* successInSteps(
   holds: readonly Hold[],
   goal: Goal,
   sigma: number,
-  { samples = DEFAULT_SAMPLES, seed = 0 }: SampleOptions = {},
+  { samples = DEFAULT_SAMPLES, seed = 0, maxTicks }: SampleOptions = {},
 ): Steps<Success> {
-  const count = yield* countInSteps(createTrials(scene, goal), joinHolds(holds), tickNoise(sigma), seed, 0, samples);
+  const count = yield* countInSteps(createTrials(scene, goal, maxTicks), joinHolds(holds), tickNoise(sigma), seed, 0, samples);
   return toSuccess(sigma, count, samples);
 }
 

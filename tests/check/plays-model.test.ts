@@ -62,6 +62,17 @@ describe('the noise that explains the success of players', () => {
     expect(failing.map((i) => edges[i].players)).toContain('more');
   });
 
+  it('is 0 where the run itself takes longer than an attempt may last', () => {
+    const level = shippedLevel('14-run-up');
+    const [{ holds, name }] = level.runs;
+    const record = playedBy(level, 'fast');
+    const plays = noisy(holds, 80, 20, 1).map((own) => record(own));
+    const statistics = statisticsOf(level, plays, { reference: { holds, name } });
+    const { noise, edges } = compareWithModel(compile(level, 'fast'), holds, statistics, ANY, { samples: 20, maxTicks: 60 });
+    expect(noise).toMatchObject({ ms: 0, high: 0 });
+    expect(edges.some(({ share }) => share === 1)).toBe(true);
+  });
+
   it('is 0 to something for players who never fail, and capped for players who fail where the model does not', () => {
     const curve = [
       { sigma: 0, p: 1, low: 1, high: 1, samples: 1 },
