@@ -1,4 +1,5 @@
 import type { Attempt, FailureCause } from './attempt.ts';
+import { byCause } from './causes.ts';
 import { dbscan, type Point } from './dbscan.ts';
 
 /** A place where many attempts fail for one cause. */
@@ -28,37 +29,26 @@ const LEAST = 4;
 /** ... and with this share of the failures of its cause: many plays would otherwise make one cluster of everything. */
 const LEAST_SHARE = 0.02;
 
-/** The name of a cause, to group by it. */
-export const causeKey = ({ kind, index }: FailureCause): string => `${kind} ${index ?? ''}`;
-
 /**
  * Finds where attempts fail: clusters of the places of each cause, by {@link dbscan}.
  * @param attempts the attempts, in any order
  * @returns the clusters, the largest first
  */
 export function clustersOf(attempts: readonly Attempt[]): FailureCluster[] {
-  const failures = attempts.filter(({ cause }) => cause !== null);
-  const groups = new Map<string, { cause: FailureCause; group: Attempt[] }>();
-  for (const attempt of failures) {
-    const { cause } = attempt;
-    if (cause === null) continue;
-    const known = groups.get(causeKey(cause));
-    if (known === undefined) groups.set(causeKey(cause), { cause, group: [attempt] });
-    else known.group.push(attempt);
-  }
+  const failures = attempts.filter(({ cause }) => cause !== null).length;
   const clusters: FailureCluster[] = [];
-  for (const { cause, group } of groups.values()) {
+  for (const { cause, attempts: group } of byCause(attempts).values()) {
     // sums depend on the order of their terms
     const sorted = [...group].sort((a, b) => a.x - b.x || a.y - b.y || a.play - b.play);
     const labels = dbscan(sorted, CLUSTER_REACH, Math.max(LEAST, Math.ceil(LEAST_SHARE * group.length)));
     const members = Array.from({ length: 1 + labels.reduce((a, b) => Math.max(a, b), -1) }, (): Attempt[] => []);
     for (const [i, attempt] of sorted.entries()) members[labels[i]]?.push(attempt);
-    for (const own of members) clusters.push({ cause, ...placeOf(own), ...shareOf(own, failures.length) });
+    for (const own of members) clusters.push({ cause, ...placeOf(own), ...countOf(own, failures) });
   }
   return clusters.sort((a, b) => b.count - a.count || a.x - b.x || a.y - b.y);
 }
 
-const shareOf = (own: readonly Attempt[], failures: number): Pick<FailureCluster, 'count' | 'share' | 'plays'> => ({
+const countOf = (own: readonly Attempt[], failures: number): Pick<FailureCluster, 'count' | 'share' | 'plays'> => ({
   count: own.length,
   share: own.length / failures,
   plays: own.map(({ play }) => play).sort((a, b) => a - b),

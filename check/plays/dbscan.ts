@@ -23,7 +23,7 @@ const AROUND: readonly (readonly [number, number])[] = Array.from({ length: 25 }
 /**
  * Finds clusters of points by density: DBSCAN (M. Ester, H.-P. Kriegel, J. Sander, X. Xu, A density-based algorithm for
  * discovering clusters in large spatial databases with noise, KDD 1996), on a grid of cells with a diagonal of `reach` (A.
- * Gunawan, A faster algorithm for DBSCAN, 2013), so that its cost grows with the number of points and not with its square.
+ * Gunawan, A faster algorithm for DBSCAN, 2013), so that most pairs of points are never compared.
  *
  * A point with at least `least` points within `reach`, itself included, is a core point. Core points within reach of each other
  * belong to one cluster. Another point belongs to the cluster of the nearest core point within reach, or to none. Where DBSCAN
@@ -82,23 +82,22 @@ export function dbscan(points: readonly Point[], reach: number, least: number): 
     for (const point of cell.points) {
       if (labels[point] >= 0) continue;
       let best = -1;
-      let least = near;
+      let nearest = near;
       for (const other of neighbours) {
         for (const candidate of other.core) {
           const between = distance(point, candidate);
-          const isNearer = between < least || (between === least && (best < 0 || isBefore(points[candidate], points[best])));
-          if (isNearer) [best, least] = [candidate, between];
+          const isNearer = between < nearest || (between === nearest && (best < 0 || isBefore(points[candidate], points[best])));
+          if (isNearer) [best, nearest] = [candidate, between];
         }
       }
-      if (best >= 0) labels[point] = -2 - best;
+      if (best >= 0) labels[point] = labels[best];
     }
   }
-  // only now, so that no border point counts as a core point
-  return labels.map((label) => (label < -1 ? labels[-2 - label] : label));
+  return labels;
 }
 
 /** Whether one point comes before another in the canonical order. */
-export const isBefore = (a: Point, b: Point): boolean => a.x < b.x || (a.x === b.x && a.y < b.y);
+const isBefore = (a: Point, b: Point): boolean => a.x < b.x || (a.x === b.x && a.y < b.y);
 
 const keyOf = (column: number, row: number): string => `${column} ${row}`;
 

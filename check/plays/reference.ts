@@ -1,5 +1,6 @@
-import { compile, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { playRuns } from '../examine-runs.ts';
 import type { Attempt } from './attempt.ts';
 import { routeKey, routeOf } from './routes.ts';
 
@@ -21,11 +22,10 @@ export interface KnownRun extends Reference {
 /** The level's own runs that complete it, at the accuracy `precise`. */
 export function knownRuns(level: Level): KnownRun[] {
   if (level.runs.length === 0) return [];
-  const scene = compile(level, 'precise');
-  return level.runs.flatMap(({ name, holds }): KnownRun[] => {
-    const { outcome, events } = simulate(scene, holds);
-    if (outcome !== 'completed') return [];
-    return [{ name, holds, route: routeKey(routeOf(events)) }];
+  const runs = playRuns(compile(level, 'precise'), DEFAULT_MAX_TIME, new WorkBudget(DEFAULT_MAX_WORK));
+  return level.runs.flatMap(({ name, holds }, i): KnownRun[] => {
+    const { outcome, events } = runs[i];
+    return outcome === 'completed' ? [{ name, holds, route: routeKey(routeOf(events)) }] : [];
   });
 }
 
@@ -75,7 +75,7 @@ function typicalSuccess(successes: readonly Attempt[]): Reference {
 }
 
 /** The holds of an attempt; one that lasts to the end is released there. */
-export const holdsOf = ({ edges, tick }: Attempt): Hold[] => {
+const holdsOf = ({ edges, tick }: Attempt): Hold[] => {
   const holds: Hold[] = [];
   for (let i = 0; i < edges.length; i += 2) holds.push([edges[i], edges[i + 1] ?? tick]);
   return holds;

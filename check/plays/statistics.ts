@@ -2,23 +2,14 @@ import { joinHolds } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Goal } from '../../solver/index.ts';
-import { type Attempt, type FailureCause, isAttempt, type RefusedPlay } from './attempt.ts';
+import { type Attempt, isAttempt, type RefusedPlay } from './attempt.ts';
 import { type AttemptNumber, byAttemptNumber, type PlayedBy, type Share, shareOf } from './by-attempt.ts';
-import { causeKey, clustersOf, type FailureCluster } from './clusters.ts';
+import { type CauseStatistics, causesOf } from './causes.ts';
+import { clustersOf, type FailureCluster } from './clusters.ts';
 import { type EdgeStatistics, edgeStatistics } from './edges.ts';
 import { chooseReference, knownRuns, type Reference } from './reference.ts';
 import { createPlayReplayer } from './replay.ts';
 import { type RouteStatistics, routesOf } from './routes.ts';
-
-/** How many attempts fail for one cause. */
-export interface CauseStatistics {
-  /** Why they fail. */
-  readonly cause: FailureCause;
-  /** How many fail. */
-  readonly count: number;
-  /** Their share of all failures, 0 to 1. */
-  readonly share: number;
-}
 
 /** What players teach about a level. */
 export interface PlayStatistics extends Share {
@@ -113,21 +104,6 @@ export function collectStatistics(
     reference,
     edges: reference === null ? [] : edgeStatistics(joinHolds(reference.holds).flat(), all),
   };
-}
-
-function causesOf(attempts: readonly Attempt[]): CauseStatistics[] {
-  const counts = new Map<string, { cause: FailureCause; count: number }>();
-  let failures = 0;
-  for (const { cause } of attempts) {
-    if (cause === null) continue;
-    failures++;
-    const key = causeKey(cause);
-    const known = counts.get(key);
-    if (known === undefined) counts.set(key, { cause, count: 1 });
-    else known.count++;
-  }
-  const inOrder = [...counts].sort(([a, x], [b, y]) => y.count - x.count || (a < b ? -1 : 1));
-  return inOrder.map(([, { cause, count }]) => ({ cause, count, share: count / failures }));
 }
 
 function failureTimesOf(attempts: readonly Attempt[]): number[] {
