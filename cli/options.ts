@@ -22,6 +22,9 @@ export function wholeNumberOption(what: string, min: number, max: number): (text
   };
 }
 
+/** For an option that can be given several times. */
+export const collect = (path: string, before: readonly string[] = []): readonly string[] => [...before, path];
+
 export const formatOption = (...formats: string[]): Option =>
   new Option('--format <format>', 'format of the report').choices(formats).default(formats[0]);
 

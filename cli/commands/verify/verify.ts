@@ -10,7 +10,7 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure, systemReason } from '../../failure.ts';
 import { statOrError, walk } from '../../files.ts';
 import { findConfigured } from '../../level-paths.ts';
-import { jobsOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { collect, jobsOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { readRegularFile } from '../../regular-file.ts';
@@ -45,8 +45,6 @@ interface Options extends ConfigOptions {
   readonly jobs: number;
   readonly format?: 'pretty' | 'json';
 }
-
-const collect = (path: string, before: readonly string[] = []): readonly string[] => [...before, path];
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(command)

@@ -2,6 +2,7 @@ import { resolve } from 'node:path';
 import process from 'node:process';
 import { Failure, systemReason } from '../../failure.ts';
 import { statOrError, walk } from '../../files.ts';
+import { sortedByPlay } from '../../order-of-play.ts';
 import { namedPath } from '../../shown-path.ts';
 import { siblingHint } from '../../sibling-hint.ts';
 import { STDIN } from '../../stdin.ts';
@@ -59,7 +60,7 @@ export function findPlays(paths: readonly string[]): FoundPlays {
         unmatched.push(`${namedPath(path)}: the directory contains no *.gqr, *.ndjson or *.jsonl${beside}`);
       }
       const own = plays.map((file) => ({ path: file, hasLines: LINES.test(file), player: folderBelow(path, file) }));
-      files.push(...own.sort((a, b) => compareNaturally(a.path, b.path)));
+      files.push(...sortedByPlay(own, (file) => file.path));
     }
   }
   if (unmatched.length > 0) {
@@ -85,20 +86,3 @@ function folderBelow(directory: string, file: string): string | null {
   const end = path.lastIndexOf('/');
   return end < 0 ? null : path.slice(0, end);
 }
-
-/** Compares names so that numbers in them count as numbers; no two different names are equal. */
-export function compareNaturally(a: string, b: string): number {
-  const [left, right] = [partsOf(a), partsOf(b)];
-  for (let i = 0; i < Math.min(left.length, right.length); i++) {
-    const [x, y] = [left[i], right[i]];
-    if (x === y) continue;
-    // parts alternate: texts at even places, digits at odd ones
-    if (i % 2 === 0) return x < y ? -1 : 1;
-    const [m, n] = [x.replace(/^0+/, ''), y.replace(/^0+/, '')];
-    if (m !== n) return m.length - n.length || (m < n ? -1 : 1);
-  }
-  if (left.length !== right.length) return left.length - right.length;
-  return a < b ? -1 : a > b ? 1 : 0;
-}
-
-const partsOf = (text: string): string[] => text.split(/(\d+)/);
