@@ -2,7 +2,7 @@ import { readFileSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
-import { compareNaturally } from '../../cli/difficulty/plays/found-plays.ts';
+import { inOrderOfPlay } from '../../cli/order-of-play.ts';
 import { encodePlay, playToText } from '../../game/index.ts';
 import { type DifficultyReport, difficultyReportSchema, type Hold, readLevel } from '../../schema/index.ts';
 import { playedBy } from '../check/played.ts';
@@ -18,6 +18,7 @@ const NOVA = [{ x: 300, y: 0, radius: 20 }];
 const files = {
   'pack/first.level.json': fallThrough({ novae: NOVA }),
   'pack/second.level.json': fallThrough({ name: 'Second', blackHole: { x: 190, y: 0 } }),
+  'twin.level.json': fallThrough({ name: 'Twin', novae: NOVA }),
   'other.level.json': fallThrough({ blackHole: { x: 180, y: 0 } }),
 };
 const first = playedBy(levelOf(files['pack/first.level.json']));
@@ -155,6 +156,16 @@ describe('gq difficulty --plays', () => {
     ]);
   });
 
+  it('counts and names a play once, for two files with the same level, too', async () => {
+    const args = ['difficulty', 'pack/first.level.json', 'twin.level.json', '--plays', 'plays/ann', '--jobs', '1'];
+    const { stdout, stderr } = await gq(args, { cwd });
+    expect(
+      [...stdout.matchAll(/^ +(\d) .* (\S+)\.level\.json$/gm)].map(([, attempts, level]) => [attempts, level]),
+    ).toContainEqual(['3', 'twin']);
+    expect(stdout).toMatch(/^5 plays: 3 count, 2 are not what they claim or can't be read$/m);
+    expect(stderr.match(/ann\/12\.gqr: claim-differs/g)).toHaveLength(1);
+  });
+
   it('draws where players fail, with a ring around each cluster', async () => {
     const many = Object.fromEntries(
       [0, 1, 2, 3, 4].map((i): [string, Uint8Array] => [`${i}.gqr`, encodePlay(first(NONE, 30 + i))]),
@@ -201,7 +212,7 @@ describe('gq difficulty --plays', () => {
 describe('the natural order of names', () => {
   it('takes digits for numbers', () => {
     const names = ['a/10.gqr', 'a/9.gqr', 'a/b.gqr', 'a/2024-01-02T10.gqr', 'a/2024-01-02T9.gqr', 'a/09.gqr'];
-    expect(names.sort(compareNaturally)).toEqual([
+    expect(names.sort(inOrderOfPlay)).toEqual([
       'a/09.gqr',
       'a/9.gqr',
       'a/10.gqr',
@@ -215,9 +226,9 @@ describe('the natural order of names', () => {
     const name = fc.array(fc.constantFrom('a', 'b', '0', '1', '10', '9'), { maxLength: 5 }).map((parts) => parts.join(''));
     fc.assert(
       fc.property(name, name, name, (a, b, c) => {
-        expect(Math.sign(compareNaturally(a, b))).toBe(-Math.sign(compareNaturally(b, a)) + 0);
-        if (compareNaturally(a, b) === 0) expect(a).toBe(b);
-        if (compareNaturally(a, b) <= 0 && compareNaturally(b, c) <= 0) expect(compareNaturally(a, c)).toBeLessThanOrEqual(0);
+        expect(Math.sign(inOrderOfPlay(a, b))).toBe(-Math.sign(inOrderOfPlay(b, a)) + 0);
+        if (inOrderOfPlay(a, b) === 0) expect(a).toBe(b);
+        if (inOrderOfPlay(a, b) <= 0 && inOrderOfPlay(b, c) <= 0) expect(inOrderOfPlay(a, c)).toBeLessThanOrEqual(0);
       }),
     );
   });

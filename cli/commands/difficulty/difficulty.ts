@@ -17,7 +17,7 @@ import {
 } from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
-import { formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
+import { collect, formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress, createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { mineralsOption } from '../../search-options.ts';
@@ -46,8 +46,6 @@ interface Options extends ConfigOptions, AccuracyOptions {
   readonly jobs: number;
   readonly format: 'pretty' | 'json';
 }
-
-const collect = (path: string, before: readonly string[] = []): readonly string[] => [...before, path];
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(addAccuracyOptions(command))
@@ -143,22 +141,18 @@ async function measure(paths: readonly string[], options: Options, command: Comm
   const code = Math.max(0, ...levels.map((level) => level.code), ...[...unreadable, ...lost].map(() => 2)) as 0 | 1 | 2;
   const messages = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
   for (const { path, reason } of lost) messages.push(`error: ${visibleLine(path)}: can't be read: ${reason}\n`);
-  if (plays !== null && format !== 'json') messages.push(refusedPlays(plays, levels));
+  if (plays !== null && format !== 'json') messages.push(refusedPlays(plays));
+  const draw = async (file: string, drawing: string | null, why: string): Promise<void> => {
+    if (drawing !== null) await writeWhole(file, drawing);
+    messages.push(drawing === null ? `${visibleLine(file)} was not written: ${why}\n` : `wrote ${visibleLine(file)}\n`);
+  };
   if (svg !== undefined) {
     const drawing = pictureOf(levels, accuracy.name);
-    if (drawing === null) messages.push(`${visibleLine(svg)} was not written: no level was measured\n`);
-    else {
-      await writeWhole(svg, drawDifficulty(drawing, theme));
-      messages.push(`wrote ${visibleLine(svg)}\n`);
-    }
+    await draw(svg, drawing && drawDifficulty(drawing, theme), 'no level was measured');
   }
   if (picture !== undefined) {
     const drawing = drawPlayers(levels[0], accuracy, settings.rules, theme === 'light' ? 'light' : 'dark');
-    if (drawing === null) messages.push(`${visibleLine(picture)} was not written: no play of the level counts\n`);
-    else {
-      await writeWhole(picture, drawing);
-      messages.push(`wrote ${visibleLine(picture)}\n`);
-    }
+    await draw(picture, drawing, 'no play of the level counts');
   }
   const output =
     format === 'json'

@@ -1,4 +1,11 @@
-import type { EdgeStatistics, FailureCause, ModelComparison, PlayStatistics, Quartiles } from '../../../check/plays/index.ts';
+import {
+  type EdgeStatistics,
+  type FailureCause,
+  isAttempt,
+  type ModelComparison,
+  type PlayStatistics,
+  type Quartiles,
+} from '../../../check/plays/index.ts';
 import { plural } from '../../../check/words/index.ts';
 import { objectName, touchedName } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
@@ -184,16 +191,16 @@ export function playersTable(levels: readonly MeasuredLevel[], colors: Colors, w
   return `${first === '' ? '' : `${colors.bold(first)}\n`}${lines.join('\n')}\n\n`;
 }
 
+/** The plays of every level once: two files may be the same level. */
+const playsOfLevels = ({ levels }: CollectedPlays) => [...new Set(levels.values())];
+
 /** How many plays there are, and how many of them count. */
-export function playsInWords(
-  { found, refused, elsewhere, ignored }: CollectedPlays,
-  levels: readonly Pick<MeasuredLevel, 'players'>[],
-): string {
-  const sum = (figure: (players: Players) => number): number =>
-    levels.reduce((total, { players }) => total + (players === null ? 0 : figure(players)), 0);
-  const counted = sum(({ statistics }) => statistics.attempts);
+export function playsInWords(plays: CollectedPlays): string {
+  const { found, refused, elsewhere, ignored } = plays;
+  const replayed = playsOfLevels(plays).flatMap((level) => level.replayed);
+  const counted = replayed.filter(isAttempt).length;
+  const unusable = refused.length + replayed.length - counted;
   const others = elsewhere.reduce((total, { count }) => total + count, 0);
-  const unusable = refused.length + sum(({ statistics }) => statistics.refused.length);
   const parts = [`${plural(found, 'play')}: ${counted} count`];
   if (unusable > 0)
     parts.push(
@@ -208,14 +215,12 @@ export function playsInWords(
 }
 
 /** Names the plays that do not count, for standard error. */
-export function refusedPlays({ refused }: CollectedPlays, levels: readonly Pick<MeasuredLevel, 'players'>[]): string {
+export function refusedPlays(plays: CollectedPlays): string {
   const MOST = 10;
-  const all = [
-    ...refused,
-    ...levels.flatMap(({ players }) =>
-      players === null ? [] : players.statistics.refused.map((own) => ({ ...own, name: players.names[own.play] })),
-    ),
-  ];
+  const ofLevels = playsOfLevels(plays).flatMap(({ replayed, names }) =>
+    replayed.flatMap((play) => (isAttempt(play) ? [] : [{ ...play, name: names[play.play] }])),
+  );
+  const all = [...plays.refused, ...ofLevels];
   const lines = all
     .slice(0, MOST)
     .map(({ name, verdict, message }) => `${visibleLine(name)}: ${verdict}: ${visibleLine(message)}\n`);

@@ -28,7 +28,7 @@ export function difficultyPretty(
     levels.length === 1 && only.players !== null
       ? playersDetail(only.players, only.difficulty?.robustness.p40.p ?? null, colors, width)
       : playersTable(levels, colors, width);
-  const read = plays === null ? '' : playsInWords(plays, levels);
+  const read = plays === null ? '' : playsInWords(plays);
   const grade = measured.length === 0 ? '' : 'the grade (1 to 10) is an estimate made from the other numbers\n';
   return `${text}${taught}${reported.join('')}${read}${grade}`;
 }
