@@ -1,5 +1,5 @@
 import { execFileSync, spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, relative, sep } from 'node:path';
 import process from 'node:process';
@@ -81,6 +81,17 @@ describe('the package of the engine alone', () => {
       (file) => file.endsWith('.d.ts') && /\b(?:Float64|Int32|Uint8|Uint32)Array</.test(readFileSync(file, 'utf8')),
     );
     expect(generic).toEqual([]);
+  });
+});
+
+describe('what an old build has left', () => {
+  it('is removed before the package is packed, and no other module', () => {
+    const words = join(root, 'dist/check/words');
+    const exist = (name: string) => ['.js', '.js.map', '.d.ts'].map((end) => existsSync(join(words, `${name}${end}`)));
+    for (const end of ['.js', '.js.map', '.d.ts']) writeFileSync(join(words, `gone${end}`), '');
+    execFileSync(process.execPath, ['.ci/remove-stale.mjs'], { cwd: root });
+    expect(exist('gone')).toEqual([false, false, false]);
+    expect(exist('plural')).toEqual([true, true, true]);
   });
 });
 

@@ -44,6 +44,7 @@ describe('a level in a pack', () => {
     asteroids: [{ x: 100, y: 0, radius: 16, ...{ 'x-note': 'mine' } }],
     runs: [{ name: 'solution', holds: [[0, 600]] }],
     allow: { 'no-run': 'because' },
+    conflicts: [],
     'x-author': { mail: 'a@b' },
   } as LevelFile;
 
@@ -67,6 +68,7 @@ describe('a level in a pack', () => {
       ],
     });
     expect(packedLevel(file, { ...options, found, withRuns: false })).not.toHaveProperty('runs');
+    expect(packedLevel({ ...file, runs: undefined }, options)).not.toHaveProperty('runs');
   });
 
   it('plays as in its folder: whatever the rules of both are, a play of one counts for the other', () => {

@@ -2,8 +2,10 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Attempt, collectStatistics, compareWithModel, statisticsOf } from '../../check/plays/index.ts';
 import { decreasing, explainingNoise } from '../../check/plays/model.ts';
+import { chooseReference } from '../../check/plays/reference.ts';
 import { compile } from '../../engine/index.ts';
-import { createRandom } from '../../solver/index.ts';
+import { createRandom, successProbability } from '../../solver/index.ts';
+import { wilsonInterval } from '../../solver/robustness/index.ts';
 import { isHunt } from '../is-hunt.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
 
@@ -60,6 +62,37 @@ describe('the noise that explains the success of players', () => {
     // none fails before the first press that is late
     expect(failing.every((i) => i >= 2 * late)).toBe(true);
     expect(failing.map((i) => edges[i].players)).toContain('more');
+  });
+
+  it('is that of the whole curve, of which only some noises are measured', () => {
+    const scene = compile(shippedLevel('14-run-up'), 'fast');
+    const [{ holds }] = scene.level.runs;
+    const sigmas = [10, 20, 30, 40, 50, 60, 70, 80, 100, 120, 140, 160, 180, 200, 230, 260, 300, 350, 400, 450, 500];
+    const curve = sigmas.map((sigma) => successProbability(scene, holds, ANY, sigma, { samples: 300 }));
+    const whole = [{ sigma: 0, p: 1, low: 1, high: 1, samples: 1 }, ...curve];
+    for (const successes of [60, 90, 120]) {
+      const share = { attempts: 150, successes, share: successes / 150, ...wilsonInterval(successes, 150) };
+      const { noise } = compareWithModel(scene, holds, { ...share, edges: statisticsOf(scene.level, []).edges }, ANY, {
+        samples: 300,
+      });
+      expect(noise).toEqual(explainingNoise(whole, share));
+    }
+  });
+
+  it('players fail more or less often where the intervals do not overlap', () => {
+    const { statistics } = play('14-run-up', 80, 60, 80);
+    const scene = compile(shippedLevel('14-run-up'), 'fast');
+    const [{ holds }] = scene.level.runs;
+    const said = (low: number, high: number) => {
+      const edges = statistics.edges.map((edge) => ({ ...edge, low, high }));
+      return compareWithModel(scene, holds, { ...statistics, edges }, ANY, { samples: 300 }).edges;
+    };
+    const never = said(0, 0);
+    expect(never.map(({ players }) => players)).toEqual(never.map(({ low }) => (low > 0 ? 'less' : null)));
+    expect(never.some(({ players }) => players === 'less')).toBe(true);
+    const always = said(1, 1);
+    expect(always.map(({ players }) => players)).toEqual(always.map(({ high }) => (high < 1 ? 'more' : null)));
+    expect(said(0, 1).every(({ players }) => players === null)).toBe(true);
   });
 
   it('is 0 where the run itself takes longer than an attempt may last', () => {
@@ -136,6 +169,32 @@ describe('clusters', () => {
     );
   });
 
+  it('have four failures of one cause at least, and 2 % of those of the cause', () => {
+    const here = (count: number, x: number, index: number) => Array.from({ length: count }, () => failure(0, x, 0, index));
+    const found = (...failures: Attempt[]) =>
+      collectStatistics(
+        level,
+        failures.map((own, play) => ({ ...own, play })),
+      ).clusters.map(({ count }) => count);
+    expect(found(...here(3, 0, 0), ...here(3, 0, 1))).toEqual([]);
+    expect(found(...here(4, 0, 0))).toEqual([4]);
+    expect(found(...here(245, 0, 0), ...here(5, 500, 0))).toEqual([245, 5]);
+    expect(found(...here(246, 0, 0), ...here(5, 500, 0))).toEqual([246]);
+  });
+
+  it('and causes are of one object each', () => {
+    const { causes } = collectStatistics(level, [failure(0, 0, 0, 1), failure(1, 0, 0, 2), failure(2, 0, 0, 2)]);
+    expect(causes).toMatchObject([
+      { cause: { kind: 'nova', index: 2 }, count: 2 },
+      { cause: { kind: 'nova', index: 1 }, count: 1 },
+    ]);
+  });
+
+  it('have a middle and a spread', () => {
+    const cross = [failure(0, 103, 50, 0), failure(1, 97, 50, 0), failure(2, 100, 53, 0), failure(3, 100, 47, 0)];
+    expect(collectStatistics(level, cross).clusters).toMatchObject([{ x: 100, y: 50, spread: 3, share: 1 }]);
+  });
+
   it('a failure more changes only the cluster that it is in, and shares', () => {
     const some = [0, 1, 2, 3, 4, 5].map((i) => failure(i, 10 * i, 0, 0));
     const other = [6, 7, 8, 9].map((i) => failure(i, 900 + i, 0, 1));
@@ -144,6 +203,58 @@ describe('clusters', () => {
     expect(before.map(({ count }) => count)).toEqual([6, 4]);
     expect(after.map(({ count }) => count)).toEqual([6, 5]);
     expect({ ...after[0], share: 0 }).toEqual({ ...before[0], share: 0 });
+  });
+});
+
+describe('presses and releases', () => {
+  it('count who comes so far and who fails there, and how far off they are', () => {
+    const own = (edges: number[], succeeds: boolean, play: number): Attempt => {
+      const attempt = { ...failure(play, 0, 0, 0), edges };
+      return succeeds ? { ...attempt, outcome: 'completed', cause: null } : attempt;
+    };
+    const attempts = [own([103, 198], true, 0), own([105, 200], true, 1), own([90], false, 2), own([110, 230], false, 3)];
+    const reference = { holds: [[100, 200]], name: null } as const;
+    const { edges } = collectStatistics(shippedLevel('07-nova-lane'), attempts, { reference });
+    expect(edges).toMatchObject([
+      { type: 'start', hold: 0, tick: 0, reached: 4, failed: 0, share: 0, succeeding: null, failing: null },
+      {
+        ...{ type: 'press', hold: 0, tick: 100, reached: 4, failed: 1, share: 0.25 },
+        succeeding: { count: 2, low: 3.5, median: 4, high: 4.5 },
+        failing: { count: 2, low: -5, median: 0, high: 5 },
+      },
+      {
+        ...{ type: 'release', hold: 0, tick: 200, reached: 3, failed: 1 },
+        succeeding: { count: 2, low: -1.5, median: -1, high: -0.5 },
+        failing: { count: 1, low: 30, median: 30, high: 30 },
+      },
+    ]);
+  });
+});
+
+describe('the run that players are compared with', () => {
+  const known = ['0', '1', '1'].map((route, i) => ({ name: `run ${i}`, holds: [[i, 9]] as [number, number][], route }));
+  const success = (route: number[], edges: number[] = [5, 8], play = 0): Attempt => ({
+    ...{ ...failure(play, 0, 0, 0), outcome: 'completed', cause: null },
+    ...{ route, edges },
+  });
+
+  it('is the first run of the level on the way that most of them take who succeed', () => {
+    const attempts = [
+      success([0]),
+      success([1]),
+      success([1]),
+      ...[1, 2, 3].map((i) => ({ ...failure(i, 0, 0, 0), route: [0] })),
+    ];
+    expect(chooseReference(known, attempts)).toEqual({ name: 'run 1', holds: [[1, 9]] });
+  });
+
+  it('is a typical success if no run takes their way, and the first run if none succeeds', () => {
+    const ways = [[10, 20], [12, 22], [30, 40], [7]].map((edges, i) => success([5], edges, i));
+    expect(chooseReference(known, ways)).toEqual({ name: null, holds: [[12, 22]] });
+    // held to the end, at tick 100
+    expect(chooseReference(known, [success([5], [7])])).toEqual({ name: null, holds: [[7, 100]] });
+    expect(chooseReference(known, [failure(0, 0, 0, 0)])).toEqual({ name: 'run 0', holds: [[0, 9]] });
+    expect(chooseReference([], [failure(0, 0, 0, 0)])).toBeNull();
   });
 });
 

@@ -5,7 +5,7 @@ import { dbscan, type Point } from '../../check/plays/dbscan.ts';
 import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
 import { Tally } from '../../check/plays/quartiles.ts';
 import type { Play } from '../../game/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import { type Hold, readLevel } from '../../schema/index.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
 
 /** DBSCAN as its authors wrote it, but that border points choose the nearest core point: every pair is compared. */
@@ -43,6 +43,7 @@ const renumbered = (labels: Iterable<number>): number[] => {
 };
 
 describe('dbscan', () => {
+  const at = (x: number, y: number): Point => ({ x, y });
   const place = fc.record({ x: fc.integer({ min: -60, max: 60 }), y: fc.integer({ min: -60, max: 60 }) });
 
   it('finds the clusters that a comparison of all pairs finds', () => {
@@ -54,6 +55,14 @@ describe('dbscan', () => {
       }),
       { numRuns: 300 },
     );
+  });
+
+  it('a point between two clusters, as near to one as to the other, belongs to that with the lower x', () => {
+    const right = [at(15, -20), at(16, -30), at(20, -30)];
+    const left = [at(-15, 20), at(-16, 30), at(-20, 30)];
+    const [middle, ...others] = dbscan([at(0, 0), ...right, ...left], 25, 4);
+    expect(others.slice(3)).toEqual([middle, middle, middle]);
+    expect(others.slice(0, 3)).not.toContain(middle);
   });
 });
 
@@ -95,6 +104,8 @@ describe('alignEdges', () => {
     expect([...alignEdges([100, 200], [98, 130, 150, 203])]).toEqual([0, 3]);
     expect([...alignEdges([100, 110, 300, 400], [301, 390])]).toEqual([-1, -1, 0, 1]);
     expect([...alignEdges([100, 200, 300, 400], [104, 199])]).toEqual([0, 1, -1, -1]);
+    // as far off as an edge without a partner costs
+    expect([...alignEdges([100], [159]), ...alignEdges([100], [160])]).toEqual([0, -1]);
   });
 });
 
@@ -127,6 +138,67 @@ describe('statisticsOf', () => {
     expect(sum(result.routes.map(({ count }) => count))).toBe(completed);
     expect(result.edges[0].reached).toBe(120);
     expect(result.reference?.name).toBe(RUN.name);
+  });
+
+  it('says why each fails, when, and how many minerals the others have', () => {
+    const rest = readLevel(
+      JSON.stringify({
+        ...{ version: 1, name: 'Rest', astronaut: { x: 0, y: 0 }, blackHole: { x: 170, y: 0 } },
+        ...{
+          asteroids: [{ x: 100, y: 0, radius: 16 }],
+          minerals: [
+            { x: 20, y: 0 },
+            { x: 0, y: 500 },
+          ],
+        },
+        runs: [
+          { name: 'own', holds: [[0, 600]] },
+          { name: 'same', holds: [[0, 500]] },
+        ],
+      }),
+    );
+    if (!rest.ok) throw new Error('not a valid level');
+    const record = playedBy(rest.level);
+    const plays = [record([]), record([], 30), record([], 90), record([], 0), record([[9, 600]]), record([[0, 600]])];
+    const found = statisticsOf(rest.level, plays);
+    expect(found).toMatchObject({ attempts: 6, successes: 2, minerals: [0, 2, 0], refused: [] });
+    expect(found.causes).toEqual([
+      { cause: { kind: 'left', index: null }, count: 3, share: 0.75 },
+      { cause: { kind: 'timeout', index: null }, count: 1, share: 0.25 },
+    ]);
+    expect(found.failureTimes.slice(0, 2)).toEqual([2, 1]);
+    expect(found.failureTimes[60]).toBe(1);
+    // the quickest, which is held to its end, by the name of the first run
+    expect(found.routes).toMatchObject([{ asteroids: [0], count: 2, share: 1, play: 5, run: 'own' }]);
+    expect(found.all[5].edges).toEqual([0]);
+    expect(found.reference?.name).toBe('own');
+    // one way, however often the button is pressed
+    expect(
+      statisticsOf(rest.level, [
+        record([
+          [0, 3],
+          [6, 600],
+        ]),
+      ]).routes.map(({ asteroids }) => asteroids),
+    ).toEqual([[0]]);
+    const demanding = (minerals: number) => statisticsOf(rest.level, plays, { goal: { minerals } });
+    expect(demanding(1).successes).toBe(2);
+    expect(demanding(2).causes.map(({ cause, count }) => [cause.kind, count])).toEqual([
+      ['left', 3],
+      ['minerals', 2],
+      ['timeout', 1],
+    ]);
+  });
+
+  it('a play of a level that ends at once may be left before its first tick', () => {
+    const inside = readLevel(
+      JSON.stringify({ version: 1, name: 'In', astronaut: { x: 0, y: 0 }, blackHole: { x: 5, y: 0 }, asteroids: [] }),
+    );
+    if (!inside.ok) throw new Error('not a valid level');
+    const record = playedBy(inside.level);
+    const { all, refused } = statisticsOf(inside.level, [record([], 0), record([])]);
+    expect(refused).toEqual([]);
+    expect(all.map(({ outcome }) => outcome)).toEqual(['left', 'completed']);
   });
 
   it('does not trust a claim, and names plays that differ from theirs', () => {
@@ -188,6 +260,12 @@ describe('statisticsOf', () => {
     const none: readonly Hold[] = [];
     const { edges } = statisticsOf(SWING, [play(none), play(none, 30)]);
     expect(edges[0]).toMatchObject({ type: 'start', reached: 2, failed: 2, share: 1 });
+    const [[press, release]] = RUN.holds;
+    expect(edges.map(({ type, hold, tick }) => [type, hold, tick])).toEqual([
+      ['start', 0, 0],
+      ['press', 0, press],
+      ['release', 0, release],
+    ]);
     expect(edges.slice(1).every(({ reached }) => reached === 0)).toBe(true);
   });
 });

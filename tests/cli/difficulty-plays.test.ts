@@ -46,6 +46,7 @@ const { directory: cwd, remove } = makeFiles({
   ...Object.fromEntries(Object.entries(plays).map(([name, play]) => [name, encodePlay(play)])),
   'plays/ann/11.gqr': encodePlay(plays['plays/ann/1.gqr']).subarray(0, 50),
   'plays/ann/12.gqr': encodePlay(lie),
+  'old.gqr': encodePlay({ ...lie, engine: '0'.repeat(16), level: '0'.repeat(64) }),
   'plays/readme.txt': 'hello',
   'lines.ndjson': [
     lineOf('x', 'ann', plays['plays/ann/1.gqr']),
@@ -180,6 +181,19 @@ describe('gq difficulty --plays', () => {
     expect(svg).toMatch(/^<svg [^>]*><title>Where players of Straight through fail<\/title><desc>5 attempts: 0 % succeed/);
     expect(svg.match(/data-kind="failures"/g)).toHaveLength(1);
     expect(svg).toMatch(/data-kind="failure-rings"[^>]*><circle [^>]*><circle /);
+  });
+
+  it('draws no play that succeeds', async () => {
+    const args = ['difficulty', 'pack/first.level.json', '--plays', 'plays', '--picture', 'few.svg', '--jobs', '1'];
+    expect((await gq(args, { cwd })).code).toBe(0);
+    const [drawn] = /data-kind="failures".*?<\/g>/.exec(readFileSync(join(cwd, 'few.svg'), 'utf8')) ?? [''];
+    // one square and one cross: both failures are at the start
+    expect(drawn.match(/M/g)).toHaveLength(2);
+  });
+
+  it('names a play of another engine, whatever its level is', async () => {
+    const { report } = await difficulty('pack/first.level.json', '--plays', 'old.gqr', '--jobs', '1');
+    expect(report.plays).toMatchObject({ found: 1, elsewhere: [], refused: [{ play: 'old.gqr', verdict: 'unknown-engine' }] });
   });
 
   it('says that no play is of a level, and measures it all the same', async () => {
