@@ -44,7 +44,7 @@ export function reach(entries) {
       const target = from ?? bare ?? dynamic;
       if (!target.startsWith('.')) {
         if (builtinModules.includes(target.replace(/^node:/, '')))
-          throw new Error(`${file} imports ${target}: a library has no Node`);
+          throw new Error(`${file} imports ${target}: the engine must run without Node`);
         packages.add(/^(@[^/]+\/)?[^/]+/.exec(target)[0]);
         continue;
       }
