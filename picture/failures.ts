@@ -1,4 +1,4 @@
-import { type Explored, heatShades, visitsInWords } from './heat.ts';
+import { drawSquares, type Explored, shadeSigns } from './heat.ts';
 import type { LegendEntry } from './legend.ts';
 import { drawText } from './text.ts';
 import type { Theme } from './theme.ts';
@@ -42,19 +42,12 @@ function cellsOf({ places }: Failures): Explored {
 
 /** Draws where attempts fail: squares that are darker the more fail there, with a small cross in each. */
 export function drawFailures(view: View, theme: Theme, failures: Failures): string {
-  const half = CELL / 2;
-  const side = num(CELL * view.scale);
   const explored = cellsOf(failures);
-  const { cells } = explored;
-  const paths = heatShades(explored).map(({ opacity, cells: own }) => {
-    const squares = own.map(({ x, y }) => `M${num(view.x(x - half))} ${num(view.y(y - half))}h${side}v${side}h-${side}z`);
-    return `<path d="${squares.join('')}" fill-opacity="${num(opacity)}"/>`;
-  });
   const arm = (CELL * view.scale) / 4;
   const stroke = `m${num(-arm)} ${num(-arm)}l${num(2 * arm)} ${num(2 * arm)}m0 ${num(-2 * arm)}l${num(-2 * arm)} ${num(2 * arm)}`;
-  const crosses = cells.map(({ x, y }) => `M${num(view.x(x))} ${num(view.y(y))}${stroke}`);
+  const crosses = explored.cells.map(({ x, y }) => `M${num(view.x(x))} ${num(view.y(y))}${stroke}`);
   return (
-    `<g data-kind="failures" fill="${theme.bad}">${paths.join('')}` +
+    `<g data-kind="failures" fill="${theme.bad}">${drawSquares(view, explored)}` +
     `<path d="${crosses.join('')}" fill="none" stroke="${theme.bad}" stroke-width=".8" stroke-opacity=".8"/></g>`
   );
 }
@@ -77,11 +70,8 @@ export function drawFailureRings(view: View, theme: Theme, { clusters }: Failure
 
 /** The entries of the legend: what is counted, the failures of each shade, and each cluster. */
 export function failureSigns(theme: Theme, failures: Failures): LegendEntry[] {
-  const square = (opacity: number): string =>
-    `<rect x="-9" y="-6" width="18" height="12" fill="${theme.space[1]}" stroke="${theme.muted}" stroke-width=".8"/>` +
-    `<rect x="-9" y="-6" width="18" height="12" fill="${theme.bad}" fill-opacity="${num(opacity)}"/>`;
   const ring = `<circle r="8" fill="none" stroke="${theme.bad}" stroke-width="1.8"/>`;
-  const shades = heatShades(cellsOf(failures)).map((shade) => ({ label: visitsInWords(shade), icon: square(shade.opacity) }));
+  const shades = shadeSigns(theme, theme.bad, cellsOf(failures));
   const clusters = failures.clusters.map(({ label }, i) => ({ label: `${i + 1}: ${label}`, icon: ring }));
   return [{ label: `failures of players in each square of ${CELL} px:`, icon: null }, ...shades, ...clusters];
 }

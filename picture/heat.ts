@@ -85,22 +85,31 @@ export function visitsInWords({ least, most }: Pick<HeatShade, 'least' | 'most'>
  */
 export const heatCaption = ({ cellSize }: Explored): string => `visits of the search to each square of ${cellSize} px`;
 
-/** Draws where a search has been. */
-export function drawHeat(view: View, theme: Theme, explored: Explored): string {
+/** Draws the squares of a heat map; the group that they are put into has the colour. */
+export function drawSquares(view: View, explored: Explored): string {
   const half = explored.cellSize / 2;
   const side = num(explored.cellSize * view.scale);
   const paths = heatShades(explored).map(({ opacity, cells }) => {
     const squares = cells.map(({ x, y }) => `M${num(view.x(x - half))} ${num(view.y(y - half))}h${side}v${side}h-${side}z`);
     return `<path d="${squares.join('')}" fill-opacity="${num(opacity)}"/>`;
   });
-  return `<g data-kind="explored" fill="${theme.heat}">${paths.join('')}</g>`;
+  return paths.join('');
+}
+
+/** Draws where a search has been. */
+export function drawHeat(view: View, theme: Theme, explored: Explored): string {
+  return `<g data-kind="explored" fill="${theme.heat}">${drawSquares(view, explored)}</g>`;
+}
+
+/** The entries of a legend for the shades of a heat map: how much each stands for. */
+export function shadeSigns(theme: Theme, colour: string, explored: Explored): LegendEntry[] {
+  const square = (opacity: number): string =>
+    `<rect x="-9" y="-6" width="18" height="12" fill="${theme.space[1]}" stroke="${theme.muted}" stroke-width=".8"/>` +
+    `<rect x="-9" y="-6" width="18" height="12" fill="${colour}" fill-opacity="${num(opacity)}"/>`;
+  return heatShades(explored).map((shade) => ({ label: visitsInWords(shade), icon: square(shade.opacity) }));
 }
 
 /** The entries of the legend: what is counted, and the visits of each shade. */
 export function heatSigns(theme: Theme, explored: Explored): LegendEntry[] {
-  const square = (opacity: number): string =>
-    `<rect x="-9" y="-6" width="18" height="12" fill="${theme.space[1]}" stroke="${theme.muted}" stroke-width=".8"/>` +
-    `<rect x="-9" y="-6" width="18" height="12" fill="${theme.heat}" fill-opacity="${num(opacity)}"/>`;
-  const shades = heatShades(explored).map((shade) => ({ label: visitsInWords(shade), icon: square(shade.opacity) }));
-  return [{ label: `${heatCaption(explored)}:`, icon: null }, ...shades];
+  return [{ label: `${heatCaption(explored)}:`, icon: null }, ...shadeSigns(theme, theme.heat, explored)];
 }

@@ -2,7 +2,7 @@ import { type Brush, disc, faint, ring } from './brush.ts';
 import type { GameColours, Theme } from './colours.ts';
 import type { KindDrawing } from './kind-drawing.ts';
 
-/** GameColours of the rim, against space, and of the spiral, against the dark of the mouth. */
+/** Colours of the rim, against space, and of the spiral, against the dark of the mouth. */
 const RIM = { dark: '#ff9de2', light: '#b0128a' } as const;
 const SPIRAL = '#ff9de2';
 

@@ -35,7 +35,7 @@ import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { TOOLS } from '../../editor/session/index.ts';
 import { boxOf, EFFECTS } from '../../engine/index.ts';
-import type { Brush } from '../../phaser/index.ts';
+import { type Brush, DRAWINGS } from '../../phaser/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
   DEFAULT_RULES,
@@ -99,8 +99,8 @@ function countingBrush(): { brush: Brush; drawn: () => number } {
 
 describe.each(OBJECT_KINDS)('%s on the canvas', (kind) => {
   it('has its own textures, which draw something in both themes', () => {
-    for (const [name, draw] of Object.entries(ON_CANVAS[kind].textures)) {
-      const owners = OBJECT_KINDS.filter((one) => Object.hasOwn(ON_CANVAS[one].textures, name));
+    for (const [name, draw] of Object.entries(DRAWINGS[kind].textures)) {
+      const owners = OBJECT_KINDS.filter((one) => Object.hasOwn(DRAWINGS[one].textures, name));
       expect(owners).toEqual([kind]);
       expect(SHARED).not.toContain(name);
       for (const theme of ['dark', 'light'] as const) {
@@ -176,7 +176,7 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
   it('is drawn at its place with existing textures', () => {
     const parts = ON_CANVAS[kind].parts(found);
     expect(parts.length).toBeGreaterThan(0);
-    for (const { texture } of parts) expect([...Object.keys(ON_CANVAS[kind].textures), ...SHARED]).toContain(texture);
+    for (const { texture } of parts) expect([...Object.keys(DRAWINGS[kind].textures), ...SHARED]).toContain(texture);
     const at = parts.map(() => ({ x: Number.NaN, y: Number.NaN }));
     const images = at.map((place) => {
       const image: Figure['images'][number] = {

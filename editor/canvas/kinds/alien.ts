@@ -8,7 +8,6 @@ const GAZE = 0.25;
 /** An alien that looks at her. During a run it is shown where it has chased her, and faint after its explosion. */
 export const alien: KindOnCanvas = {
   sign: { Icon: Bug, tone: 'good' },
-  textures: DRAWINGS.alien.textures,
   parts: DRAWINGS.alien.parts,
   pose(figure, pose, zoom) {
     const { index } = figure.found;

@@ -7,7 +7,6 @@ import { type KindOnCanvas, put } from './kind-on-canvas.ts';
 export const asteroid: KindOnCanvas = {
   sign: { Icon: Circle, tone: 'quiet' },
   variantSign: { Icon: Flame, tone: 'bad' },
-  textures: DRAWINGS.asteroid.textures,
   parts: ({ kind, key, object }) => DRAWINGS.asteroid.parts({ hot: isVariant(kind, object) }, key),
   pose(figure, pose) {
     const { index } = figure.found;

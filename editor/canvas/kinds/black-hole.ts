@@ -5,7 +5,6 @@ import type { KindOnCanvas } from './kind-on-canvas.ts';
 /** The black hole with its arms, which reach to twice its radius; it turns. */
 export const blackHole: KindOnCanvas = {
   sign: { Icon: Orbit, tone: 'unknown' },
-  textures: DRAWINGS.blackHole.textures,
   parts: DRAWINGS.blackHole.parts,
   turn: ({ images: [body] }, time) => void body.setRotation(DRAWINGS.blackHole.spin * time),
 };

@@ -1,5 +1,5 @@
 import type { LucideIcon } from 'lucide-react';
-import type { DrawTexture, Part } from '../../../phaser/index.ts';
+import type { Part } from '../../../phaser/index.ts';
 import type { Pose } from '../../context/index.ts';
 import type { FoundObject } from '../../document/index.ts';
 import type { Thing } from '../thing.ts';
@@ -32,8 +32,6 @@ export interface KindOnCanvas {
   readonly sign: Sign;
   /** The icon of the variant. */
   readonly variantSign?: Sign;
-  /** By name; names are unique across kinds. */
-  readonly textures: Readonly<Record<string, DrawTexture>>;
   /** The parts of an object, from below to above. */
   parts(found: FoundObject): readonly Part[];
   /**

@@ -8,7 +8,6 @@ const TURNS_FROM = 10;
 /** A dwarf nova with a glow; it turns. */
 export const nova: KindOnCanvas = {
   sign: { Icon: Sun, tone: 'bad' },
-  textures: DRAWINGS.nova.textures,
   parts: DRAWINGS.nova.parts,
   turn({ found, images: [body] }, time, zoom) {
     if (TEXTURE_UNIT * body.scale * zoom >= TURNS_FROM) body.setRotation(DRAWINGS.nova.spin * time + found.index);

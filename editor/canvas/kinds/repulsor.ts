@@ -4,6 +4,5 @@ import type { KindOnCanvas } from './kind-on-canvas.ts';
 
 export const repulsor: KindOnCanvas = {
   sign: { Icon: CircleDashed, tone: 'unknown' },
-  textures: DRAWINGS.repulsor.textures,
   parts: DRAWINGS.repulsor.parts,
 };

@@ -11,7 +11,6 @@ const usual = (name: string): number => {
 /** A disc with streaks in the direction of the wind, larger for stronger winds; a small ring for a wind of strength 0. */
 export const wind: KindOnCanvas = {
   sign: { Icon: Wind, tone: 'accent' },
-  textures: DRAWINGS.wind.textures,
   parts({ object }) {
     const { ax = usual('ax'), ay = usual('ay') } = object as { ax?: number; ay?: number };
     return DRAWINGS.wind.parts({ ax, ay });

@@ -5,7 +5,6 @@ import type { KindOnCanvas } from './kind-on-canvas.ts';
 /** Both mouths look alike and turn. */
 export const wormhole: KindOnCanvas = {
   sign: { Icon: Loop, tone: 'accent' },
-  textures: DRAWINGS.wormhole.textures,
   parts: DRAWINGS.wormhole.parts,
   turn: ({ images: [body] }, time) => void body.setRotation(DRAWINGS.wormhole.spin * time),
 };

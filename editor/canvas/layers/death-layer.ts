@@ -1,7 +1,7 @@
 import type { GameObjects, Scene } from 'phaser';
-import { heatShades } from '../../../picture/index.ts';
 import type { DeathMap } from '../../shelf/index.ts';
 import { type Colours, colourNumber, deathOpacity } from '../colours.ts';
+import { fillSquares } from './heat.ts';
 
 /** The heat map of deaths: squares above space, below the objects. */
 export class DeathLayer {
@@ -17,13 +17,7 @@ export class DeathLayer {
   /** @param deaths null: none are shown */
   show(deaths: DeathMap | null): void {
     this.graphics.clear();
-    if (deaths === null) return;
-    const { cellSize } = deaths;
-    const colour = colourNumber(this.colours.death);
-    for (const { opacity, cells } of heatShades(deaths)) {
-      this.graphics.fillStyle(colour, deathOpacity(opacity));
-      for (const { x, y } of cells) this.graphics.fillRect(x - cellSize / 2, y - cellSize / 2, cellSize, cellSize);
-    }
+    if (deaths !== null) fillSquares(this.graphics, deaths, colourNumber(this.colours.death), deathOpacity);
   }
 
   destroy(): void {

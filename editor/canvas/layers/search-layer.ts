@@ -1,7 +1,7 @@
 import type { GameObjects, Scene } from 'phaser';
-import { heatShades } from '../../../picture/index.ts';
 import type { Explored, ProofPicture } from '../../../solver/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
+import { fillSquares } from './heat.ts';
 
 /** What a search shows besides paths. */
 export interface SearchPicture {
@@ -28,22 +28,13 @@ export class SearchLayer {
   show({ heat, proof }: SearchPicture, showHeat: boolean, zoom: number): void {
     this.heat.clear();
     this.proof.clear();
-    if (heat !== null && showHeat) this.drawHeat(heat);
+    if (heat !== null && showHeat) fillSquares(this.heat, heat, colourNumber(this.colours.heat), (shade) => shade);
     if (proof !== null) this.drawProof(proof, zoom);
   }
 
   destroy(): void {
     this.heat.destroy();
     this.proof.destroy();
-  }
-
-  private drawHeat(explored: Explored): void {
-    const { cellSize } = explored;
-    const colour = colourNumber(this.colours.heat);
-    for (const { opacity, cells } of heatShades(explored)) {
-      this.heat.fillStyle(colour, opacity);
-      for (const { x, y } of cells) this.heat.fillRect(x - cellSize / 2, y - cellSize / 2, cellSize, cellSize);
-    }
   }
 
   private drawProof({ discs, lines }: ProofPicture, zoom: number): void {
