@@ -146,6 +146,45 @@ else {
     );
 
     it(
+      'offers no level that is locked as the next one',
+      on({ pack: three() }, async (page) => {
+        const next = panel(page, 'Paused').getByRole('button', { name: 'Next' });
+        await page.getByRole('button', { name: 'Play · One' }).click();
+        await page.locator('[data-state=intro]').waitFor();
+        await page.keyboard.press('n');
+        await page.keyboard.press('Space');
+        await page.keyboard.press('Escape');
+        await panel(page, 'Paused').waitFor();
+        expect(await page.getByRole('heading', { level: 1 }).allTextContents()).toContain('01 One');
+        expect(await next.count()).toBe(0);
+        await panel(page, 'Paused').getByRole('button', { name: 'Levels' }).click();
+        await page.getByLabel('unlock all levels').check();
+        await card(page, 'One').click();
+        await page.keyboard.press('Space');
+        await page.keyboard.press('Escape');
+        await next.click();
+        await page.getByRole('heading', { level: 1, name: '02 Two' }).waitFor();
+      }),
+    );
+
+    it(
+      'goes back to the menu, also after the page was loaded again within a level',
+      on({ pack: three() }, async (page) => {
+        const menu = page.getByRole('heading', { level: 1, name: 'Three' });
+        await page.getByLabel('unlock all levels').check();
+        await card(page, 'One').click();
+        await page.locator('[data-state=intro]').waitFor();
+        await page.reload();
+        await menu.waitFor();
+        await card(page, 'Two').click();
+        await page.getByRole('heading', { level: 1, name: '02 Two' }).waitFor();
+        await page.keyboard.press('l');
+        await level(page).waitFor({ state: 'hidden' });
+        await menu.waitFor();
+      }),
+    );
+
+    it(
       'has the shipped levels, of which a designer can unlock all',
       on({}, async (page) => {
         await page.getByText('0 of 22 levels').waitFor();

@@ -1,8 +1,7 @@
-import type { AttemptOptions, Play } from 'gravity-quest-toolkit/game';
+import type { GhostSource, Play } from 'gravity-quest-toolkit/game';
 import type { Level } from './pack.ts';
 import type { GhostChoice } from './settings.ts';
 
-type GhostSource = NonNullable<AttemptOptions['ghosts']>[number];
 export type Hold = GhostSource['holds'][number];
 
 /** A play that somebody has sent. */

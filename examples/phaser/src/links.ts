@@ -2,7 +2,12 @@ import { decodePlay, levelHash, type Play, playFromText, verifyPlay } from 'grav
 import { levelTextOf } from 'gravity-quest-toolkit/phaser';
 import { type Level, type PlayableEntry, readLevelText } from './pack.ts';
 
-const PLAY = 'play=';
+/** A part of the fragment of a link, such as `play=…` of `#level=…&play=…`; null: the link has none. */
+export const partOf = (fragment: string, key: string): string | null =>
+  fragment
+    .replace(/^#/, '')
+    .split('&')
+    .find((part) => part.startsWith(`${key}=`)) ?? null;
 
 /** A level of a link; null: the link has none. */
 export async function levelInLink(fragment: string): Promise<{ level: Level } | { problem: string } | null> {
@@ -15,11 +20,7 @@ export async function levelInLink(fragment: string): Promise<{ level: Level } | 
 
 /** The text of the play in a link; null: the link has none. */
 export function playInLink(fragment: string): string | null {
-  const part = fragment
-    .replace(/^#/, '')
-    .split('&')
-    .find((one) => one.startsWith(PLAY));
-  return part?.slice(PLAY.length) ?? null;
+  return partOf(fragment, 'play')?.slice('play='.length) ?? null;
 }
 
 /** A play of somebody, and the level it belongs to. */

@@ -1,7 +1,7 @@
 import './style.css';
 import { element } from './dom.ts';
 import { LevelScreen } from './level-screen.ts';
-import { levelInLink, playInLink, type ReadPlay, readPlay, readPlayText } from './links.ts';
+import { levelInLink, partOf, playInLink, type ReadPlay, readPlay, readPlayText } from './links.ts';
 import { createMenu } from './menu.ts';
 import { isPlayable, type PackReading, type PlayableEntry, readPack } from './pack.ts';
 import { followGamepads } from './pads.ts';
@@ -58,14 +58,15 @@ async function start(): Promise<void> {
     const name = query.get('replay');
     return (entry.level.runs.find((run) => run.name === name) ?? entry.level.runs[0])?.holds ?? null;
   };
+  const refuse = (entry: PlayableEntry) => (error: unknown) => {
+    leave();
+    const reason = error instanceof Error ? error.message : String(error);
+    menu.notice(`${entry.level.name} can't be shown: ${reason}`, 'bad');
+  };
   const show = (entry: PlayableEntry) => {
     menu.root.hidden = true;
     const replay = scriptOf(entry);
-    screen.open(entry, { script: replay }).catch((error: unknown) => {
-      showMenu();
-      const reason = error instanceof Error ? error.message : String(error);
-      menu.notice(`${entry.level.name} can't be shown: ${reason}`, 'bad');
-    });
+    screen.open(entry, { script: replay }).catch(refuse(entry));
   };
   const play = (entry: PlayableEntry) => {
     // "back" of the browser or the phone leads to the menu
@@ -89,7 +90,8 @@ async function start(): Promise<void> {
       const { entry, play: taken } = reading;
       if (!screen.isOpen) history.pushState({ level: entry.id }, '');
       menu.root.hidden = true;
-      void screen.invite(entry, { name: 'the play of the link', holds: taken.holds, claim: taken.claim }, scriptOf(entry));
+      const rival = { name: 'the play of the link', holds: taken.holds, claim: taken.claim };
+      screen.invite(entry, rival, scriptOf(entry)).catch(refuse(entry));
     }
   };
 
@@ -111,16 +113,13 @@ async function start(): Promise<void> {
       play,
       toggleMute,
       say,
-      nextOf: (entry) => playable[playable.indexOf(entry) + 1] ?? null,
+      nextOf: (entry) => {
+        const next = playable[playable.indexOf(entry) + 1];
+        return next !== undefined && menu.isOpen(next) ? next : null;
+      },
       linkTo: (text) => {
         const page = location.href.replace(/#.*/, '');
-        const level = isLinked
-          ? `${location.hash
-              .replace(/^#/, '')
-              .split('&')
-              .find((part) => part.startsWith('level='))}&`
-          : '';
-        return `${page}#${level}play=${text}`;
+        return `${page}#${isLinked ? `${partOf(location.hash, 'level')}&` : ''}play=${text}`;
       },
     },
     { renderer: query.get('renderer'), accuracy: pack.accuracy },
@@ -131,6 +130,8 @@ async function start(): Promise<void> {
   for (const notice of notices) menu.notice(notice, 'bad');
   menu.refresh(null);
 
+  // a page that is loaded again keeps its state, and begins with the menu
+  history.replaceState(null, '');
   addEventListener('popstate', ({ state }) => {
     const entry = playable.find(({ id }) => id === state?.level);
     if (entry === undefined) showMenu();

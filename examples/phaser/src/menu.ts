@@ -17,6 +17,8 @@ export interface MenuActions {
 
 export interface Menu {
   readonly root: HTMLElement;
+  /** Whether a level may be played now. */
+  isOpen(entry: PlayableEntry): boolean;
   /** Draws the list anew. @param focus the level whose card gets the focus; null: the first that is not completed */
   refresh(focus: string | null): void;
   /** Shows a message above the list. */
@@ -181,6 +183,7 @@ export function createMenu(pack: PackReading, progress: Progress, settings: Sett
 
   return {
     root,
+    isOpen,
     refresh,
     notice(text, kind) {
       const close = iconButton('silent', 'Close', () => line.remove());

@@ -1,4 +1,4 @@
-import { DRAWINGS, GAME_COLOURS } from 'gravity-quest-toolkit/phaser';
+import { DRAWINGS, GAME_COLOURS, type KindDrawing } from 'gravity-quest-toolkit/phaser';
 import type { Level } from './pack.ts';
 
 const WIDTH = 288;
@@ -20,11 +20,8 @@ interface Circle {
   readonly radius: number;
 }
 
-/** What can be drawn of any kind; its own parts are typed by its kind. */
-interface Drawing {
-  readonly textures: Readonly<Record<string, (typeof DRAWINGS.nova.textures)[string]>>;
-  parts(object: never, key?: string): ReturnType<typeof DRAWINGS.nova.parts>;
-}
+/** The drawing of any kind: which object it takes depends on the kind. */
+type Drawing = KindDrawing<never>;
 
 /** The game draws her by her box; here she is as round as the others. */
 const HER: Drawing = { ...DRAWINGS.astronaut, parts: () => [{ texture: 'astronaut', depth: 9 }] };
