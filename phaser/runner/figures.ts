@@ -5,10 +5,6 @@ import type { Draw, Figure, Skin } from '../skin/index.ts';
 import { objectsIn } from './objects-in.ts';
 import type { Stage } from './stage.ts';
 
-const depthOf = (object: GameObjects.GameObject): number => (object as Partial<GameObjects.Components.Depth>).depth ?? 0;
-
-const byDepth = (one: GameObjects.GameObject, other: GameObjects.GameObject): number => depthOf(one) - depthOf(other);
-
 const objectsOf = (figures: readonly Figure[]): GameObjects.GameObject[] => figures.flatMap(({ objects }) => [...objects]);
 
 /** The figures of a level, in two containers: space in px of the canvas, the level in px of the level. */
@@ -34,12 +30,12 @@ export class Figures {
     // a view of its own does not move with the scene's camera
     if (isFixed) this.root.setScrollFactor(0);
     try {
-      this.space.add(objectsOf(this.draw(skin.background, [level])).sort(byDepth));
+      this.space.add(objectsOf(this.draw(skin.background, [level]))).sort('depth');
       const drawn = [
         ...OBJECT_KINDS.flatMap((kind) => this.draw(skin[kind] as Draw<object>, objectsIn(level, kind))),
         ...[skin.trail, skin.beam, skin.effects].flatMap((draw) => this.draw(draw, [level])),
       ];
-      this.level.add(objectsOf(drawn).sort(byDepth));
+      this.level.add(objectsOf(drawn)).sort('depth');
       this.showGhosts();
     } catch (error) {
       this.destroy();
@@ -66,8 +62,7 @@ export class Figures {
     this.ghostFigures = [];
     this.draw(this.skin.ghost, ghosts, this.ghostFigures);
     if (this.ghostFigures.length === 0) return;
-    this.level.add(objectsOf(this.ghostFigures));
-    this.level.sort('depth');
+    this.level.add(objectsOf(this.ghostFigures)).sort('depth');
   }
 
   /** Shows the present frame. */

@@ -67,7 +67,7 @@ export function requireScene(caller: string, scene: unknown): asserts scene is S
       ? fail('a state of Phaser 2', 'Install `phaser@4`.')
       : fail('an object without `sys`', 'Pass the scene itself: an instance of a class that extends Phaser.Scene.');
   }
-  const { events, displayList, textures, add } = sys as Unknown & { add?: unknown };
+  const { events, displayList, textures, add } = sys;
   if (!isObject(displayList) || !isObject(events)) {
     return fail('a scene that has not started', "Call createRunner in the scene's create(), not in its constructor.");
   }

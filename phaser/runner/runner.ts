@@ -5,7 +5,7 @@ import type { Level } from '../../schema/basics/index.ts';
 import { GunInput } from '../input/index.ts';
 import { DEFAULT_SKIN, type View } from '../skin/index.ts';
 import { Figures } from './figures.ts';
-import type { Area, RunnerOptions } from './options.ts';
+import type { RunnerOptions } from './options.ts';
 import { requireLevel, requireScene } from './require.ts';
 import { Stage } from './stage.ts';
 import { LevelView } from './view.ts';
@@ -52,8 +52,6 @@ interface Loaded {
   readonly figures: Figures;
   readonly options: RunnerOptions;
 }
-
-const place = (view: LevelView, { x, y, width, height }: Area): boolean => view.place(x, y, width, height);
 
 /** See {@link createRunner}. */
 class LevelRunner implements Runner {
@@ -135,20 +133,28 @@ class LevelRunner implements Runner {
     const { main } = this.scene.cameras;
     const [inX, inY] = [x - main.x, y - main.y];
     if (inX < 0 || inX > main.width || inY < 0 || inY > main.height) return false;
-    if (this.loaded.options.area === undefined) return true;
-    const { left, top, width, height } = this.loaded.view;
-    return inX >= left && inX <= left + width && inY >= top && inY <= top + height;
+    const { stage, view, options } = this.loaded;
+    if (options.area === undefined) return true;
+    const [atX, atY] = [stage.left + inX / main.zoom, stage.top + inY / main.zoom];
+    return atX >= view.left && atX <= view.left + view.width && atY >= view.top && atY <= view.top + view.height;
   }
 
   /** Takes the size of the canvas. Called every frame, as the scene's camera has no event for its size. */
-  private layOut({ view, stage, options: { area } }: Loaded): void {
-    const { width, height, zoom } = this.scene.cameras.main;
+  private layOut({ view, stage, options: { area, camera } }: Loaded): void {
+    const { width, height, zoom, scrollX, scrollY } = this.scene.cameras.main;
     stage.width = width / zoom;
     stage.height = height / zoom;
+    const isFixed = camera !== 'none';
     // the camera zooms around its middle
-    stage.left = (width - stage.width) / 2;
-    stage.top = (height - stage.height) / 2;
-    const isOther = area === undefined ? view.place(stage.left, stage.top, stage.width, stage.height) : place(view, area());
+    stage.left = (isFixed ? 0 : scrollX) + (width - stage.width) / 2;
+    stage.top = (isFixed ? 0 : scrollY) + (height - stage.height) / 2;
+    const part = area?.();
+    const isOther = view.place(
+      stage.left + (part?.x ?? 0) / zoom,
+      stage.top + (part?.y ?? 0) / zoom,
+      (part?.width ?? width) / zoom,
+      (part?.height ?? height) / zoom,
+    );
     if (isOther) view.jump(stage.pose);
   }
 

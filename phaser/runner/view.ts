@@ -102,8 +102,8 @@ export class LevelView implements View {
   private aim(pose: Readonly<Float64Array>): void {
     const { width, height } = this;
     if (this.mode === 'none') {
-      this.wantedX = width / 2;
-      this.wantedY = height / 2;
+      this.wantedX = this.left + width / 2;
+      this.wantedY = this.top + height / 2;
       this.wantedZoom = 1;
       return;
     }

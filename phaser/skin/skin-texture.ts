@@ -49,18 +49,9 @@ function drawLid(brush: Brush): void {
   brush.stroke();
 }
 
-/** Textures that only the default skin has, by name. */
-const OWN: Readonly<Record<string, (brush: Brush) => void>> = {
-  beam: drawBeam,
-  ring: (brush) => ring(brush, 0.95, 0.06, '#ffffff'),
-  mark: (brush) => ring(brush, 0.95, 0.035, '#ffffff'),
-  lid: drawLid,
-};
-
 const NAMES: ReadonlySet<string> = new Set([
   ...Object.values(DRAWINGS).flatMap(({ textures }) => Object.keys(textures)),
-  ...['glow', 'spark', 'haze', 'stars-far', 'stars-near'],
-  ...Object.keys(OWN),
+  ...['glow', 'spark', 'haze', 'stars-far', 'stars-near', 'lid'],
 ]);
 
 /**
@@ -74,7 +65,7 @@ export function skinTexture({ textures }: Scene, name: string): string {
   if (!textures.exists(keyOf('lid'))) {
     drawTextures(textures, THEME, keyOf);
     drawStarTiles(textures, THEME, keyOf('stars-far'), keyOf('stars-near'));
-    for (const [own, draw] of Object.entries(OWN)) drawRound(textures, keyOf(own), draw);
+    drawRound(textures, keyOf('lid'), drawLid);
     // smooth, also in a game of pixel art
     for (const one of NAMES) textures.get(keyOf(one)).setFilter(0);
   }
@@ -85,8 +76,8 @@ export function skinTexture({ textures }: Scene, name: string): string {
 const COLOURED: Readonly<Record<string, { readonly share: number; readonly draw: (brush: Brush) => void }>> = {
   astronaut: { share: 0.6, draw: (brush) => DRAWINGS.astronaut.textures.astronaut(brush, GAME_COLOURS[THEME], THEME) },
   beam: { share: 1, draw: drawBeam },
-  ring: { share: 1, draw: OWN.ring },
-  mark: { share: 1, draw: OWN.mark },
+  ring: { share: 1, draw: (brush) => ring(brush, 0.95, 0.06, '#ffffff') },
+  mark: { share: 1, draw: (brush) => ring(brush, 0.95, 0.035, '#ffffff') },
   spark: { share: 1, draw: drawSpark },
 };
 

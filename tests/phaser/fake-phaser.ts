@@ -177,7 +177,7 @@ export function fakeScene(page: FakePage, more: object = {}): FakeScene {
   };
   // every texture exists: there is no canvas to draw one on
   const textures = { exists: () => true, addCanvas: () => null, get: () => ({ setFilter() {} }) };
-  const cameras = { main: { x: 0, y: 0, width: 800, height: 600, zoom: 1 } };
+  const cameras = { main: { x: 0, y: 0, width: 800, height: 600, zoom: 1, scrollX: 0, scrollY: 0 } };
   const sys = { events, displayList: {}, textures, isActive: () => true };
   return {
     scene: { sys, add, textures, cameras, input, scale, ...more } as unknown as Scene,

@@ -3,7 +3,7 @@ import { compile, simulate } from '../../engine/index.ts';
 import { createRunner, DEFAULT_SKIN, type Runner, type RunnerOptions } from '../../phaser/index.ts';
 import { readLevel } from '../../schema/index.ts';
 import { pack, shipped } from '../levels/shipped-pack.ts';
-import { type FakeObject, FakePage, type FakeScene, fakePointer, fakeScene } from './fake-phaser.ts';
+import { FakeObject, FakePage, type FakeScene, fakePointer, fakeScene } from './fake-phaser.ts';
 
 const MS = 1000 / 60;
 
@@ -354,6 +354,21 @@ describe('a skin', () => {
     expect(named('mineral').every((one) => one.visible)).toBe(true);
   });
 
+  it('is drawn in the order of depths, ghosts that come later too', () => {
+    const runner = start();
+    const lists = () => [...fake.alive].map(({ children }) => children).filter(({ length }) => length > 1);
+    const expectOrder = () => {
+      for (const depths of lists().map((list) => list.map(({ depth }) => depth)))
+        expect(depths).toEqual(depths.toSorted((a, b) => a - b));
+    };
+    const before = lists().flat().length;
+    expectOrder();
+    runner.player.restart({ ghosts: [{ name: 'best', holds: [] }] });
+    frames(1);
+    expect(lists().flat()).toHaveLength(before + 2);
+    expectOrder();
+  });
+
   it('leaves nothing behind when it throws, and the level that was played stays', () => {
     const broken = { ...DEFAULT_SKIN, nova: () => expect.unreachable('broken skin') };
     expect(() => start({ skin: broken }, shipped('nova-lane').level)).toThrow('broken skin');
@@ -407,10 +422,47 @@ describe('the view', () => {
     }
   });
 
+  it('an area is a part of the canvas, also while the camera zooms', () => {
+    Object.assign(fake.scene.cameras.main, { zoom: 2 });
+    const runner = start({ area: () => ({ x: 0, y: 200, width: 300, height: 400 }) });
+    for (const { x, y, radius } of [...level.asteroids, ...level.minerals, level.blackHole]) {
+      for (const side of [-1, 1]) {
+        // the camera zooms around its middle
+        const [left, top] = corners(runner, x + side * radius, y + side * radius);
+        const [onX, onY] = [400 + 2 * (left - 400), 300 + 2 * (top - 300)];
+        expect(onX >= 0 && onX <= 300 && onY >= 200 && onY <= 600, `${onX}, ${onY}`).toBe(true);
+      }
+    }
+    for (const [x, y, held] of [
+      [290, 590, true],
+      [290, 190, false],
+      [310, 590, false],
+    ] as const) {
+      const pointer = fakePointer(0, { x, y });
+      fake.input.emit('pointerdown', pointer, []);
+      frames(1);
+      expect([x, y, runner.player.held]).toEqual([x, y, held]);
+      Object.assign(pointer, { isDown: false, primaryDown: false });
+      frames(1);
+    }
+  });
+
   it('none: a px of the level is a px of the scene', () => {
     const runner = start({ camera: 'none' });
     frames(3);
     expect(corners(runner, 12, 34)).toEqual([12, 34]);
+  });
+
+  it('none: also while the camera of the scene scrolls and zooms, and the background follows it', () => {
+    const floor = new FakeObject(new Set());
+    const runner = start({ camera: 'none', skin: { background: () => ({ objects: [floor as never] }) } });
+    const space = [...fake.alive].find(({ children }) => children.includes(floor));
+    Object.assign(fake.scene.cameras.main, { zoom: 2, scrollX: 500, scrollY: -100 });
+    frames(1);
+    expect(corners(runner, 12, 34)).toEqual([12, 34]);
+    // the camera shows 400 x 300 px of the scene around its middle
+    expect(runner.view).toMatchObject({ left: 700, top: 50, width: 400, height: 300, x: 900, y: 200 });
+    expect(space).toMatchObject({ x: 700, y: 50 });
   });
 });
 

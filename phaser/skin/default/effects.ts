@@ -3,7 +3,7 @@ import type { PlayEvent } from '../../../game/index.ts';
 import { dice, TEXTURE_UNIT } from '../../drawing/index.ts';
 import type { Skin, SkinStage } from '../skin.ts';
 import { colouredTexture } from '../skin-texture.ts';
-import { imageOf } from './pieces.ts';
+import { colouredImage, imageOf } from './pieces.ts';
 
 const SPARKS = 96;
 const RINGS = 6;
@@ -81,7 +81,7 @@ class Rings {
   private next = 0;
 
   constructor(private readonly stage: SkinStage) {
-    this.images = Array.from({ length: RINGS }, () => imageOf(stage, 'ring', 9.5).setVisible(false));
+    this.images = Array.from({ length: RINGS }, () => colouredImage(stage, 'ring', '#ffffff', 9.5).setVisible(false));
   }
 
   spread(x: number, y: number, colour: string, reach: number, life: number): void {

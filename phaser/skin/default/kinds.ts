@@ -1,4 +1,4 @@
-import { DRAWINGS, TEXTURE_UNIT } from '../../drawing/index.ts';
+import { DRAWINGS } from '../../drawing/index.ts';
 import type { KindSkin } from '../skin.ts';
 import { imageOf, imagesOf } from './pieces.ts';
 
@@ -86,7 +86,7 @@ export const mineral: KindSkin['mineral'] = (stage, one, index) => {
         .setVisible(gone < 1)
         .setAlpha(1 - gone)
         .setScale(scale * (1 + 0.06 * floating + gone))
-        .setPosition(one.x, one.y + ((1.5 * floating) / TEXTURE_UNIT) * one.radius * 8);
+        .setPosition(one.x, one.y + 0.1875 * floating * one.radius);
     },
   };
 };
