@@ -57,6 +57,7 @@ export class FakeObject {
   alpha = 1;
   rotation = 0;
   visible = true;
+  scrollFactor = 1;
   children: FakeObject[] = [];
 
   constructor(
@@ -106,7 +107,8 @@ export class FakeObject {
     return this;
   }
 
-  setScrollFactor(): this {
+  setScrollFactor(factor: number): this {
+    this.scrollFactor = factor;
     return this;
   }
 

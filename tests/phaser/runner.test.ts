@@ -84,6 +84,21 @@ describe('the time of a runner', () => {
     fake.events.emit('wake');
     frames(3);
     expect(runner.player.tick).toBe(15);
+    fake.events.emit('pause');
+    now += 90_000;
+    fake.events.emit('resume');
+    frames(3);
+    expect(runner.player.tick).toBe(17);
+  });
+
+  it('does not let decorations jump after a stall', () => {
+    const times: number[] = [];
+    start({ skin: { trail: (stage) => ({ objects: [], update: () => times.push(stage.time) }) } });
+    frames(1);
+    now += 60_000;
+    frames(1);
+    const [before, after] = times.slice(-2);
+    expect(after - before).toBeCloseTo(0.1, 9);
   });
 });
 
@@ -170,7 +185,7 @@ describe('the button of a runner', () => {
     press(fakePointer(3, { x: 900 }));
     page.key('keydown', 'KeyR');
     page.key('keydown', 'Space', { repeat: true });
-    page.key('keydown', 'Space', { ctrlKey: true });
+    for (const key of ['ctrlKey', 'altKey', 'metaKey']) page.key('keydown', 'Space', { [key]: true });
     const field = { closest: (selector: string) => (selector.includes('textarea') ? {} : null) };
     const event = new Event('keydown');
     Object.defineProperty(event, 'target', { value: field });
@@ -178,6 +193,27 @@ describe('the button of a runner', () => {
     page.window.dispatchEvent(event);
     fake.gamepad.emit('down', { index: 0, connected: true }, { index: 9, pressed: true });
     frames(3);
+    expect(runner.player.holds).toEqual([]);
+  });
+
+  it('goes up when Command does, while which macOS reports no release', () => {
+    const runner = start();
+    page.key('keydown', 'Space');
+    frames(2);
+    page.key('keyup', 'MetaLeft', { key: 'Meta' });
+    frames(1);
+    expect(runner.player.holds).toEqual([[0, 2]]);
+  });
+
+  it.each([
+    ['its scene is not active', () => Object.assign(fake.scene.sys, { isActive: () => false })],
+    ['the input of its scene is off', () => Object.assign(fake.scene.input, { enabled: false })],
+  ])('ignores keys and gamepads while %s', (_, happens) => {
+    const runner = start();
+    happens();
+    page.key('keydown', 'Space');
+    fake.gamepad.emit('down', { index: 0, connected: true }, { index: 0, pressed: true });
+    frames(2);
     expect(runner.player.holds).toEqual([]);
   });
 
@@ -250,15 +286,31 @@ describe('a death', () => {
     expect(runner.player.holds).toEqual([[0, 1]]);
   });
 
+  it('is not followed by a second finger while the first is still down', () => {
+    const runner = start({ restartAfter: 10_000 }, drifting());
+    page.key('keydown', 'ArrowUp');
+    while (runner.player.ending === null) frames(1);
+    frames(20);
+    page.key('keydown', 'Space');
+    frames(1);
+    expect(runner.player.ending).not.toBeNull();
+  });
+
   it('is the end without restartAfter, and so is completion', () => {
     const runner = start({ restartAfter: null }, drifting());
     frames(400);
     page.key('keydown', 'Space');
     frames(1);
     expect(runner.player.ending?.outcome).toBe('lost');
+    page.key('keyup', 'Space');
     runner.load(level, { replay: level.runs[0].holds, restartAfter: 0 });
     frames(1200);
     expect(runner.player.ending?.outcome).toBe('completed');
+    // what the attempt began with is not for the next level
+    runner.load(level);
+    page.key('keydown', 'Space');
+    frames(3);
+    expect(runner.player.holds).toEqual([[0, 3]]);
   });
 });
 
@@ -299,6 +351,19 @@ describe('what a runner adds', () => {
     expect([one.player.tick, other.player.tick]).toEqual([10, 5]);
   });
 
+  it('is told nothing more once an event has ended it', () => {
+    const told: string[] = [];
+    const runner: Runner = start({
+      skin: {
+        beam: () => ({ objects: [], onEvent: () => runner.destroy() }),
+        effects: () => ({ objects: [], onEvent: () => told.push('effects') }),
+      },
+    });
+    runner.player.press();
+    frames(3);
+    expect([runner.destroyed, told]).toEqual([true, []]);
+  });
+
   it('may be ended or changed by its own callbacks', () => {
     const runner: Runner = start({ onEnd: () => runner.load(level), restartAfter: null }, drifting());
     frames(300);
@@ -326,10 +391,14 @@ describe('a skin', () => {
     runner.player.press();
     frames(2);
     runner.restart();
+    // the game may restart the player itself
+    frames(2);
+    runner.player.restart();
+    frames(1);
     runner.destroy();
     expect(log).toEqual([
       ...['first press', 'effects press', 'first target', 'effects target'],
-      ...['first again', 'effects again', 'first gone', 'effects gone'],
+      ...['first again', 'effects again', 'first again', 'effects again', 'first gone', 'effects gone'],
     ]);
   });
 
@@ -367,6 +436,18 @@ describe('a skin', () => {
     frames(1);
     expect(lists().flat()).toHaveLength(before + 2);
     expectOrder();
+  });
+
+  it('stays on the canvas, unless the camera of the scene shows the level', () => {
+    for (const [camera, factor] of [
+      ['fit', 0],
+      ['follow', 0],
+      ['none', 1],
+    ] as const) {
+      const runner = start({ camera, depth: 31 });
+      expect([...fake.alive].find(({ depth }) => depth === 31)?.scrollFactor).toBe(factor);
+      runner.destroy();
+    }
   });
 
   it('leaves nothing behind when it throws, and the level that was played stays', () => {
@@ -408,6 +489,22 @@ describe('the view', () => {
       runner.destroy();
     }
   });
+
+  it.each([300, -300])(
+    'follow: she is within a third of the view from its middle, also outside of the level, at %i px/s',
+    (vx) => {
+      const away = drifting();
+      const of = { ...away, astronaut: { ...away.astronaut, vx }, blackHole: { ...away.blackHole, x: vx > 0 ? -400 : 400 } };
+    const runner = start({ camera: 'follow', restartAfter: null }, of);
+      frames(45);
+      // another size shows at once what the view moves to
+      Object.assign(fake.scene.cameras.main, { width: 500, height: 500 });
+      frames(1);
+      const { view, player } = runner;
+      expect(Math.abs(player.state[0])).toBeGreaterThan(200);
+      expect(Math.abs(player.state[0] - view.x)).toBeLessThanOrEqual(view.width / view.zoom / 3 + 6);
+    },
+  );
 
   it.each(['fit', 'follow'] as const)('%s: she stays visible, also after the canvas has changed its size', (camera) => {
     const runner = start({ camera, restartAfter: null }, drifting());
@@ -480,6 +577,7 @@ describe('bad input', () => {
     ['the content of a file', null, shipped('first-swing').file, /content of a level file.*it lacks (range|recoil|asteroids)/],
     ['a reading', null, readLevel(shipped('first-swing').text), /pass its `level`/],
     ['a failed reading', null, reading, /not valid \(.+\)/],
+    ['a level without a list of runs', null, { ...level, runs: undefined }, /not complete \(it lacks runs\)/],
     ['a part of a level', null, { ...level, asteroids: undefined }, /not complete \(it lacks asteroids\)/],
   ])('%s is refused by name', (_, scene, of, message) => {
     expect(() => createRunner((scene === null ? fake.scene : scene) as never, of as never)).toThrow(message);
