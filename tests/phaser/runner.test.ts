@@ -495,7 +495,7 @@ describe('the view', () => {
     (vx) => {
       const away = drifting();
       const of = { ...away, astronaut: { ...away.astronaut, vx }, blackHole: { ...away.blackHole, x: vx > 0 ? -400 : 400 } };
-    const runner = start({ camera: 'follow', restartAfter: null }, of);
+      const runner = start({ camera: 'follow', restartAfter: null }, of);
       frames(45);
       // another size shows at once what the view moves to
       Object.assign(fake.scene.cameras.main, { width: 500, height: 500 });
