@@ -1,6 +1,6 @@
 import { compile, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
 import { createVerifier, encodePlay, type Play } from '../../game/index.ts';
-import type { KnownLevel } from './library.ts';
+import type { KnownLevel } from './catalogue.ts';
 
 /** Ticks by which the end of a play may move when its level changes. */
 const NEAR = 120;

@@ -1,8 +1,8 @@
 import { decodePlay, type Play, type VerifiedPlay, type VerifyOptions } from '../../game/index.ts';
 import type { OwnRules, VerifyReport } from '../../schema/index.ts';
 import { type Candidate, candidateFor } from './candidate.ts';
+import { type Catalogue, type KnownLevel, readCatalogue } from './catalogue.ts';
 import { type EngineModule, enginesIn, folderOfEngine, loadEngine, ownEngine } from './engine-module.ts';
-import { type KnownLevel, type Library, readLibrary } from './library.ts';
 import type { ReplayTask } from './replay.ts';
 import type { Threads } from './threads.ts';
 
@@ -37,15 +37,15 @@ const NOTHING = { found: null, time: null, differs: null, challenge: null, signs
 
 /** Verifies plays against levels. */
 export class PlayDesk {
-  readonly library: Library;
-  private readonly older = new Map<string, Promise<{ library: Library; folder: string } | null>>();
+  readonly catalogue: Catalogue;
+  private readonly older = new Map<string, Promise<{ catalogue: Catalogue; folder: string } | null>>();
   private candidatesLeft: number;
 
   constructor(
     private readonly settings: PlaySettings,
     private readonly threads: Threads,
   ) {
-    this.library = readLibrary(settings.files, settings.rules, ownEngine);
+    this.catalogue = readCatalogue(settings.files, settings.rules, ownEngine);
     this.candidatesLeft = settings.candidates;
   }
 
@@ -82,9 +82,9 @@ export class PlayDesk {
     };
     const older = engine === ownEngine.id ? null : await this.olderEngine(engine);
     if (engine !== ownEngine.id && older === null) {
-      return { report: report('unknown-engine', this.unknownEngine(engine), this.library.find(play.level)) };
+      return { report: report('unknown-engine', this.unknownEngine(engine), this.catalogue.find(play.level)) };
     }
-    const known = (older?.library ?? this.library).find(play.level);
+    const known = (older?.catalogue ?? this.catalogue).find(play.level);
     if (known === null) {
       const candidate = older === null ? this.candidate(play) : null;
       return { report: report('stale-level', this.stale(candidate), null, NOTHING, candidate?.known) };
@@ -108,11 +108,11 @@ export class PlayDesk {
   private candidate(play: Play) {
     if (this.candidatesLeft === 0) return null;
     this.candidatesLeft--;
-    return candidateFor(play, this.library.levels);
+    return candidateFor(play, this.catalogue.levels);
   }
 
   private stale(candidate: Candidate | null): string {
-    const { length } = this.library.levels;
+    const { length } = this.catalogue.levels;
     const found = `no level among ${length === 1 ? 'the one' : `the ${length}`} given has the hash of the play`;
     if (candidate === null) return `${found}: it was played on another version of a level, or on another level`;
     const { known, isExact } = candidate;
@@ -128,13 +128,13 @@ export class PlayDesk {
   }
 
   /** The older engine with this identity and the levels as it sees them; null if there is none. */
-  private olderEngine(id: string): Promise<{ library: Library; folder: string } | null> {
+  private olderEngine(id: string): Promise<{ catalogue: Catalogue; folder: string } | null> {
     const load = async () => {
       const { engines, files, rules } = this.settings;
       const folder = engines === null ? null : folderOfEngine(engines, id);
       if (folder === null) return null;
       const engine: EngineModule = await loadEngine(folder, id);
-      return { library: readLibrary(files, rules, engine), folder };
+      return { catalogue: readCatalogue(files, rules, engine), folder };
     };
     // of an id that is unknown nothing is kept: there may be any number of them
     if (this.settings.engines === null || folderOfEngine(this.settings.engines, id) === null) return Promise.resolve(null);

@@ -118,7 +118,7 @@ async function verify(paths: readonly string[], options: Options, command: Comma
   );
   const folders = [...unreadable, ...(found?.unreadable ?? [])];
   const errors = folders.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
-  const warnings = desk.library.unusable.map(({ reason }) => `warning: ${visible(reason)}; no play is compared with it\n`);
+  const warnings = desk.catalogue.unusable.map(({ reason }) => `warning: ${visible(reason)}; no play is compared with it\n`);
   const format = options.format ?? (isStdin ? 'json' : 'pretty');
   const counts = new Map<string, number>();
   const shown = (reports: readonly VerifyReport[]): string => {

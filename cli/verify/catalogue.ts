@@ -12,7 +12,7 @@ export interface KnownLevel {
 }
 
 /** The levels that plays may be of, found by their hash. */
-export interface Library {
+export interface Catalogue {
   /** The level with a hash; of several files with one content, the first. */
   find(hash: string): KnownLevel | null;
   readonly levels: readonly KnownLevel[];
@@ -21,7 +21,7 @@ export interface Library {
 }
 
 /** Reads levels and computes their hashes, as an engine sees them. */
-export function readLibrary(files: readonly string[], rules: OwnRules, engine: EngineModule): Library {
+export function readCatalogue(files: readonly string[], rules: OwnRules, engine: EngineModule): Catalogue {
   const byHash = new Map<string, KnownLevel>();
   const levels: KnownLevel[] = [];
   const unusable: { file: string; reason: string }[] = [];
