@@ -1,4 +1,15 @@
+import type { Tinypool } from 'tinypool';
 import { catchSignals } from './signals.ts';
+
+/**
+ * Starts worker threads.
+ * @param filename URL of a module whose default export does one task
+ */
+export async function openPool(filename: URL, threads: number): Promise<Tinypool> {
+  const { Tinypool } = await import('tinypool');
+  catchSignals();
+  return new Tinypool({ filename: filename.href, minThreads: threads, maxThreads: threads, isolateWorkers: false });
+}
 
 /**
  * Runs tasks in worker threads.
@@ -14,10 +25,7 @@ export async function runInPool<Task, Result>(
   jobs: number,
   onDone: (done: number, result: Result) => void | Promise<void>,
 ): Promise<Result[]> {
-  const { Tinypool } = await import('tinypool');
-  catchSignals();
-  const threads = Math.max(1, Math.min(jobs, tasks.length));
-  const pool = new Tinypool({ filename: filename.href, minThreads: threads, maxThreads: threads, isolateWorkers: false });
+  const pool = await openPool(filename, Math.max(1, Math.min(jobs, tasks.length)));
   let done = 0;
   const run = async (task: Task): Promise<Result> => {
     const result: Result = await pool.run(task);

@@ -1,5 +1,5 @@
 import type { VerifiedPlay } from '../../game/index.ts';
-import { catchSignals } from '../signals.ts';
+import { openPool } from '../pool.ts';
 import { type ReplayTask, replayAll } from './replay.ts';
 
 /** Fewer plays than this are replayed before a thread has started. */
@@ -13,31 +13,21 @@ export interface Threads {
   end(): Promise<void>;
 }
 
-interface Pool {
-  run(tasks: readonly ReplayTask[]): Promise<(VerifiedPlay | null)[]>;
-  destroy(): Promise<void>;
-}
-
 /** @param jobs the largest number of threads; with 1, everything is done here */
 export function startThreads(jobs: number): Threads {
-  let pool: Pool | null = null;
+  // a promise: several batches ask for it before it is open
+  let pool: ReturnType<typeof openPool> | null = null;
   let seen = 0;
-  const startPool = async (): Promise<Pool> => {
-    const { Tinypool } = await import('tinypool');
-    catchSignals();
-    const filename = new URL('./worker.js', import.meta.url).href;
-    return new Tinypool({ filename, minThreads: jobs, maxThreads: jobs, isolateWorkers: false });
-  };
   return {
     most: 2 * jobs,
     async replay(tasks) {
       seen += tasks.length;
       if (jobs === 1 || seen <= FEW) return replayAll(tasks);
-      pool ??= await startPool();
-      return pool.run(tasks);
+      pool ??= openPool(new URL('./worker.js', import.meta.url), jobs);
+      return (await pool).run(tasks);
     },
     async end() {
-      await pool?.destroy();
+      await (await pool)?.destroy();
     },
   };
 }
