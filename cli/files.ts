@@ -130,7 +130,8 @@ function globToRegExp(pattern: string): RegExp {
   return new RegExp(`^${source}$`, 'su');
 }
 
-function once(files: readonly string[]): string[] {
+/** Each file once, however its path is written. */
+export function once(files: readonly string[]): string[] {
   const seen = new Set<string>();
   return files.filter((file) => {
     const full = resolve(file);

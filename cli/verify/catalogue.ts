@@ -16,27 +16,27 @@ export interface Catalogue {
   /** The level with a hash; of several files with one content, the first. */
   find(hash: string): KnownLevel | null;
   readonly levels: readonly KnownLevel[];
-  /** Files that are no level, or can't be read, each with the reason. */
-  readonly unusable: readonly { readonly file: string; readonly reason: string }[];
+  /** Why files are left out: each names its file, which is no level or can't be read. */
+  readonly unusable: readonly string[];
 }
 
 /** Reads levels and computes their hashes, as an engine sees them. */
 export function readCatalogue(files: readonly string[], rules: OwnRules, engine: EngineModule): Catalogue {
   const byHash = new Map<string, KnownLevel>();
   const levels: KnownLevel[] = [];
-  const unusable: { file: string; reason: string }[] = [];
+  const unusable: string[] = [];
   for (const file of files) {
     let bytes: Uint8Array;
     try {
       bytes = readBytes(file);
     } catch (error) {
       if (!(error instanceof Failure)) throw error;
-      unusable.push({ file, reason: error.message });
+      unusable.push(error.message);
       continue;
     }
     const level = engine.readLevel(bytes, rules);
     if (level === null) {
-      unusable.push({ file, reason: `${file}: not a valid level` });
+      unusable.push(`${file}: not a valid level`);
       continue;
     }
     const known: KnownLevel = { file, name: level.name, hash: engine.levelHash(level), level };

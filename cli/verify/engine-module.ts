@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { createVerifier, ENGINE_ID, levelHash, type PlayVerifier } from '../../game/index.ts';
 import { type Level, type OwnRules, readLevel } from '../../schema/index.ts';
-import { Failure } from '../failure.ts';
+import { Failure, systemReason } from '../failure.ts';
 import { namedPath } from '../shown-path.ts';
 
 /** What verifying plays needs of an engine: of this toolkit, or of an older one. */
@@ -41,20 +41,24 @@ export const ownEngine: EngineModule = moduleOf(ENGINE_ID, { ENGINE_ID, levelHas
 /** Where the built files of an engine may be in its folder: as built, as unpacked from a package, and as installed by npm. */
 const LAYOUTS = ['.', 'dist', 'package/dist', 'node_modules/gravity-quest-toolkit/dist'];
 
-/** The folder with the built files of an engine; null if `folder` has none for it. */
-export function folderOfEngine(folder: string, id: string): string | null {
-  const layout = LAYOUTS.find((path) => existsSync(join(folder, id, path, 'game/index.js')));
-  return layout === undefined ? null : join(folder, id, layout);
+/**
+ * The engines in a folder: where the built files of each are, by its identity.
+ * @throws Failure if the folder can't be read
+ */
+export function enginesIn(folder: string): ReadonlyMap<string, string> {
+  const found = new Map<string, string>();
+  for (const id of namesIn(folder)) {
+    const layout = LAYOUTS.find((path) => existsSync(join(folder, id, path, 'game/index.js')));
+    if (/^[0-9a-f]{16}$/.test(id) && layout !== undefined) found.set(id, join(folder, id, layout));
+  }
+  return found;
 }
 
-/** The identities that a folder of engines has. */
-export function enginesIn(folder: string): string[] {
+function namesIn(folder: string): string[] {
   try {
-    return readdirSync(folder)
-      .filter((name) => /^[0-9a-f]{16}$/.test(name) && folderOfEngine(folder, name) !== null)
-      .sort();
-  } catch {
-    return [];
+    return readdirSync(folder).sort();
+  } catch (error) {
+    throw new Failure(`--engines ${namedPath(folder)}: ${systemReason(error)}; expected a directory of engines`);
   }
 }
 

@@ -2,7 +2,7 @@ import { decodePlay, type Play, type VerifiedPlay, type VerifyOptions } from '..
 import type { OwnRules, VerifyReport } from '../../schema/index.ts';
 import { type Candidate, candidateFor } from './candidate.ts';
 import { type Catalogue, type KnownLevel, readCatalogue } from './catalogue.ts';
-import { type EngineModule, enginesIn, folderOfEngine, loadEngine, ownEngine } from './engine-module.ts';
+import { enginesIn, loadEngine, ownEngine } from './engine-module.ts';
 import type { ReplayTask } from './replay.ts';
 import type { Threads } from './threads.ts';
 
@@ -33,18 +33,28 @@ type Prepared =
   | { readonly report: VerifyReport }
   | { readonly task: ReplayTask; complete(verified: VerifiedPlay | null): VerifyReport };
 
+/** An older engine: the levels as it sees them, and the folder with its built files. */
+interface OlderEngine {
+  readonly catalogue: Catalogue;
+  readonly folder: string;
+}
+
 const NOTHING = { found: null, time: null, differs: null, challenge: null, signs: null } as const;
 
 /** Verifies plays against levels. */
 export class PlayDesk {
   readonly catalogue: Catalogue;
-  private readonly older = new Map<string, Promise<{ catalogue: Catalogue; folder: string } | null>>();
+  /** Where older engines are. */
+  private readonly engines: ReadonlyMap<string, string>;
+  /** Those that were asked for. */
+  private readonly older = new Map<string, Promise<OlderEngine>>();
   private candidatesLeft: number;
 
   constructor(
     private readonly settings: PlaySettings,
     private readonly threads: Threads,
   ) {
+    this.engines = settings.engines === null ? new Map() : enginesIn(settings.engines);
     this.catalogue = readCatalogue(settings.files, settings.rules, ownEngine);
     this.candidatesLeft = settings.candidates;
   }
@@ -123,24 +133,22 @@ export class PlayDesk {
     const found = `expected a play of engine ${ownEngine.id}, found one of ${engine}`;
     const { engines } = this.settings;
     if (engines === null) return `${found}; --engines DIR looks up older ones`;
-    const known = enginesIn(engines);
-    return `${found}; ${engines} has ${known.length === 0 ? 'no engine' : `engine ${known.join(', ')}`}`;
+    const known = this.engines.size === 0 ? 'no engine' : `engine ${[...this.engines.keys()].join(', ')}`;
+    return `${found}; ${engines} has ${known}`;
   }
 
-  /** The older engine with this identity and the levels as it sees them; null if there is none. */
-  private olderEngine(id: string): Promise<{ catalogue: Catalogue; folder: string } | null> {
-    const load = async () => {
-      const { engines, files, rules } = this.settings;
-      const folder = engines === null ? null : folderOfEngine(engines, id);
-      if (folder === null) return null;
-      const engine: EngineModule = await loadEngine(folder, id);
-      return { catalogue: readCatalogue(files, rules, engine), folder };
-    };
-    // of an id that is unknown nothing is kept: there may be any number of them
-    if (this.settings.engines === null || folderOfEngine(this.settings.engines, id) === null) return Promise.resolve(null);
-    const loading = this.older.get(id) ?? load();
+  /** The older engine with this identity, read once; null if there is none. */
+  private async olderEngine(id: string): Promise<OlderEngine | null> {
+    const folder = this.engines.get(id);
+    if (folder === undefined) return null;
+    const loading = this.older.get(id) ?? this.load(id, folder);
     this.older.set(id, loading);
     return loading;
+  }
+
+  private async load(id: string, folder: string): Promise<OlderEngine> {
+    const { files, rules } = this.settings;
+    return { catalogue: readCatalogue(files, rules, await loadEngine(folder, id)), folder };
   }
 }
 

@@ -48,7 +48,7 @@ const reports = ({ stdout }: Ended): VerifyReport[] =>
 
 describe('gq verify', () => {
   it('says of every play in files and folders what it is, in order', async () => {
-    const { code, stdout, stderr } = await gq(['verify', 'plays', 'plays/good.gqr'], { cwd });
+    const { code, stdout, stderr } = await gq(['verify', 'plays', './plays/good.gqr'], { cwd });
     expect(stderr).toBe('warning: levels/broken.level.json: not a valid level; no play is compared with it\n');
     expect(stdout).toBe(
       [
@@ -109,6 +109,11 @@ describe('gq verify', () => {
       'engines that are not there',
       ['plays', '--engines', 'x'],
       '--engines x: no such file or directory; expected a directory of engines',
+    ],
+    [
+      'a file of engines',
+      ['plays', '--engines', 'key.txt'],
+      '--engines key.txt: part of its path is a file, not a directory; expected a directory of engines',
     ],
     ['a short key', ['plays', '--challenge-key', 'short.txt'], 'expected a key of 16 to 4096 bytes, found 5'],
     ['a time without a key', ['plays', '--now', '5'], '--now has no effect without --challenge-key'],

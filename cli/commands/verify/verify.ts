@@ -8,7 +8,7 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure, systemReason } from '../../failure.ts';
-import { statOrError, walk } from '../../files.ts';
+import { once, statOrError, walk } from '../../files.ts';
 import { findConfigured } from '../../level-paths.ts';
 import { collect, jobsOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
@@ -97,7 +97,6 @@ async function verify(paths: readonly string[], options: Options, command: Comma
   refuseUnused(command, [{ option: '--now', isUsed: options.challengeKey !== undefined, needs: '--challenge-key' }]);
   const configuration = readConfiguration(options);
   const challengeKey = options.challengeKey === undefined ? undefined : readKey(options.challengeKey);
-  if (options.engines !== undefined) expectFolder(options.engines);
   const found = isStdin ? null : findPlays(paths);
   const { files, unreadable } = await findConfigured(options.levels ?? [], configuration);
   const threads = startThreads(options.jobs);
@@ -118,7 +117,7 @@ async function verify(paths: readonly string[], options: Options, command: Comma
   );
   const folders = [...unreadable, ...(found?.unreadable ?? [])];
   const errors = folders.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
-  const warnings = desk.catalogue.unusable.map(({ reason }) => `warning: ${visible(reason)}; no play is compared with it\n`);
+  const warnings = desk.catalogue.unusable.map((reason) => `warning: ${visible(reason)}; no play is compared with it\n`);
   const format = options.format ?? (isStdin ? 'json' : 'pretty');
   const counts = new Map<string, number>();
   const shown = (reports: readonly VerifyReport[]): string => {
@@ -160,13 +159,6 @@ async function print(text: string): Promise<boolean> {
   return !stdout.destroyed && stdout.errored === null;
 }
 
-function expectFolder(path: string): void {
-  const stats = statOrError(path);
-  if (stats instanceof Error)
-    throw new Failure(`--engines ${namedPath(path)}: ${systemReason(stats)}; expected a directory of engines`);
-  if (!stats.isDirectory()) throw new Failure(`--engines ${namedPath(path)}: it is a file; expected a directory of engines`);
-}
-
 /** The key in a file, without the end of its line. */
 function readKey(path: string): Uint8Array {
   const bytes = readBytes(path);
@@ -201,7 +193,7 @@ function findPlays(paths: readonly string[]): FoundPlays {
       files.push(...found);
     } else files.push(path);
   }
-  if (unmatched.length === 0) return { files: [...new Set(files)], unreadable };
+  if (unmatched.length === 0) return { files: once(files), unreadable };
   throw new Failure(
     `nothing was verified: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no play\n${unmatched.map((line) => `  ${line}\n`).join('')}expected a .gqr file, a directory of them, or - for standard input`,
   );
