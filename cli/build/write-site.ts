@@ -1,5 +1,5 @@
 import { randomBytes } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { renamePatiently } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
@@ -78,9 +78,9 @@ export function planSite(
   const entries = namesIn(site, shown);
   if (own === null && entries.length > 0 && !overwrite) throw notOurs(words, entries);
   const planned = plan();
-  const isOurs = ({ name, before }: (typeof planned)[number]): boolean =>
-    before !== null && (name === MARKER || own?.get(name) === hashOf(before));
-  const others = planned.filter((file) => file.status === 'overwritten' && !isOurs(file));
+  const isOurs = ({ name, before, status }: (typeof planned)[number]): boolean =>
+    status !== 'overwritten' || name === MARKER || own?.get(name) === hashOf(before!);
+  const others = planned.filter((file) => !isOurs(file) || isThroughLink(site, file.name));
   if (others.length > 0 && !overwrite) {
     const names = others.map(({ file }) => `  ${file}\n`).join('');
     const what = others.length === 1 ? 'this file is' : 'these files are';
@@ -90,7 +90,7 @@ export function planSite(
   }
   const stale = [...(own ?? [])].flatMap(([name, hash]) => {
     const path = join(site, name);
-    return !files.has(name) && hashNow(path) === hash ? [path] : [];
+    return !files.has(name) && hashNow(path) === hash && !isThroughLink(site, name) ? [path] : [];
   });
   return { site, shown, isNew: false, files: planned, stale };
 }
@@ -108,6 +108,20 @@ function namesIn(site: string, shown: string): readonly string[] {
     return readdirSync(site).sort();
   } catch (error) {
     throw new Failure(`${shown}: can't be read: ${systemReason(error)}`);
+  }
+}
+
+/** Whether a link lies between a site and a file in it: it may lead out of the folder. */
+function isThroughLink(site: string, name: string): boolean {
+  const parts = name.split('/');
+  return parts.some((_, i) => isLink(join(site, ...parts.slice(0, i + 1))));
+}
+
+function isLink(path: string): boolean {
+  try {
+    return lstatSync(path).isSymbolicLink();
+  } catch {
+    return false;
   }
 }
 

@@ -1,5 +1,5 @@
 import { lstatSync } from 'node:fs';
-import { basename, dirname, join } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { VERDICT_MEANS } from '../../check/words/index.ts';
 import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { LEVEL_ID_PART, type PublishRequest, type PublishResponse, type RefusedLevel } from '../../schema/index.ts';
@@ -58,7 +58,9 @@ async function publish(
 ): Promise<PublishResponse> {
   const { site: name, level, title, withRuns, force } = request;
   const site = siteOf(root, name);
-  const words: SiteWords = { shown: join(shown, '..', name), ifTaken: 'choose another name', ifChanged: 'choose another name' };
+  // beside a link to the folder there is nothing
+  const near = resolve(shown) === root ? join(shown, '..', name) : site;
+  const words: SiteWords = { shown: near, ifTaken: 'choose another name', ifChanged: 'choose another name' };
   try {
     planSite(site, new Map(), false, words);
     const configuration = readConfiguration({ config }, configFrom);

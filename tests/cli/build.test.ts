@@ -4,8 +4,9 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { runInNewContext } from 'node:vm';
 import { afterAll, describe, expect, it } from 'vitest';
+import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { buildReportSchema, readLevel } from '../../schema/index.ts';
-import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
 const short = { runs: [{ name: 'short', holds: [[0, 1]] }] };
 const files = makeFiles({
@@ -210,6 +211,37 @@ describe('the folder of gq build', () => {
     }
   });
 
+  it('is not left through a link in it, whatever its list of files says', async () => {
+    await build('levels', '--out', 'leads');
+    const hash = JSON.parse(read('leads/.gq-build.json')).files['pack.js'];
+    const content = read('leads/pack.js');
+    mkdirSync(join(cwd, 'away'));
+    writeFileSync(join(cwd, 'away/pack.js'), content);
+    // as stale files of an earlier version
+    symlinkSync('../away', join(cwd, 'leads/old'));
+    const marker = JSON.parse(read('leads/.gq-build.json'));
+    marker.files['old/pack.js'] = hash;
+    writeFileSync(join(cwd, 'leads/.gq-build.json'), JSON.stringify(marker));
+    expect((await build(LEVEL, '--out', 'leads')).code).toBe(0);
+    expect(read('away/pack.js')).toBe(content);
+    // as files of this one
+    await build('levels', '--out', 'leads');
+    for (const [name, target] of [
+      ['pack.js', '../away/pack.js'],
+      ['game.js', '../away/new.js'],
+    ]) {
+      const kept = read(join('leads', name));
+      rmSync(join(cwd, 'leads', name));
+      symlinkSync(target, join(cwd, 'leads', name));
+      const refused = await build(LEVEL, '--out', 'leads');
+      expect(refused).toMatchObject({ code: 2, stdout: '' });
+      expect(refused.stderr).toContain(`\n  leads/${name}\n`);
+      rmSync(join(cwd, 'leads', name));
+      writeFileSync(join(cwd, 'leads', name), kept);
+    }
+    expect(all('away')).toEqual({ 'pack.js': content });
+  });
+
   it('keeps a file of the page that somebody has changed, but for the ends of its lines', async () => {
     await build(LEVEL, '--out', 'edited');
     writeFileSync(join(cwd, 'edited/pack.js'), read('edited/pack.js').replaceAll('\n', '\r\n'));
@@ -224,6 +256,28 @@ describe('the folder of gq build', () => {
     expect((await build(LEVEL, '--out', 'edited', '--overwrite')).code).toBe(0);
     expect(read('edited/index.html')).not.toBe(mine);
   });
+
+  it.runIf(process.platform !== 'win32')(
+    'is known after a build that was killed, and complete after the same build again',
+    async () => {
+      /** kill -9 before a file gets its place */
+      const killed = async (number: number, ...args: string[]) => {
+        const env = interruptAt({ of: 'renameSync', number, signals: ['SIGKILL'] });
+        expect((await gqProcess(['build', ...args, '--no-cache'], { cwd, env })).signal).toBe('SIGKILL');
+      };
+      await build('levels', '--out', 'all');
+      mkdirSync(join(cwd, 'killed'));
+      await killed(3, LEVEL, '--out', 'killed');
+      expect(readdirSync(join(cwd, 'killed'))).not.toContain('pack.js');
+      expect((await build(LEVEL, '--out', 'killed')).code).toBe(0);
+      // the page has another title, and the file that lists its files is written last
+      await killed(3, 'levels', '--out', 'killed');
+      expect(read('killed/pack.js')).toBe(read('all/pack.js'));
+      expect(read('killed/.gq-build.json')).not.toBe(read('all/.gq-build.json'));
+      expect((await build('levels', '--out', 'killed')).code).toBe(0);
+      expect(all('killed')).toMatchObject(all('all'));
+    },
+  );
 
   it('may be reached through a link', async () => {
     mkdirSync(join(cwd, 'real'));

@@ -24,8 +24,8 @@ afterEach(async () => {
   made.remove();
 });
 
-const publish = (more: Partial<PublishRequest> = {}) =>
-  server.page.send('POST', EDIT_API.PUBLISH, {
+const publish = (more: Partial<PublishRequest> = {}, { page } = server) =>
+  page.send('POST', EDIT_API.PUBLISH, {
     ...{ site: 'site', level: null, title: 'Mine', withRuns: true, force: false, client: 'page-1' },
     ...more,
   });
@@ -48,6 +48,18 @@ describe('POST PUBLISH', () => {
     expect((await publish({ level: '1-good', withRuns: false, title: 'Other' })).status).toBe(200);
     expect(pack()).toContain('"title": "Other"');
     expect(pack()).not.toContain('"runs"');
+  });
+
+  it('says where the page is when the folder of the levels was opened through a link', async () => {
+    symlinkSync('game/levels', join(made.folder, 'linked'));
+    const linked = await serve(join(made.folder, 'linked'));
+    try {
+      const { site } = publishResponseSchema.parse((await publish({ level: '1-good' }, linked)).json());
+      expect(existsSync(join(made.folder, 'game/site/index.html'))).toBe(true);
+      expect(realpathSync(site)).toBe(realpathSync(join(made.folder, 'game/site')));
+    } finally {
+      await linked.close();
+    }
   });
 
   it('names the levels that are not known to be completable, and publishes them only when it is told to', async () => {
