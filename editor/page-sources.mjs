@@ -57,21 +57,22 @@ export function fingerprint(project, sources = SOURCES) {
  * @param {string} project
  * @param {string} id as the bundler has it, perhaps with a query
  */
-export function isSource(project, id) {
-  const path = pathOf(project, id);
-  return path === null || path.split('/').includes('node_modules') || SOURCES.includes(path.split('/')[0]);
-}
+export const isSource = (project, id) => isIn(SOURCES, pathOf(project, id));
 
 /**
  * The same for the game of `gq build`, which is made of rooms as they are compiled.
  * @param {string} project
  * @param {string} id
  */
-export function isSiteSource(project, id) {
-  const path = pathOf(project, id);
+export const isSiteSource = (project, id) => isIn(SITE_SOURCES, pathOf(project, id)?.replace(/^dist\//, '') ?? null);
+
+/**
+ * @param {readonly string[]} sources
+ * @param {string | null} path
+ */
+function isIn(sources, path) {
   if (path === null || path.split('/').includes('node_modules')) return true;
-  const source = path.replace(/^dist\//, '');
-  return SITE_SOURCES.some((one) => source === one || source.startsWith(`${one}/`));
+  return sources.some((source) => path === source || path.startsWith(`${source}/`));
 }
 
 /**

@@ -1,8 +1,7 @@
 import { createHash } from 'node:crypto';
-import { readdirSync, readFileSync } from 'node:fs';
-import { extname, join, sep } from 'node:path';
+import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { Failure, systemReason } from '../failure.ts';
+import { readBuilt } from '../built-files.ts';
 
 /** A file of the page. */
 export interface PageFile {
@@ -38,21 +37,11 @@ export const PAGE = fileURLToPath(new URL('../../editor', import.meta.url));
  */
 export function readPage(folder: string): ReadonlyMap<string, PageFile> {
   const files = new Map<string, PageFile>();
-  try {
-    for (const entry of readdirSync(folder, { recursive: true, withFileTypes: true })) {
-      const type = TYPES[extname(entry.name)];
-      if (!entry.isFile() || type === undefined) continue;
-      const path = join(entry.parentPath, entry.name);
-      const content = new Uint8Array(readFileSync(path));
-      const address = path.slice(folder.length).split(sep).join('/');
-      const etag = `"${createHash('sha256').update(content).digest('base64url')}"`;
-      files.set(address, { content, type, etag, isForever: address.startsWith('/assets/') });
-    }
-  } catch (error) {
-    throw new Failure(`the editor's page can't be read: ${folder}: ${systemReason(error)}; npm run build makes it again`);
+  for (const [path, content] of readBuilt(folder, "the editor's page")) {
+    const type = TYPES[extname(path)];
+    if (type === undefined) continue;
+    const etag = `"${createHash('sha256').update(content).digest('base64url')}"`;
+    files.set(`/${path}`, { content, type, etag, isForever: path.startsWith('assets/') });
   }
-  const index = files.get('/index.html');
-  if (index === undefined)
-    throw new Failure(`the editor's page is missing: expected ${folder}/index.html; npm run build makes it`);
-  return files.set('/', index);
+  return files.set('/', files.get('/index.html')!);
 }
