@@ -1,23 +1,24 @@
 import { lstatSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
-import { VERDICT_MEANS } from '../../check/words/index.ts';
 import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { LEVEL_ID_PART, type PublishRequest, type PublishResponse, type RefusedLevel } from '../../schema/index.ts';
 import {
   type BuiltPack,
   checkPack,
   findPack,
+  isUnplayable,
   packOf,
   planSite,
   readGame,
+  refusedOf,
   type SiteWords,
   siteFiles,
+  whyRefused,
   writeSite,
 } from '../build/index.ts';
 import type { ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { readConfiguration } from '../read-configuration.ts';
-import { isFailing } from '../show-failure/index.ts';
 import { findLevel } from './level-files.ts';
 import { Refusal } from './refusal.ts';
 import { unknownLevel } from './refusals.ts';
@@ -101,20 +102,15 @@ function fileOf(root: string, shown: string, id: string): { file: string; id: st
   return { file: join(shown, `${id}.level.json`), id };
 }
 
-function refuseLevels({ levels }: BuiltPack, force: boolean): void {
-  const isNever = ({ verdict }: (typeof levels)[number]): boolean => verdict === 'invalid' || verdict === 'crashed';
-  const refused = levels.filter((one) => (force ? isNever(one) : isFailing(one)));
+function refuseLevels(pack: BuiltPack, force: boolean): void {
+  const refused = refusedOf(pack, force);
   if (refused.length === 0) return;
-  const list = refused.map(({ id, name, verdict, problems }): RefusedLevel => {
+  const list = refused.map((level): RefusedLevel => {
+    const { id, name, verdict, problems } = level;
     const error = problems.find(({ severity }) => severity === 'error');
-    return {
-      id,
-      name,
-      verdict,
-      message: error?.message ?? (verdict === 'completable' ? 'it has an error' : VERDICT_MEANS[verdict]),
-    };
+    return { id, name, verdict, message: error?.message ?? whyRefused(level) };
   });
-  const message = `${refused.length} of ${levels.length} levels can't be published as they are`;
-  const hint = refused.some(isNever) ? 'Fix the levels that are not valid.' : 'Fix them, or publish them all the same.';
+  const message = `${refused.length} of ${pack.levels.length} levels can't be published as they are`;
+  const hint = refused.some(isUnplayable) ? 'Fix the levels that are not valid.' : 'Fix them, or publish them all the same.';
   throw new Refusal('not-completable', message, hint, { levels: list });
 }

@@ -3,17 +3,7 @@ import process from 'node:process';
 import { gzipSync } from 'node:zlib';
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/basics/index.ts';
-import {
-  type BuiltPack,
-  checkPack,
-  findPack,
-  GAME,
-  packOf,
-  planSite,
-  readGame,
-  siteFiles,
-  writeSite,
-} from '../../build/index.ts';
+import { checkPack, findPack, GAME, packOf, planSite, readGame, refusedOf, siteFiles, writeSite } from '../../build/index.ts';
 import { addCacheOptions, type CacheOptions, chosenCache } from '../../cache/index.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch } from '../../check/index.ts';
 import { colorsFor } from '../../colors.ts';
@@ -132,7 +122,3 @@ async function build(paths: readonly string[], options: Options): Promise<Comman
   const messages = forced.length === 0 ? '' : refusedInWords(pack, forced, { force: 'built', colors: colorsFor(process.stderr) });
   return { output: format === 'json' ? buildJson(done) : buildPretty(done), messages, exitCode: 0 };
 }
-
-/** The levels because of which nothing is built: with `force` only those that nobody can play. */
-const refusedOf = ({ levels }: BuiltPack, force: boolean): BuiltPack['levels'] =>
-  levels.filter((level) => (force ? level.verdict === 'invalid' || level.verdict === 'crashed' : isFailing(level)));

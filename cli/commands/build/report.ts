@@ -1,7 +1,7 @@
 import { join } from 'node:path';
-import { plural, VERDICT_MEANS } from '../../../check/words/index.ts';
+import { plural } from '../../../check/words/index.ts';
 import type { BuildReport } from '../../../schema/index.ts';
-import type { BuiltPack, SiteFile } from '../../build/index.ts';
+import { type BuiltPack, isUnplayable, type SiteFile, whyRefused } from '../../build/index.ts';
 import type { Colors } from '../../colors.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
 import { shellPath } from '../../shown-path.ts';
@@ -68,22 +68,20 @@ export function refusedInWords(
   refused: Levels,
   { force, colors }: { readonly force: boolean | 'built'; readonly colors: Colors },
 ): string {
-  const lines = refused.map(({ file, name, verdict, problems }) => {
-    const isNamed = verdict !== 'invalid' && verdict !== 'crashed';
+  const lines = refused.map((level) => {
+    const { file, name, verdict, problems } = level;
+    const named = isUnplayable(level) ? '' : ` (${visibleLine(name)})`;
     const paint = verdict === 'completable' || verdict === 'unproven' ? colors.yellow : colors.red;
     const errors = problems.filter(({ severity }) => severity === 'error');
-    const meaning = verdict === 'completable' ? 'it has an error' : VERDICT_MEANS[verdict];
-    return `${paint(verdict)} ${visibleLine(file)}${isNamed ? ` (${visibleLine(name)})` : ''}: ${meaning}\n${showFileProblems(file, errors, colors)}`;
+    return `${paint(verdict)} ${visibleLine(file)}${named}: ${whyRefused(level)}\n${showFileProblems(file, errors, colors)}`;
   });
   const count = `${refused.length} of ${plural(levels.length, 'level')}`;
   return `${lines.join('')}${force === 'built' ? `warning: built all the same: ${count}\n` : refusal(count, refused, force)}`;
 }
 
 function refusal(count: string, refused: Levels, force: boolean): string {
-  const isBroken = refused.some(({ verdict }) => verdict === 'invalid' || verdict === 'crashed');
-  const others = refused.some(({ verdict }) => verdict !== 'invalid' && verdict !== 'crashed');
   const leaveOut = 'fix them, or leave them out with "ignore" in gq.config.json';
-  const anyway = others && !force ? '; --force builds levels that are not known to be completable' : '';
-  const never = isBroken ? '; nobody can play a level that is not valid, so --force does not build it' : '';
+  const anyway = !force && !refused.every(isUnplayable) ? '; --force builds levels that are not known to be completable' : '';
+  const never = refused.some(isUnplayable) ? '; nobody can play a level that is not valid, so --force does not build it' : '';
   return `nothing was written, because of ${count}: ${leaveOut}${anyway}${never}\n`;
 }
