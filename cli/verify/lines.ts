@@ -81,7 +81,7 @@ export function readLine(text: string | null): SubmittedPlay | null {
 function submitted(id: string | number | null, subject: string | null, text: string): SubmittedPlay {
   const bytes = playFromText(text);
   if (bytes !== null) return { id, subject, bytes };
-  if (text.length > MOST_BYTES / 2 && /^[\w-]*$/.test(text)) {
+  if ((text.length * 6) / 8 >= PLAY_LIMITS.bytes + 1 && /^[\w-]*$/.test(text)) {
     return { id, verdict: 'too-long', why: `expected a play of at most ${PLAY_LIMITS.bytes} bytes, found a longer one` };
   }
   return { id, verdict: 'malformed', why: 'expected the base64url of a play: letters, digits, - and _ without padding' };
