@@ -1,5 +1,5 @@
 import { randomBytes } from 'node:crypto';
-import { existsSync, lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
+import { lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { renamePatiently } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
@@ -171,10 +171,8 @@ async function writeNew({ site, shown, files }: SitePlan): Promise<void> {
       mkdirSync(dirname(path), { recursive: true });
       writeFileSync(path, content, { flag: 'wx' });
     }),
-    () => {
-      if (existsSync(target)) throw Object.assign(new Error('it was made meanwhile'), { code: 'TAKEN' });
-      renamePatiently(unfinished, target);
-    },
+    // fails if somebody has put something there meanwhile
+    () => renamePatiently(unfinished, target),
   ];
   const takeBack = (): void => {
     rmSync(unfinished, { recursive: true, force: true });

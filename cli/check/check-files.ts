@@ -1,7 +1,8 @@
 import { setMaxListeners } from 'node:events';
 import { statOrError } from '../files.ts';
+import { openPool } from '../pool.ts';
 import { isStream } from '../read-bytes.ts';
-import { catchSignals, hearSignals, type StoppingSignal, stoppable } from '../signals.ts';
+import { hearSignals, type StoppingSignal, stoppable } from '../signals.ts';
 import { type Bail, cutAtBail, FailureCount } from './bail.ts';
 import type { CheckedFile } from './check-level.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
@@ -156,17 +157,10 @@ async function checkInWorkers(
   stopping: AbortSignal | null,
 ): Promise<CheckedFile[]> {
   if (files.length === 0) return [];
-  const { Tinypool } = await import('tinypool');
-  catchSignals();
   // several batches for each worker, so that none waits long for one with slow levels
   const size = isLong(work.settings) ? 1 : Math.max(1, Math.min(32, Math.ceil(files.length / (4 * jobs))));
   const threads = Math.min(jobs, Math.ceil(files.length / size));
-  const pool = new Tinypool({
-    filename: new URL('./worker.js', import.meta.url).href,
-    minThreads: threads,
-    maxThreads: threads,
-    isolateWorkers: false,
-  });
+  const pool = await openPool(new URL('./worker.js', import.meta.url), threads);
   let done = 0;
   const enough = new AbortController();
   // every batch listens

@@ -7,6 +7,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { buildReportSchema, readLevel } from '../../schema/index.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
+import { narrowGap } from './levels.ts';
 
 const short = { runs: [{ name: 'short', holds: [[0, 1]] }] };
 const files = makeFiles({
@@ -18,6 +19,11 @@ const files = makeFiles({
   'drafts/3-no-run.level.json': fallThrough({ name: 'No run', runs: [] }),
   'bad/1-good.level.json': fallThrough({ name: 'Good' }),
   'bad/2-invalid.level.json': '{ "version": 1, "name": 3 }',
+  'same/a.json': fallThrough(),
+  'same/a.level.json': fallThrough(),
+  'racing/1.level.json': fallThrough(),
+  'slow/1.level.json': fallThrough(),
+  'slow/2.level.json': narrowGap(),
   'ruled/gq.config.json': JSON.stringify({
     levels: ['b', 'a'],
     ignore: 'a/draft*',
@@ -81,6 +87,11 @@ describe('gq build', () => {
     expect(packIn('alone')).toMatchObject({ title: 'Inside', levels: [{ id: '1', level: { name: 'Inside' } }] });
   });
 
+  it('plays paths in their order, and a file that two of them name where it is named first', async () => {
+    expect(await build('levels/10-last.level.json', 'levels', '--out', 'twice')).toMatchObject({ code: 0 });
+    expect(idsIn('twice')).toEqual(['10-last', '2-first', 'world/1']);
+  });
+
   it('follows the configuration: paths in their order, ignored files, accuracy, and rules, which become those of each level', async () => {
     const made = await gq(['build', '--out', 'site', '--no-runs', '--format', 'json'], { cwd: join(cwd, 'ruled') });
     expect(made).toMatchObject({ code: 0, stderr: '' });
@@ -140,6 +151,7 @@ describe('gq build', () => {
     ['levels/2-first.level.json --out ""', 'expected a folder, found an empty name'],
     ['levels --out levels/2-first.level.json', 'is a file'],
     ['levels --out levels/2-first.level.json/site', 'part of its path is a file'],
+    ['same/a.json same/a.level.json', 'expected one level "a", found same/a.json as well'],
     ['levels --out x --budget 3', '--solve'],
     ['levels --out x --title ""', 'expected a line of 1 to 200 characters'],
   ])('gq build %s: says what is wrong', async (args, message) => {
@@ -148,6 +160,40 @@ describe('gq build', () => {
     expect(refused).toMatchObject({ code: 2, stdout: '' });
     expect(refused.stderr).toContain(message);
     expect(existsSync(join(cwd, 'x'))).toBe(false);
+  });
+});
+
+describe.runIf(process.platform !== 'win32')('gq build writes nothing', () => {
+  const refused = async (env: Readonly<Record<string, string>>, ...args: string[]) => {
+    const ended = await gqProcess(['build', ...args, '--out', 'nothing', '--jobs', '1', '--no-cache'], { cwd, env });
+    expect(existsSync(join(cwd, 'nothing'))).toBe(false);
+    return ended;
+  };
+
+  it('of a pipe, which could be read only once', async () => {
+    spawnSync('mkfifo', [join(cwd, 'pipe.level.json')]);
+    expect(await refused({}, 'pipe.level.json')).toMatchObject({
+      code: 2,
+      stderr: "error: pipe.level.json: can't be built: it is a named pipe, not a regular file; expected a level file\n",
+    });
+  });
+
+  it('when a level changes while it is checked', async () => {
+    // three files of the game are opened, the level for the pack, and then the level for the check
+    const write = { path: join(cwd, 'racing/1.level.json'), text: fallThrough({ name: 'Other' }) };
+    expect(await refused(interruptAt({ of: 'openSync', number: 5, write }), 'racing')).toMatchObject({
+      code: 2,
+      stderr: expect.stringContaining('racing/1.level.json: the file has changed during the check, so nothing was written'),
+    });
+  });
+
+  it('when a signal ends the check', async () => {
+    const env = interruptAt({ of: 'postMessage', after: 'online', number: 1, signals: ['SIGINT'] });
+    expect(await refused(env, 'slow', '--solve', '--budget', '20', '--force')).toMatchObject({
+      code: 130,
+      stdout: '',
+      stderr: 'nothing was written: the check was interrupted\n',
+    });
   });
 });
 
@@ -163,6 +209,9 @@ describe('the folder of gq build', () => {
       /gq build has not made this folder, and it is not empty \(notes\.txt\): expected .*--overwrite/,
     );
     expect(readdirSync(join(cwd, 'mine'))).toEqual(['notes.txt']);
+    // the folder is looked at first: a check may take long
+    expect((await build('drafts', '--out', 'mine')).stderr).toBe(refused.stderr);
+    expect((await build(LEVEL, '--out', 'levels/..')).stderr).toMatch(/not empty \(\S+, \S+, \S+ and \d+ more\)/);
     // --force is about levels
     expect((await build(LEVEL, '--out', 'mine', '--force')).code).toBe(2);
     expect((await build(LEVEL, '--out', 'mine', '--overwrite')).code).toBe(0);
@@ -182,19 +231,19 @@ describe('the folder of gq build', () => {
     const marker = JSON.parse(read('kept/.gq-build.json'));
     const hash = marker.files['pack.js'];
     // an earlier version of the game had more files, of which one has changed since
-    for (const name of ['old/a.js', 'old/b.js', 'mine.js']) {
-      mkdirSync(join(cwd, 'kept/old'), { recursive: true });
+    for (const name of ['gone/a.js', 'old/a.js', 'old/b.js', 'mine.js']) {
+      mkdirSync(join(cwd, 'kept', name, '..'), { recursive: true });
       writeFileSync(join(cwd, 'kept', name), name === 'old/b.js' ? 'changed' : read('kept/pack.js'));
     }
     writeFileSync(join(cwd, 'outside.js'), read('kept/pack.js'));
-    marker.files['old/a.js'] = hash;
-    marker.files['old/b.js'] = hash;
+    for (const name of ['gone/a.js', 'old/a.js', 'old/b.js']) marker.files[name] = hash;
     writeFileSync(join(cwd, 'kept/.gq-build.json'), JSON.stringify(marker));
     const again = await build(LEVEL, '--out', 'kept');
     expect(again).toMatchObject({ code: 0 });
     expect(again.stdout).toContain('overwritten kept/pack.js\n');
     expect(again.stdout).toContain('removed kept/old/a.js\n');
     expect(existsSync(join(cwd, 'kept/old/a.js'))).toBe(false);
+    expect(existsSync(join(cwd, 'kept/gone'))).toBe(false);
     expect(read('kept/old/b.js')).toBe('changed');
     expect(existsSync(join(cwd, 'kept/mine.js'))).toBe(true);
   });

@@ -23,6 +23,7 @@ const files = makeFiles({
   'levels/a.level.json': first.text,
   'levels/b.level.json': swing.text,
   'levels/broken.level.json': '{',
+  'levels/z-copy.level.json': first.text,
   'later/b.level.json': JSON.stringify(moved),
   'plays/good.gqr': good,
   'plays/sub/other.gqr': other,
@@ -214,14 +215,22 @@ describe('gq verify -', () => {
     expect([ended.code, answers, reports(ended).length]).toEqual([0, 2, 2]);
   });
 
+  it('tries no stale play on other levels: there may be any number of them', async () => {
+    const [{ verdict, level }] = reports(await piped(playToText(changed(good, 20))));
+    expect([verdict, level?.mayBe]).toEqual(['stale-level', null]);
+  });
+
   it('without a play is an error', async () => {
     expect(await piped('\n\n')).toMatchObject({ code: 2, stderr: expect.stringContaining('standard input has no play') });
   });
 
   it('gives the same answers with threads, and stops when nobody reads them', async () => {
     const lines = `${playToText(good)}\n${playToText(other)}\n`.repeat(350);
-    const [two, cut] = await Promise.all([
-      gqProcess(['verify', '-', '--jobs', '2'], { cwd, env: COUNTS_THREADS, during: ({ stdin }) => stdin?.end(lines) }),
+    const counted = (jobs: string) =>
+      gqProcess(['verify', '-', '--jobs', jobs], { cwd, env: COUNTS_THREADS, during: ({ stdin }) => stdin?.end(lines) });
+    const [one, two, cut] = await Promise.all([
+      counted('1'),
+      counted('2'),
       gqProcess(['verify', '-', '--jobs', '1'], {
         cwd,
         during({ stdin, stdout }) {
@@ -231,6 +240,7 @@ describe('gq verify -', () => {
         },
       }),
     ]);
+    expect([one.code, one.stderr, one.stdout]).toEqual([0, `${cut.stderr}0 threads\n`, two.stdout]);
     expect(two.code).toBe(0);
     const places = two.stdout
       .split('\n')
@@ -291,6 +301,12 @@ describe('older engines', () => {
     writeFileSync(join(cwd, 'engines', OLD, 'package.json'), '{ "type": "module" }');
     const constant = join(place, 'game/play/engine-id.js');
     writeFileSync(constant, readFileSync(constant, 'utf8').replace(/(ENGINE_ID = ')[0-9a-f]*/, `$1${OLD}`));
+    // it had other hashes of levels, too
+    const hashes = join(place, 'game/play/level-hash.js');
+    const flipped = `export const levelHash = (level) => hashOf(level).replace(/^./, (digit) => (digit === '0' ? '1' : '0'));\n`;
+    writeFileSync(hashes, flipped + readFileSync(hashes, 'utf8').replace('export function levelHash(', 'function hashOf('));
+    old[13] = old[13] < 0x10 ? old[13] | 0x10 : old[13] & 0x0f;
+    writeFileSync(join(cwd, 'bad/old.gqr'), old);
     const ended = await gq(['verify', 'bad/old.gqr', 'plays/good.gqr', '--engines', 'engines', '--format', 'json'], { cwd });
     expect(reports(ended).map(({ verdict, engine, level }) => [verdict, engine, level?.name])).toEqual([
       ['ok', OLD, 'First Pull'],

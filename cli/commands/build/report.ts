@@ -76,12 +76,12 @@ export function refusedInWords(
     return `${paint(verdict)} ${visibleLine(file)}${named}: ${whyRefused(level)}\n${showFileProblems(file, errors, colors)}`;
   });
   const count = `${refused.length} of ${plural(levels.length, 'level')}`;
-  return `${lines.join('')}${force === 'built' ? `warning: built all the same: ${count}\n` : refusal(count, refused, force)}`;
+  return `${lines.join('')}${force === 'built' ? `warning: built all the same: ${count}\n` : refusal(count, refused)}`;
 }
 
-function refusal(count: string, refused: Levels, force: boolean): string {
+function refusal(count: string, refused: Levels): string {
   const leaveOut = 'fix them, or leave them out with "ignore" in gq.config.json';
-  const anyway = !force && !refused.every(isUnplayable) ? '; --force builds levels that are not known to be completable' : '';
+  const anyway = !refused.every(isUnplayable) ? '; --force builds levels that are not known to be completable' : '';
   const never = refused.some(isUnplayable) ? '; nobody can play a level that is not valid, so --force does not build it' : '';
   return `nothing was written, because of ${count}: ${leaveOut}${anyway}${never}\n`;
 }
