@@ -50,6 +50,11 @@ describe('POST PUBLISH', () => {
     expect(pack()).not.toContain('"runs"');
   });
 
+  it('makes one page after the other: two into one folder do not meet', async () => {
+    const answers = await Promise.all([publish({ level: '1-good' }), publish({ level: '1-good', title: 'Other' })]);
+    expect(answers.map(({ status }) => status)).toEqual([200, 200]);
+  });
+
   it('says where the page is when the folder of the levels was opened through a link', async () => {
     symlinkSync('game/levels', join(made.folder, 'linked'));
     const linked = await serve(join(made.folder, 'linked'));
