@@ -153,7 +153,7 @@ export class LevelPlayer implements Player {
   /** Ticks that have passed but are not simulated, below 1. */
   private rest = 0;
   private script: Script | null = null;
-  private attempt: AttemptOptions;
+  private attempt: AttemptOptions = {};
   private readonly moments = new WeakSet<PlayerSnapshot>();
 
   constructor(
@@ -167,7 +167,6 @@ export class LevelPlayer implements Player {
     this.simulation = create(scene, this.happened);
     this.body = new Body(this.simulation);
     this.playHash = new PlayHash(this.simulation);
-    this.attempt = options;
     this.restart(options);
   }
 
@@ -254,11 +253,16 @@ export class LevelPlayer implements Player {
         this.rest = Math.max(0, this.rest - 1);
         this.step();
       }
-      this.shown[0] = this.ending === null ? Math.min(1, this.rest) : 1;
+      this.show();
     }
     const ticks = this.tick - from;
     this.tell();
     return ticks;
+  }
+
+  /** Shows the time that has passed; after the end, the last state. */
+  private show(): void {
+    this.shown[0] = this.ending === null ? Math.min(1, this.rest) : 1;
   }
 
   /** Simulates one tick. */
@@ -310,7 +314,6 @@ export class LevelPlayer implements Player {
     this.ending = null;
     this.isEndUntold = false;
     this.rest = 0;
-    this.shown[0] = 0;
     if (options.ghosts !== undefined) {
       this.ghosts = ghosts.map((ghost) => new GhostRun(this.create(this.scene, null), ghost, this.shown));
     } else for (const ghost of this.ghosts) ghost.reset();
@@ -318,6 +321,7 @@ export class LevelPlayer implements Player {
     while (from !== null && this.tick < from.tick && this.ending === null) this.step();
     this.untold.length = 0;
     this.script = replay === null ? null : new Script(replay);
+    this.show();
   }
 
   snapshot(): PlayerSnapshot {
@@ -348,7 +352,7 @@ export class LevelPlayer implements Player {
     this.ending = moment.ended;
     this.isEndUntold = false;
     this.rest = moment.rest;
-    this.shown[0] = this.ending === null ? Math.min(1, this.rest) : 1;
+    this.show();
     this.script = moment.script;
     for (const ghost of this.ghosts) ghost.follow(moment.tick);
   }

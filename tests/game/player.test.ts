@@ -299,6 +299,14 @@ describe('callbacks', () => {
   });
 });
 
+it('a run that ends before the player takes over is shown at its end', () => {
+  const player = createPlayer(firewalk, { from: { holds: [], tick: 3600 } });
+  expect(player.ending).not.toBeNull();
+  const pose = new Float64Array(STATE_SIZE);
+  player.readPose(pose);
+  expect([player.alpha, [...pose]]).toEqual([1, [...player.state]]);
+});
+
 it('a snapshot of another player is refused', () => {
   const [one, other] = [createPlayer(firewalk), createPlayer(firewalk)];
   expect(() => one.restore(other.snapshot())).toThrow('restore: expected a snapshot of this player, found another object');
