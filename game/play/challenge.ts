@@ -6,6 +6,9 @@ import { bytesToHex, concatBytes, hexToBytes, utf8ToBytes } from '@noble/hashes/
 const EXPIRY_BYTES = 4;
 const TAG_BYTES = 12;
 
+/** A shorter key could be guessed. */
+const SHORTEST_KEY = 16;
+
 /** What a challenge is worth. */
 export type ChallengeState =
   /** The play has none, and none was asked for. */
@@ -20,6 +23,12 @@ export type ChallengeState =
   | 'forged'
   /** It was given, and its time is over. */
   | 'expired';
+
+/** @throws {RangeError} when a key is too short to be a secret, such as one that was not set */
+export function expectSecret(key: Uint8Array, caller: string): void {
+  if (key.length >= SHORTEST_KEY) return;
+  throw new RangeError(`${caller}: expected a key of at least ${SHORTEST_KEY} bytes, found ${key.length}`);
+}
 
 /** The tag of a challenge: it covers when it expires, for which level it is, and for which player. */
 function tagOf(key: Uint8Array, expiry: Uint8Array, level: string, subject: string): Uint8Array {
@@ -36,9 +45,10 @@ function tagOf(key: Uint8Array, expiry: Uint8Array, level: string, subject: stri
  * @param expiry - when it ends to be valid, whole seconds since 1970
  * @param subject - for whom it is, such as an account; '' for anybody
  * @returns the challenge, 32 hexadecimal digits
- * @throws {RangeError} when the expiry is no time that can be written
+ * @throws {RangeError} when the key is too short, the level no hash, or the expiry no time that can be written
  */
 export function challengeFor(key: Uint8Array, level: string, expiry: number, subject = ''): string {
+  expectSecret(key, 'challengeFor');
   if (!Number.isInteger(expiry) || expiry < 0 || expiry > 0xffff_ffff) {
     throw new RangeError(`challengeFor: expected an expiry in whole seconds since 1970, found ${expiry}`);
   }

@@ -12,7 +12,7 @@ import {
 } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { CHECKPOINT_TICKS, PlayHash } from '../player/index.ts';
-import { type ChallengeState, challengeState } from './challenge.ts';
+import { type ChallengeState, challengeState, expectSecret } from './challenge.ts';
 import { decodePlay } from './decode.ts';
 import { isOpen } from './format.ts';
 import { levelHash } from './level-hash.ts';
@@ -36,7 +36,7 @@ export interface VerifyOptions {
   readonly maxTicks?: number;
   /** Work that the replay may cost, pieces of motion; {@link DEFAULT_MAX_WORK} when left out. */
   readonly maxWork?: number;
-  /** The server's secret; every play must then contain a challenge of it. */
+  /** The server's secret, at least 16 random bytes; every play must then contain a challenge of it. */
   readonly challengeKey?: Uint8Array;
   /** For whom the challenge must have been given; '' when left out. */
   readonly challengeSubject?: string;
@@ -98,9 +98,6 @@ interface Replayed {
   readonly wrong: number | null;
 }
 
-/** The ticks at which the button changes. */
-const edgesOf = ({ holds }: Play): number[] => holds.flat();
-
 /** Plays the inputs of a play, up to its end or to the first checkpoint that differs. */
 function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
   const events: RunEvent[] = [];
@@ -109,7 +106,8 @@ function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
   events.length = 0;
   const hash = new PlayHash(simulation);
   const { tick: end, outcome } = play.claim;
-  const edges = edgesOf(play);
+  // the ticks at which the button changes
+  const edges = play.holds.flat();
   let next = 0;
   let wrong: number | null = null;
   while (simulation.tick < end && simulation.ending === null && wrong === null) {
@@ -163,6 +161,7 @@ class LevelVerifier implements PlayVerifier {
     if (key !== undefined && now === undefined) {
       throw new RangeError('verifyPlay: expected the present time as "now" with a challengeKey, found none');
     }
+    if (key !== undefined) expectSecret(key, 'verifyPlay');
     const nothing = { found: null, ending: null, differs: null, signs: null, work: 0 };
     const decoded = decodePlay(bytes);
     if (!decoded.ok) return { ...nothing, verdict: decoded.verdict, message: decoded.message, play: null, challenge: null };
@@ -236,7 +235,7 @@ export function createVerifier(level: Level): PlayVerifier {
  * @param bytes - the content of a `.gqr` file
  * @param options - limits and challenge
  * @returns what the play is found to be
- * @throws {RangeError} when `challengeKey` is given without `now`
+ * @throws {RangeError} when `challengeKey` is given without `now`, or is too short
  *
  * @example
  * ```ts

@@ -255,6 +255,13 @@ describe('challenges', () => {
     expect(() => challengeFor(key, hash, 2 ** 32)).toThrow('expected an expiry');
     expect(() => challengeFor(key, 'x', 1)).toThrow('expected the hash of a level');
     expect(() => verifyPlay(level, bytes, { challengeKey: key })).toThrow('expected the present time as "now"');
+    // a secret that is not set is often an empty text, and anybody can sign with that
+    for (const short of [new Uint8Array(), key.subarray(0, 15)]) {
+      const message = `expected a key of at least 16 bytes, found ${short.length}`;
+      expect(() => challengeFor(short, hash, 1)).toThrow(`challengeFor: ${message}`);
+      expect(() => verifyPlay(level, bytes, { challengeKey: short, now: 1 })).toThrow(`verifyPlay: ${message}`);
+    }
+    expect(challengeFor(key.subarray(0, 16), hash, 1)).toMatch(/^00000001/);
   });
 
   it('fail when any bit of them is another', () => {
