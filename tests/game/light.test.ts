@@ -1,5 +1,3 @@
-import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { EFFECTS } from '../../engine/index.ts';
 import { createPlayer, type Player, readLevel } from '../../game/index.ts';
@@ -16,17 +14,9 @@ import {
 } from '../../game/light/index.ts';
 import { type Hold, type Level, LISTED_KINDS, listOf, NO_OBJECTS } from '../../schema/index.ts';
 import { hashedRuns } from '../browsers/scenes.ts';
+import { pack } from '../levels/shipped-pack.ts';
 
 const PARTS: readonly GamePart[] = [wormholes, winds, recoil, repulsors, aliens];
-const folder = join(import.meta.dirname, '../../levels');
-
-const shipped = readdirSync(folder)
-  .filter((name) => name.endsWith('.level.json'))
-  .map((name): [string, Level] => {
-    const reading = readLevel(readFileSync(join(folder, name)));
-    if (!reading.ok) throw new Error(reading.message);
-    return [name, reading.level];
-  });
 
 /** The parts that a level calls for. */
 const partsFor = (level: Level): GamePart[] =>
@@ -52,7 +42,7 @@ function played(player: Player): unknown {
 }
 
 describe('a player of some parts plays as the complete one, bit for bit', () => {
-  test.each(shipped)('%s, with the parts that it calls for and with all', (_, level) => {
+  test.each(pack)('$slug, with the parts that it calls for and with all', ({ level }) => {
     for (const { holds: replay } of [...level.runs, { holds: [] as Hold[] }]) {
       const whole = played(createPlayer(level, { replay }));
       expect(played(composePlayer(partsFor(level))(level, { replay }))).toEqual(whole);
@@ -90,7 +80,7 @@ describe('a player of some parts plays as the complete one, bit for bit', () => 
   });
 
   test('with ghosts, snapshots and restarts', () => {
-    const [, level] = shipped[shipped.length - 1];
+    const { level } = pack[pack.length - 1];
     const options = { ghosts: [{ name: 'own', holds: level.runs[0].holds }] };
     const [light, whole] = [composePlayer(partsFor(level))(level, options), createPlayer(level, options)];
     const pose = [new Float64Array(6), new Float64Array(6)];

@@ -1,3 +1,4 @@
+import { seeded } from '../../bench/scenes/index.ts';
 import { type AccuracyName, compile } from '../../engine/index.ts';
 import {
   challengeFor,
@@ -17,17 +18,6 @@ import { pack } from '../levels/shipped-pack.ts';
 const KEY = new TextEncoder().encode('the key of the attacked server');
 const NOW = 1_000_000;
 const MAX_WORK = 20_000;
-
-/** mulberry32 */
-function seeded(seed: number): (below: number) => number {
-  let state = seed | 0;
-  return (below) => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return Math.floor((((t ^ (t >>> 14)) >>> 0) / 2 ** 32) * below);
-  };
-}
 
 interface Target {
   readonly verifier: PlayVerifier;
@@ -49,6 +39,7 @@ function targets(): Target[] {
   });
 }
 
+/** A whole number from 0 up to, but not including, `below`. */
 type Random = (below: number) => number;
 
 const splice = (bytes: Uint8Array, at: number, remove: number, insert: readonly number[]): Uint8Array =>
@@ -172,7 +163,8 @@ export interface AttackResult {
 /** Verifies mutated plays, as a server does, and checks what it finds. */
 export function attack(count: number, seed: number): AttackResult {
   const all = targets();
-  const random = seeded(seed);
+  const next = seeded(seed);
+  const random: Random = (below) => Math.floor(next() * below);
   const verdicts = { ok: 0, 'claim-differs': 0, 'stale-level': 0, 'unknown-engine': 0, malformed: 0, 'too-long': 0 };
   const failures: string[] = [];
   let acceptedOthers = 0;

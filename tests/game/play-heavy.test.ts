@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { seeded } from '../../bench/scenes/index.ts';
 import { compile } from '../../engine/index.ts';
 import { createPlayer, createVerifier, encodePlay, type Player, playOf } from '../../game/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
@@ -6,17 +7,6 @@ import { isHunt } from '../is-hunt.ts';
 import { pack } from '../levels/shipped-pack.ts';
 
 const TICK = 1000 / 60;
-
-/** mulberry32, in [0, 1) */
-function seeded(seed: number): () => number {
-  let state = seed | 0;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 const played = (player: Player): string => Buffer.from(encodePlay(playOf(player))).toString('hex');
 
