@@ -20,6 +20,7 @@ const FIRST_LOOKS = 64;
 
 /** Records every piece and event of a run in continuous time. */
 export class PieceRecorder implements Recorder, Trajectory {
+  readonly events: RunEvent[] = [];
   /** The pieces, without chasers and asteroids. */
   private readonly pieces = new PackedPieces();
   private chasers: ChangeLog | null = null;
@@ -34,13 +35,11 @@ export class PieceRecorder implements Recorder, Trajectory {
   /**
    * @param budget - limits the work and memory of the recording, and the work of computing the clearance
    * @param keeps - false to keep events only
-   * @param events - receives the events
    */
   constructor(
     private readonly scene: Scene,
     private readonly budget: WorkBudget = unlimited(),
     readonly keeps = true,
-    readonly events: RunEvent[] = [],
   ) {}
 
   /** Records the motion's current piece, which is left after `t` seconds. */

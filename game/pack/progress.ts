@@ -44,13 +44,12 @@ function read(text: string | null): Reading {
 /** The best plays by the id of their level, in a storage that may be missing, full, or written by others. */
 export class Progress {
   trouble: string | null = null;
-  private readonly bests: Map<string, Best>;
+  private readonly bests = new Map<string, Best>();
 
   constructor(
     private readonly storage: PackStorage | null,
     private readonly key: string,
   ) {
-    this.bests = new Map();
     this.merge();
   }
 
@@ -85,13 +84,12 @@ export class Progress {
       const mine = this.best(id);
       if (mine === null || isBetter(theirs, mine)) this.bests.set(id, theirs);
     }
-    return isWhole || text === null || this.putAside(text);
+    return isWhole || text === null || this.putAside(storage, text);
   }
 
   /** Keeps a text that is not progress, or not all of it, under another key. @returns whether it is kept */
-  private putAside(text: string): boolean {
-    const { storage, key } = this;
-    if (storage === null) return false;
+  private putAside(storage: PackStorage, text: string): boolean {
+    const { key } = this;
     try {
       for (let i = 1; i <= MOST_KEPT; i++) {
         const there = storage.getItem(`${key}.kept-${i}`);

@@ -1,5 +1,5 @@
 import { bytesToHex } from '@noble/hashes/utils.js';
-import type { Hold } from '../../schema/basics/index.ts';
+import { holdsOf } from '../player/index.ts';
 import {
   ACCURACY_CODES,
   CHALLENGE_BYTES,
@@ -126,12 +126,6 @@ function readEdges(reader: Reader): number[] {
     edges.push(tick);
   }
   return edges;
-}
-
-function holdsOf(edges: readonly number[], end: number): Hold[] {
-  const holds: Hold[] = [];
-  for (let i = 0; i < edges.length; i += 2) holds.push([edges[i], i + 1 < edges.length ? edges[i + 1] : end]);
-  return holds;
 }
 
 function read(bytes: Uint8Array): Play {

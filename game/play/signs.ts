@@ -27,7 +27,6 @@ export function signsOf(level: Level, { holds, claim }: Play): PlaySigns {
     if (release - press < FASTEST && release < claim.tick) fastEdges++;
     if (i > 0 && press - holds[i - 1][1] < FASTEST) fastEdges++;
   }
-  const published =
-    holds.length === 0 ? undefined : level.runs.find((run) => isSame(upTo(run.holds, claim.tick), holds as Hold[]));
+  const published = holds.length === 0 ? undefined : level.runs.find((run) => isSame(upTo(run.holds, claim.tick), holds));
   return { fastEdges, publishedRun: published?.name ?? null };
 }

@@ -54,10 +54,7 @@ export class Gun {
 
   /** The holds so far; an open one ends at `tick`. */
   holds(tick: number): Hold[] {
-    const { edges } = this;
-    const holds: Hold[] = [];
-    for (let i = 0; i < edges.length; i += 2) holds.push([edges[i], i + 1 < edges.length ? edges[i + 1] : tick]);
-    return holds;
+    return holdsOf(this.edges, tick);
   }
 
   reset(): void {
@@ -75,6 +72,17 @@ export class Gun {
     this.waiting = waiting;
     this.held = edges.length % 2 === 1;
   }
+}
+
+/**
+ * The holds between edges.
+ * @param edges - the ticks at which the button changed; the first is a press
+ * @param end - where a hold without a release ends
+ */
+export function holdsOf(edges: readonly number[], end: number): Hold[] {
+  const holds: Hold[] = [];
+  for (let i = 0; i < edges.length; i += 2) holds.push([edges[i], edges[i + 1] ?? end]);
+  return holds;
 }
 
 export interface GunCopy {
