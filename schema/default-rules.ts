@@ -34,3 +34,19 @@ export const RULE_NAMES = /* @__PURE__ */ Object.keys(ORIGINAL) as readonly Rule
 export function rulesOf({ rules = {} }: { readonly rules?: OwnRules | undefined }): Rules {
   return Object.fromEntries(RULE_NAMES.map((name) => [name, rules[name] ?? DEFAULT_RULES[name]])) as Rules;
 }
+
+/**
+ * The rules of a level in a folder that differ from the original game's. A rule that repeats the original's value matters only
+ * against its folder.
+ *
+ * @param rules - those that the level sets
+ * @param folder - those that its folder sets
+ * @returns what a level has as its `rules`; nothing when no rule differs
+ */
+export function ownRules(rules: OwnRules, folder: OwnRules): { readonly rules?: OwnRules } {
+  const own = RULE_NAMES.flatMap((name) => {
+    const value = rules[name] ?? folder[name];
+    return value === undefined || value === DEFAULT_RULES[name] ? [] : [[name, value]];
+  });
+  return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
+}

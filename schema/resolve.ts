@@ -1,5 +1,5 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
-import { DEFAULT_RULES, type OwnRules, RULE_NAMES } from './default-rules.ts';
+import { type OwnRules, ownRules } from './default-rules.ts';
 import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, type ObjectList, SINGLE_KINDS, type SingleKind } from './kinds.ts';
 import { type Allowed, DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
 
@@ -14,15 +14,6 @@ function resolveObject(kind: ObjectKind, object: Written): Written {
     resolved[name] = typeof value === 'number' ? value + 0 : value;
   }
   return resolved;
-}
-
-/** The rules that differ from the original game's. A rule that repeats the original's value matters only against its folder. */
-function ownRules({ rules }: LevelFile, folder: OwnRules): Pick<Level, 'rules'> {
-  const own = RULE_NAMES.flatMap((name) => {
-    const value = rules?.[name] ?? folder[name];
-    return value === undefined || value === DEFAULT_RULES[name] ? [] : [[name, value]];
-  });
-  return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
 }
 
 /** What a level allows, without x- keys. */
@@ -49,7 +40,7 @@ export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
     ...(Object.fromEntries(singles) as Pick<Level, SingleKind>),
     range: file.range ?? DEFAULT_RANGE,
     recoil: file.recoil ?? false,
-    ...ownRules(file, folder),
+    ...ownRules(file.rules ?? {}, folder),
     ...(file.allow !== undefined &&
       Object.keys(file.allow).some((code) => !code.startsWith('x-')) && { allow: allowed(file.allow) }),
     ...(Object.fromEntries(lists) as Pick<Level, ObjectList>),

@@ -1,4 +1,3 @@
-import type { Level } from '../../schema/basics/index.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import {
   ALERTNESS,
@@ -13,6 +12,7 @@ import {
   SLOTS,
   settleAndTurnAt,
 } from '../motion/index.ts';
+import { objectLists } from '../object-lists.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { expectSnapshot } from '../snapshot.ts';
@@ -34,12 +34,6 @@ const { AWAKE, GONE } = ALERTNESS;
  * some of them several times.
  */
 const MOST_AT_ONCE = { inAnyLevel: 10_000, byEachObject: 4 };
-
-/** How many objects the lists of a level have. All its lists but the runs are lists of objects. */
-function objectsIn(level: Level): number {
-  const lists = Object.values(level).filter((value) => Array.isArray(value) && value !== level.runs);
-  return lists.reduce((sum, list) => sum + list.length, 0);
-}
 
 // working memory: the place of a body
 const body = new Float64Array(4);
@@ -73,7 +67,8 @@ export class ContinuousSimulation implements Simulation {
     this.work = motion.work;
     this.motion = motion;
     this.start = motion.s.slice();
-    this.mostAtOnce = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objectsIn(scene.level);
+    const objects = objectLists(scene.level).reduce((sum, [, list]) => sum + list.length, 0);
+    this.mostAtOnce = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objects;
     try {
       layOut(motion, effects);
       begin(motion);

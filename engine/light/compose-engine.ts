@@ -1,9 +1,10 @@
-import type { Level, ObjectList } from '../../schema/basics/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
 import { ACCURACIES, DEFAULT_ACCURACY } from '../accuracy.ts';
 import { compileWith } from '../compile-with.ts';
 import { ContinuousSimulation, EventRecorder, type Method } from '../continuous/index.ts';
 import { BASE, EffectSet, type GamePart, LISTS_OF_BASE } from '../effects/index.ts';
 import { taylorOf } from '../integrators/index.ts';
+import { objectLists } from '../object-lists.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
 import { INDEX_FROM, type Indexing } from '../spatial-index.ts';
@@ -49,10 +50,6 @@ const NO_INDEX: Indexing = {
   },
 };
 
-/** The lists of objects that a level has, without the empty ones. */
-const listsOf = (level: Level): readonly string[] =>
-  Object.entries(level).flatMap(([list, value]) => (Array.isArray(value) && value.length > 0 && list !== 'runs' ? [list] : []));
-
 /**
  * Composes an engine of the parts of the game that levels call for. What is not named does not get into a bundle. It gives the
  * same results as the whole engine, bit for bit.
@@ -66,11 +63,13 @@ export function composeEngine(parts: readonly GamePart[]): LightEngine {
     parts.find(({ indexing }) => indexing !== undefined)?.indexing ?? NO_INDEX,
   );
   const method: Method = { effects, integratorOf: taylorOf };
-  const lists: readonly ObjectList[] = [...LISTS_OF_BASE, ...parts.flatMap((part) => part.lists)];
+  const included: readonly string[] = [...LISTS_OF_BASE, ...parts.flatMap((part) => part.lists)];
   const hasRecoil = parts.some(({ name }) => name === 'recoil');
   return {
     compile(level) {
-      for (const list of listsOf(level)) if (!(lists as readonly string[]).includes(list)) throw without(list, list);
+      for (const [name, objects] of objectLists(level)) {
+        if (objects.length > 0 && !included.includes(name)) throw without(name, name);
+      }
       if (level.recoil && !hasRecoil) throw without('recoil', 'recoil');
       return compileWith(effects, level, ACCURACIES[DEFAULT_ACCURACY]);
     },

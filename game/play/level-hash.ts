@@ -1,24 +1,8 @@
 import { sha256 } from '@noble/hashes/sha2.js';
 import { bytesToHex, utf8ToBytes } from '@noble/hashes/utils.js';
-import {
-  DEFAULT_RULES,
-  fieldsOf,
-  KINDS,
-  type Level,
-  OBJECT_KINDS,
-  type ObjectKind,
-  RULE_NAMES,
-  rulesOf,
-} from '../../schema/basics/index.ts';
+import { DEFAULT_RULES, fieldsOf, type Level, OBJECT_KINDS, objectsIn, RULE_NAMES, rulesOf } from '../../schema/basics/index.ts';
 
 type Values = Readonly<Record<string, number | boolean>>;
-
-/** The objects of a kind. */
-function objectsOf(level: Level, kind: ObjectKind): readonly Values[] {
-  const { list } = KINDS[kind];
-  const value = (level as unknown as Readonly<Record<string, unknown>>)[list ?? kind];
-  return (list === null ? [value] : value) as readonly Values[];
-}
 
 /** Collects what is hashed. */
 class Content {
@@ -62,7 +46,7 @@ export function levelHash(level: Level): string {
   const content = new Content();
   content.text('gravity-quest level');
   for (const kind of OBJECT_KINDS) {
-    const objects = objectsOf(level, kind);
+    const objects: readonly Values[] = objectsIn(level, kind);
     if (objects.length === 0) continue;
     content.text(kind);
     content.numbers([objects.length]);

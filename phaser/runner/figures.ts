@@ -1,8 +1,7 @@
 import type { GameObjects } from 'phaser';
 import type { Ghost, PlayEvent } from '../../game/index.ts';
-import { OBJECT_KINDS } from '../../schema/basics/index.ts';
+import { OBJECT_KINDS, objectsIn } from '../../schema/basics/index.ts';
 import type { Draw, Figure, Skin } from '../skin/index.ts';
-import { objectsIn } from './objects-in.ts';
 import type { Stage } from './stage.ts';
 
 const objectsOf = (figures: readonly Figure[]): GameObjects.GameObject[] => figures.flatMap(({ objects }) => [...objects]);

@@ -1,7 +1,6 @@
 import type { Scene as Compiled } from '../../engine/index.ts';
-import { OBJECT_KINDS, placesIn } from '../../schema/basics/index.ts';
+import { OBJECT_KINDS, objectsIn, placesIn } from '../../schema/basics/index.ts';
 import type { View } from '../skin/index.ts';
-import { objectsIn } from './objects-in.ts';
 import type { CameraMode } from './options.ts';
 
 /** px of the level around the outermost objects */

@@ -6,4 +6,5 @@ export * from '../kinds.ts';
 export * from '../level-types.ts';
 export { LIMITS } from '../limits.ts';
 export { entryName, objectName, touchedName } from '../names.ts';
+export { objectsIn } from '../objects-in.ts';
 export { MAX_FILE_SIZE } from '../read-json.ts';

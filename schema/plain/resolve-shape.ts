@@ -1,4 +1,4 @@
-import { DEFAULT_RULES, type OwnRules, RULE_NAMES } from '../default-rules.ts';
+import { type OwnRules, ownRules } from '../default-rules.ts';
 import type { Level } from '../level-types.ts';
 import { LEVEL_SHAPE } from './level-shape.ts';
 import type { Shape } from './shape.ts';
@@ -22,16 +22,6 @@ function filledKeys(object: Values, keys: readonly (readonly [string, Shape])[])
   return whole;
 }
 
-/** The rules that differ from the original game's. */
-function ownRules(rules: OwnRules, folder: OwnRules): OwnRules {
-  const own: Record<string, number> = {};
-  for (const name of RULE_NAMES) {
-    const value = rules[name] ?? folder[name];
-    if (value !== undefined && value !== DEFAULT_RULES[name]) own[name] = value;
-  }
-  return own;
-}
-
 /** Keys of a file that a level does not have. */
 const LEFT_OUT: readonly string[] = ['$schema', 'version', 'conflicts'];
 
@@ -45,12 +35,11 @@ export function resolveShape(file: Values, folder: OwnRules): Level {
     file,
     keys.filter(([key]) => !LEFT_OUT.includes(key)),
   );
-  const rules = ownRules((file.rules ?? {}) as OwnRules, folder);
   // the order of keys is that of resolveLevel
   const { name, description, astronaut, blackHole, range, recoil, rules: _, allow, ...lists } = level;
   return {
     ...{ name, description, astronaut, blackHole, range, recoil },
-    ...(Object.keys(rules).length > 0 && { rules }),
+    ...ownRules((file.rules ?? {}) as OwnRules, folder),
     ...(Object.keys((file.allow ?? {}) as Values).some((code) => !code.startsWith('x-')) && { allow }),
     ...lists,
   } as unknown as Level;

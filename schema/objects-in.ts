@@ -1,4 +1,5 @@
-import { KINDS, type Level, type ObjectKind, type ObjectOf } from '../../schema/basics/index.ts';
+import { KINDS, type ObjectKind } from './kinds.ts';
+import type { Level, ObjectOf } from './level-types.ts';
 
 /** The objects of a kind in a level. */
 export function objectsIn<K extends ObjectKind>(level: Level, kind: K): readonly ObjectOf<K>[] {
