@@ -101,8 +101,6 @@ describe('rules are read from the level', () => {
       'schema/default-rules.ts': 'defines them',
       'schema/folder-rules.ts': 'takes the rules of a folder into a level that leaves it',
       'schema/index.ts': 'passes them on',
-      'schema/plain/resolve-shape.ts': 'leaves out the rules of a level that are the game’s own',
-      'schema/resolve.ts': 'does so, too',
       'schema/rules.ts': 'has them in the table of rules',
     };
     expect(usersOf(/\bDEFAULT_(RULES|BOX)\b/, rooms)).toEqual(Object.keys(allowed));
