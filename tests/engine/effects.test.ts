@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
 import { INDEXING } from '../../engine/box-index.ts';
 import { EffectSet } from '../../engine/effects/index.ts';
+import { EFFECTS_IN_ORDER } from '../../engine/effects/order.ts';
 import { compile, createSimulation, EFFECTS, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, listOf, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
 import { accuracyNames } from './accuracies.ts';
@@ -77,6 +78,10 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
     expect(numbers({ ...plain, winds: [wind, wind] }) - numbers(plain)).toBe(own + 2);
     expect(numbers({ ...plain, wormholes: [wormhole, wormhole] }) - numbers(plain)).toBe(2);
   });
+});
+
+it('the list of all effects has the order in which they act', () => {
+  expect(EFFECTS.map(({ name }) => name)).toEqual(EFFECTS_IN_ORDER);
 });
 
 it('an effect or event without a place in the order is refused, since it would never act', () => {
