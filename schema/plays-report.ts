@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { playVerdict } from './report-parts.ts';
 
 const share = z.number().min(0).max(1);
 const index = z.int().min(0).describe("Within the level's own list of that kind, from 0.");
@@ -13,7 +14,7 @@ const ofAttempts = {
 };
 const interval = { share, low: share, high: share };
 const play = z.string().describe('The file of the play, or file and line.');
-const verdict = z.enum(['claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long']);
+const verdict = playVerdict.exclude(['ok']);
 const refused = z
   .array(z.strictObject({ play, verdict, message: z.string() }))
   .describe('Plays that do not count, as gq verify calls them.');

@@ -12,3 +12,6 @@ export const problem = z.strictObject({
   column: z.int().min(1).nullable(),
   pointer: z.string().describe("JSON pointer; '' is the whole file."),
 });
+
+/** What a play is found to be, in reports; `verifyPlay` of the game has the same. */
+export const playVerdict = z.enum(['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long']);

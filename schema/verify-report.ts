@@ -1,5 +1,5 @@
 import * as z from 'zod';
-import { version } from './report-parts.ts';
+import { playVerdict, version } from './report-parts.ts';
 
 const tick = z.int().min(0);
 const claim = z.strictObject({
@@ -15,7 +15,7 @@ export const verifyReportSchema = z
     file: z.string().nullable().describe('The file; null for a play from standard input.'),
     line: z.int().min(1).nullable().describe('The line of standard input; null for a file.'),
     id: z.union([z.string(), z.number()]).nullable().describe('What the line of standard input calls the play.'),
-    verdict: z.enum(['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long']),
+    verdict: playVerdict,
     message: z.string().describe('The verdict in words.'),
     level: z
       .strictObject({
