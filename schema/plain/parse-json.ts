@@ -23,7 +23,8 @@ export function parseJson(text: string): unknown {
   let at = 0;
 
   function fail(expected: string): never {
-    const { line, column } = createPlaceFinder(text)(at);
+    // a text may end in the middle of an escape
+    const { line, column } = createPlaceFinder(text)(Math.min(at, text.length));
     const found = at < text.length ? inWords(String.fromCodePoint(text.codePointAt(at) as number)) : 'the end';
     throw new Failure(`expected ${expected}, found ${found}`, path, `line ${line}, column ${column}`);
   }

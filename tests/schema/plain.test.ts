@@ -210,6 +210,7 @@ describe('the message of the reader for games', () => {
     ['expected at most 8 MiB, found more', '', ' '.repeat(MAX_FILE_SIZE + 1)],
     ['expected UTF-8, found the byte ff at offset 1', '', Uint8Array.of(0x7b, 0xff)],
     ['line 1, column 1: expected a value, found the end', '', ''],
+    ['line 1, column 5: expected the closing " of a text, found the end', '', '{"a\\'],
   ])('is %s', (message, pointer, source) => {
     expect(readPlainLevel(source)).toEqual({ ok: false, message, pointer });
   });
