@@ -177,6 +177,11 @@ describe('claims that are not true', () => {
     });
   });
 
+  it('have been found out only if they were replayed to the end', () => {
+    expect(verdictOf({ hash: open.hash }).found).toEqual(claim);
+    expect(verdictOf({ checkpoints: ['0123456789abcdef', ...checkpoints.slice(1)] }).found).toBeNull();
+  });
+
   it('that cost too much are stopped', () => {
     expect(verifyPlay(level, bytes, { maxWork: 10 })).toMatchObject({ verdict: 'too-long', work: expect.any(Number) });
     expect(verifyPlay(level, bytes, { maxTicks: claim.tick })).toMatchObject({ verdict: 'ok' });
@@ -205,7 +210,9 @@ describe('a play that ends', () => {
     expect(verifyPlay(level, encodePlay(ended)).verdict).toBe('ok');
     for (const tick of [-1, 1, 2]) {
       const moved = { ...ended, claim: { ...ended.claim, tick: ended.claim.tick + tick } };
-      expect(verifyPlay(level, encodePlay(moved)).verdict).toBe('claim-differs');
+      const { verdict, found } = verifyPlay(level, encodePlay(moved));
+      expect(verdict).toBe('claim-differs');
+      if (tick === 1) expect(found).toEqual(ended.claim);
     }
   });
 
@@ -235,6 +242,10 @@ describe('signs', () => {
       60,
     );
     expect(verifyPlay(level, encodePlay(fast))).toMatchObject({ verdict: 'ok', signs: { fastEdges: 4, publishedRun: null } });
+    // the end of the play is no release
+    const cut = played(level, [[59, 70]], 60);
+    expect(cut.holds).toEqual([[59, 60]]);
+    expect(verifyPlay(level, encodePlay(cut))).toMatchObject({ verdict: 'ok', signs: { fastEdges: 0, publishedRun: null } });
   });
 });
 
@@ -262,6 +273,12 @@ describe('challenges', () => {
       expect(() => verifyPlay(level, bytes, { challengeKey: short, now: 1 })).toThrow(`verifyPlay: ${message}`);
     }
     expect(challengeFor(key.subarray(0, 16), hash, 1)).toMatch(/^00000001/);
+  });
+
+  it('are missed where there is none', () => {
+    const asked = { challengeKey: key, now: 1000 };
+    expect(verifyPlay(level, bytes, asked)).toMatchObject({ verdict: 'claim-differs', challenge: 'missing', work: 0 });
+    expect(verifyPlay(level, bytes)).toMatchObject({ verdict: 'ok', challenge: 'none' });
   });
 
   it('fail when any bit of them is another', () => {

@@ -146,7 +146,10 @@ describe('frames', () => {
   it('count up to maxFrame: after a stall the game is slower rather than ahead', () => {
     expect(createPlayer(firewalk).advance(3_600_000)).toBe(6);
     expect(createPlayer(firewalk, { maxFrame: 250 }).advance(Number.POSITIVE_INFINITY)).toBe(15);
-    expect(createPlayer(firewalk).advance(-100)).toBe(0);
+    const player = createPlayer(firewalk);
+    expect(player.advance(-100)).toBe(0);
+    // nothing is owed for it
+    expect(player.advance(100)).toBe(6);
   });
 
   it('of a sixtieth of a second are a tick each', () => {
@@ -206,6 +209,9 @@ describe('the button', () => {
     player.advance(100);
     expect(player.held).toBe(false);
     expect(player.holds.length).toBeLessThanOrEqual(3);
+    for (let i = 0; i < 100; i++) i % 2 === 0 ? player.press() : player.release();
+    player.advance(100);
+    expect(player.held).toBe(false);
   });
 
   it('can be released without a press and pressed twice', () => {

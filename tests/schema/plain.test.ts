@@ -118,6 +118,8 @@ describe('the reader for games and that of the schema agree', () => {
       expect(both(BASE, rules)).toBe(true);
       expect(both(broken('"range"', '"rules": {"pull": 41, "recoil": 1}, "range"'), rules)).toBe(true);
     }
+    const own = readPlainLevel(broken('"range"', '"rules": {"pull": 41}, "range"'), { rules: { pull: 50, push: 5 } });
+    expect(own).toMatchObject({ ok: true, level: { rules: { pull: 41, push: 5 } } });
   });
 
   test('about any valid file', () => {
