@@ -11,7 +11,6 @@ import { openListed, SamplesButton } from '../panels/levels/index.ts';
 import { HeatLegend, SolverWatch, solverSessionOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands, ReplayView } from '../play/index.ts';
 import { playsCommands } from '../plays/index.ts';
-import { shelfOf } from '../shelf/index.ts';
 import { Timeline } from '../timeline/index.ts';
 import { Button, keepFocus } from '../ui/index.ts';
 import './app.css';
@@ -103,9 +102,7 @@ function LevelScreen() {
   const key = useLevelKey();
   const mode = useSession((state) => state.mode);
   const { overlay } = solverSessionOf(editor, level);
-  const isReplay = useSession(({ playFrom }) => playFrom === 'replay');
-  const asked = useStore(shelfOf(level).store, (state) => state.replay);
-  const replay = isReplay ? asked : null;
+  const playFrom = useSession((state) => state.playFrom);
   return (
     <>
       <TopBar />
@@ -117,7 +114,7 @@ function LevelScreen() {
             <CanvasView key={key} search={overlay} />
             <Toolbar />
             <HeatLegend />
-            {mode === 'play' && (replay === null ? <PlayView /> : <ReplayView replay={replay} />)}
+            {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
           </>
         }
         timeline={<Timeline key={key} />}

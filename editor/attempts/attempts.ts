@@ -16,14 +16,16 @@ export interface Attempt {
   readonly accuracy: AccuracyName;
   /** x, y at every tick, px */
   readonly points: Float32Array;
-  /** What it takes to send it; absent if that is not known. */
-  readonly played?: PlayedOn;
+  /** What it takes to send it. */
+  readonly played: PlayedOn;
 }
 
 /** A play as a file, and the level that it was played on. */
 export interface PlayedOn {
   /** The content of its `.gqr` file. */
   readonly bytes: Uint8Array;
+  /** The hash of the level, which does not depend on its name or runs. */
+  readonly hash: string;
   readonly file: LevelFile;
   /** The rules of the folder. */
   readonly rules: OwnRules;

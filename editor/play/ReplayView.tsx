@@ -2,7 +2,7 @@ import { Pause, Play, Plus, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
 import { TICK, TICK_RATE } from '../../engine/index.ts';
 import { useEditor, useLevel, useSession } from '../context/index.ts';
-import { type Replay, shelfOf } from '../shelf/index.ts';
+import type { Replay } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
 import { keepHolds } from './keep-attempt.ts';
 import './play.css';
@@ -60,10 +60,7 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
     playing.seek(tick);
     setMoment(momentOf(playing));
   }, []);
-  const leave = useCallback(() => {
-    editor.session.setState({ mode: 'edit' });
-    shelfOf(level).show(null);
-  }, [editor, level]);
+  const leave = useCallback(() => editor.session.setState({ mode: 'edit' }), [editor]);
   const toggle = useCallback(() => {
     if (player.current?.isOver === true) seek(0);
     setPlaying((before) => !before);

@@ -2,13 +2,12 @@ import { compile, TICK_RATE } from '../../engine/index.ts';
 import { createPlayer } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Pose } from '../context/index.ts';
-import type { Replay } from '../shelf/index.ts';
+import type { Replay } from '../session/index.ts';
 import { showPlayer } from './shown-player.ts';
 
 /** A replay in progress. */
 export interface ReplayPlayer {
   readonly tick: number;
-  readonly held: boolean;
   readonly isOver: boolean;
   readonly minerals: number;
   /** px/s */
@@ -26,9 +25,6 @@ export function createReplay(level: Level, { holds, accuracy, tick: last }: Repl
   return {
     get tick() {
       return player.tick;
-    },
-    get held() {
-      return player.held && player.ending === null;
     },
     get isOver() {
       return player.ending !== null;

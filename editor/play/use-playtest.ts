@@ -50,7 +50,8 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
       const { player, end, minerals } = playing;
       const { holds, tick } = player;
       const { accuracy, file, rules } = begun.current;
-      const played = { bytes: encodePlay(playOf(player)), file, rules };
+      const play = playOf(player);
+      const played = { bytes: encodePlay(play), hash: play.level, file, rules };
       return level.attempts.add({ holds, end, tick, minerals, accuracy, points: playing.points(), played });
     },
     [level],

@@ -3,6 +3,7 @@ export {
   LAYERS,
   type Layer,
   RATES,
+  type Replay,
   type Session,
   type SessionStore,
   TOOLS,

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
-import { PLACEABLES, type Placeable, type RuleName } from '../../schema/index.ts';
+import { type Hold, PLACEABLES, type Placeable, type RuleName } from '../../schema/index.ts';
 
 /** What a press on the canvas does: select and move, pan, or place an object of a kind. */
 export type Tool = 'select' | 'hand' | Placeable;
@@ -28,11 +28,23 @@ export type Overlay =
   | 'conflict'
   | 'kept';
 
+/** Holds that are shown as a replay over the canvas. */
+export interface Replay {
+  readonly title: string;
+  readonly holds: readonly Hold[];
+  readonly accuracy: AccuracyName;
+  /** the last tick */
+  readonly tick: number;
+  /** How it ends, as a sentence. */
+  readonly end: string;
+  readonly look: 'won' | 'lost';
+}
+
 /** The transient state of the page, neither saved nor undone; the level is in the document. */
 export interface Session {
   readonly mode: 'edit' | 'play';
-  /** Where a playtest begins: at the start, or at the current tick of the shown run. `replay`: an attempt or a play is shown. */
-  readonly playFrom: 'start' | 'scrubbed' | 'replay';
+  /** Where a playtest begins: at the start, or at the current tick of the shown run. A replay is shown instead of a playtest. */
+  readonly playFrom: 'start' | 'scrubbed' | Replay;
   readonly tool: Tool;
   /** The run that is shown and edited; null if the level has none. */
   readonly run: string | null;

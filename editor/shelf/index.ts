@@ -11,4 +11,4 @@ export {
   readPlayFiles,
 } from './given.ts';
 export { hashNow } from './level-now.ts';
-export { type OpenedPlay, type Replay, shelfOf } from './shelf.ts';
+export { type OpenedPlay, shelfOf } from './shelf.ts';

@@ -1,8 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { PlayStatistics, Attempt as Replayed } from '../../check/plays/index.ts';
-import type { AccuracyName } from '../../engine/index.ts';
 import { type Play, type PlayVerdict, playToText } from '../../game/index.ts';
-import type { Hold, Level } from '../../schema/index.ts';
+import type { Level } from '../../schema/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import { type DeathMap, deathMapOf } from './death-map.ts';
 
@@ -22,18 +21,6 @@ export interface OpenedPlay {
   readonly replayed: Replayed | null;
 }
 
-/** Holds that are shown as a replay over the canvas. */
-export interface Replay {
-  readonly title: string;
-  readonly holds: readonly Hold[];
-  readonly accuracy: AccuracyName;
-  /** the last tick */
-  readonly tick: number;
-  /** How it ends, as a sentence. */
-  readonly end: string;
-  readonly look: 'won' | 'lost';
-}
-
 /** A level as it was played. */
 export interface PlayedLevel {
   readonly level: Level;
@@ -51,8 +38,6 @@ export interface ShelfState {
   readonly of: PlayedLevel | null;
   /** Keys of the attempts and plays that are selected. */
   readonly selected: ReadonlySet<string>;
-  /** null: none is shown */
-  readonly replay: Replay | null;
 }
 
 /** The opened plays of a level. */
@@ -65,13 +50,12 @@ export interface Shelf {
   /** Removes all plays. */
   clear(): void;
   select(keys: Iterable<string>): void;
-  show(replay: Replay | null): void;
 }
 
 const EMPTY = { plays: [], statistics: null, deaths: null, of: null } as const;
 
 export function createShelf(): Shelf {
-  const store = createStore<ShelfState>(() => ({ ...EMPTY, selected: new Set(), replay: null }));
+  const store = createStore<ShelfState>(() => ({ ...EMPTY, selected: new Set() }));
   const known = new Set<string>();
   let count = 0;
   return {
@@ -93,7 +77,6 @@ export function createShelf(): Shelf {
       store.setState({ ...EMPTY, selected: new Set() });
     },
     select: (keys) => store.setState({ selected: new Set(keys) }),
-    show: (replay) => store.setState({ replay }),
   };
 }
 

@@ -1,7 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../../editor/attempts/attempts.ts';
-import { type AttemptRow, attemptRows, type ListOptions, SHOWN, SORTS } from '../../editor/panels/attempts/attempt-rows.ts';
+import {
+  type AttemptRow,
+  attemptRows,
+  type ListOptions,
+  replayOf,
+  SHOWN,
+  SORTS,
+} from '../../editor/panels/attempts/attempt-rows.ts';
 import { groupPlays, refusedInWords } from '../../editor/plays/group-plays.ts';
 import { deathMapOf, deathsNear } from '../../editor/shelf/death-map.ts';
 import { isPlayText, playFileName, playInFragment, playsInText, readPlayFiles } from '../../editor/shelf/given.ts';
@@ -223,6 +230,7 @@ describe('the list of attempts', () => {
     minerals: number,
     accuracy: 'precise',
     points: new Float32Array(2),
+    played: { bytes: HIT, hash: levelHash(LEVEL), file: FILE, rules: {} },
   });
   const attempts = [attempt(1, 90, 'lost'), attempt(2, 30, null), attempt(3, 600, 'completed')];
   const wrong = HIT.slice();
@@ -254,6 +262,19 @@ describe('the list of attempts', () => {
     expect(titles({ shown: 'mine', sort: 'minerals' })).toEqual(['attempt 3', 'attempt 2', 'attempt 1']);
   });
 
+  it('replays a row as it was played, and says so only if something that matters for it has changed since', () => {
+    const hashOf = (changes: Partial<LevelFile>) => levelHash(resolveLevel({ ...FILE, ...changes }));
+    const named = hashOf({ name: 'Renamed', runs: [{ name: 'kept', holds: [[0, 5]] }] });
+    const moved = hashOf({ blackHole: { x: 301, y: 304 } });
+    for (const row of list({ shown: 'failed' })) {
+      const { title, holds, tick, end } = row;
+      const replay = { title, holds, accuracy: 'precise', tick, end, look: 'lost' };
+      expect(replayOf(row, named)).toEqual(replay);
+      expect(replayOf(row, moved)).toEqual({ ...replay, end: expect.stringMatching(/^The level has changed since/) });
+    }
+    expect(list({ shown: 'completed' }).map((row) => replayOf(row, named).look)).toEqual(['won']);
+  });
+
   it('shows every row once under "all" in every order, each where it says it is', () => {
     const keys = list().map(({ key }) => key);
     expect(new Set(keys).size).toBe(6);
@@ -262,6 +283,8 @@ describe('the list of attempts', () => {
       expect(rows.map(({ key }) => key).sort()).toEqual([...keys].sort());
       expect(rows.map(({ place, siblings }) => [place, siblings])).toEqual(rows.map((_, i) => [i, 6]));
     }
+    // one of each kind
+    expect(titles({ shown: 'opened' })).toHaveLength(3);
     for (const shown of SHOWN) expect(list({ shown }).every(({ key }) => keys.includes(key))).toBe(true);
   });
 });

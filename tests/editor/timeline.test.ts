@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { createAttempts } from '../../editor/attempts/attempts.ts';
 import { createEditedLevel, moveObjects, replaceHolds } from '../../editor/document/index.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
+import { TEMPLATES } from '../../editor/templates/index.ts';
 import { gripAt } from '../../editor/timeline/grip.ts';
 import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';
 import type { Hold } from '../../schema/index.ts';
@@ -127,7 +128,8 @@ describe('the part of a hold under the pointer', () => {
 it('unfinished attempts are dropped first to make room', () => {
   const attempts = createAttempts();
   const end = { outcome: 'lost', with: null, time: 1, tick: 60 } as const;
-  const rest = { holds: [], tick: 60, minerals: 0, accuracy: 'precise', points: new Float32Array() } as const;
+  const played = { bytes: new Uint8Array(), hash: '', file: TEMPLATES[0].make('Empty', 1), rules: {} };
+  const rest = { holds: [], tick: 60, minerals: 0, accuracy: 'precise', points: new Float32Array(), played } as const;
   for (let i = 1; i <= 24; i++) attempts.add({ ...rest, end: i === 3 ? null : end });
   attempts.add({ ...rest, end });
   attempts.add({ ...rest, end: null });

@@ -1,8 +1,9 @@
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { type Outcome, TICK } from '../../../engine/index.ts';
+import { type AccuracyName, type Outcome, TICK } from '../../../engine/index.ts';
 import type { PlayVerdict } from '../../../game/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { type Attempt, attemptInWords, causeInWords } from '../../attempts/index.ts';
+import type { Replay } from '../../session/index.ts';
 import type { OpenedPlay } from '../../shelf/index.ts';
 import type { TreeRow } from '../tree/index.ts';
 
@@ -10,7 +11,11 @@ import type { TreeRow } from '../tree/index.ts';
 export interface AttemptRow extends TreeRow {
   /** The attempt; null if it is an opened play. */
   readonly attempt: Attempt | null;
-  readonly play: OpenedPlay | null;
+  /** The content of its `.gqr` file. */
+  readonly bytes: Uint8Array;
+  /** The hash of the level that it was played on. */
+  readonly playedOn: string;
+  readonly accuracy: AccuracyName;
   readonly holds: readonly Hold[];
   /** `attempt 3`, or the name of the file. */
   readonly title: string;
@@ -41,11 +46,13 @@ export interface ListOptions {
 type Entry = Omit<AttemptRow, keyof TreeRow> & { readonly key: string };
 
 function ofAttempt(attempt: Attempt, range: number): Entry {
-  const { number, holds, end, tick, minerals } = attempt;
+  const { number, holds, end, tick, minerals, accuracy, played } = attempt;
   return {
     key: `attempt-${number}`,
     attempt,
-    play: null,
+    bytes: played.bytes,
+    playedOn: played.hash,
+    accuracy,
     holds,
     title: `attempt ${number}`,
     outcome: end?.outcome ?? 'left',
@@ -65,12 +72,14 @@ const OUTCOMES_IN_WORDS: Readonly<Record<Outcome | 'left', string>> = {
 };
 
 function ofPlay(opened: OpenedPlay, range: number): Entry {
-  const { key, source, play, replayed, verdict } = opened;
-  const { claim, holds } = play;
+  const { key, source, bytes, play, replayed, verdict } = opened;
+  const { claim, holds, accuracy, level } = play;
   return {
     key,
     attempt: null,
-    play: opened,
+    bytes,
+    playedOn: level,
+    accuracy,
     holds,
     title: source,
     outcome: replayed?.outcome ?? null,
@@ -91,13 +100,23 @@ function replayedInWords({ outcome, cause, time, tick }: NonNullable<OpenedPlay[
   return outcomeAsPredicate({ outcome, with: null, time: outcome === 'timeout' ? Number(time.toFixed(2)) : time, tick }, range);
 }
 
+/** The replay of a row. @param now the hash of the level as it is now */
+export const replayOf = ({ title, holds, accuracy, tick, end, outcome, playedOn }: AttemptRow, now: string): Replay => ({
+  title,
+  holds,
+  accuracy,
+  tick,
+  end: playedOn === now ? end : 'The level has changed since: this is what the same holds do now.',
+  look: outcome === 'completed' ? 'won' : 'lost',
+});
+
 const IS_SHOWN: Readonly<Record<Shown, (entry: Entry) => boolean>> = {
   all: () => true,
   completed: ({ outcome }) => outcome === 'completed',
   failed: ({ outcome }) => outcome === 'collided' || outcome === 'lost' || outcome === 'timeout',
   left: ({ outcome }) => outcome === 'left',
   mine: ({ attempt }) => attempt !== null,
-  opened: ({ play }) => play !== null,
+  opened: ({ attempt }) => attempt === null,
   differs: ({ verdict }) => verdict !== null && verdict !== 'ok',
 };
 
