@@ -96,23 +96,14 @@ async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: r
   const { notices, workers, commands } = editor;
   const { reading } = deskOf(editor);
   const shelf = shelfOf(level);
-  const { of } = shelf.store.getState();
-  // what they teach together would be of no level
+  const { plays: before, statistics, of } = shelf.store.getState();
   const isOutdated = of !== null && of.hash !== hash;
-  if (isOutdated) shelf.clear();
   commands.run('panel.attempts');
-  const texts = new Set<string>();
-  const fresh = plays.filter(({ play, bytes }) => {
-    // the same content twice is one play
-    const isNew = !shelf.has(bytes) && !texts.has(`${play.hash} ${play.holds.join()}`);
-    texts.add(`${play.hash} ${play.holds.join()}`);
-    return isNew;
-  });
+  const fresh = shelf.fresh(plays);
   if (fresh.length === 0) {
     notices.show('info', plays.length === 1 ? `${plays[0].name} is open already.` : 'These plays are open already.', OPENED);
     return;
   }
-  const { plays: before, statistics } = shelf.store.getState();
   const tell = (done: number) => reading.setState({ what: 'plays', done, of: fresh.length, cancel: () => job.cancel() }, true);
   const { level: played } = level.proof.proof();
   const job: Job<'plays'> = workers.start(
@@ -120,8 +111,8 @@ async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: r
     {
       level: played,
       plays: fresh.map(({ bytes }) => bytes),
-      known: statistics?.all ?? [],
-      first: before.length,
+      known: isOutdated || statistics === null ? [] : statistics.all,
+      first: isOutdated ? 0 : before.length,
     },
     ({ done }) => tell(done),
   );

@@ -2,7 +2,7 @@ import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
 import { playsInText, shelfOf } from '../shelf/index.ts';
 import { choosePlayFolder, choosePlays } from './choose-plays.ts';
-import { openPlayFiles, openPlays } from './open-plays.ts';
+import { openPlayFiles, openPlays, readingOf } from './open-plays.ts';
 
 /** Opens the plays on the clipboard. */
 async function pastePlays(editor: Editor): Promise<void> {
@@ -46,6 +46,8 @@ export function playsCommands(editor: Editor): readonly Command[] {
       group: 'Play',
       needs: needsPlays,
       run: () => {
+        // what is being verified would count together with the plays that are closed now
+        readingOf(editor).getState()?.cancel();
         const level = open.getState();
         if (level !== null) shelfOf(level).clear();
       },

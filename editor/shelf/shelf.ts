@@ -43,9 +43,12 @@ export interface ShelfState {
 /** The opened plays of a level. */
 export interface Shelf {
   readonly store: StoreApi<ShelfState>;
-  /** Whether a play is there already. */
-  has(bytes: Uint8Array): boolean;
-  /** Adds verified plays. @param statistics of all plays, with the index of each in the order of the shelf */
+  /** The plays that are not there yet, each once. */
+  fresh<T extends { readonly bytes: Uint8Array }>(plays: readonly T[]): T[];
+  /**
+   * Adds verified plays. They replace those of the level before a change: what both teach together would be of no level.
+   * @param statistics of all plays, with the index of each in the order of the shelf
+   */
   add(plays: readonly Omit<OpenedPlay, 'key'>[], statistics: PlayStatistics, of: PlayedLevel): readonly OpenedPlay[];
   /** Removes all plays. */
   clear(): void;
@@ -56,26 +59,24 @@ const EMPTY = { plays: [], statistics: null, deaths: null, of: null } as const;
 
 export function createShelf(): Shelf {
   const store = createStore<ShelfState>(() => ({ ...EMPTY, selected: new Set() }));
-  const known = new Set<string>();
   let count = 0;
   return {
     store,
-    has: (bytes) => known.has(playToText(bytes)),
+    fresh(plays) {
+      const texts = new Set(store.getState().plays.map(({ bytes }) => playToText(bytes)));
+      return plays.filter(({ bytes }) => {
+        const before = texts.size;
+        return texts.add(playToText(bytes)).size > before;
+      });
+    },
     add(plays, statistics, of) {
       const added = plays.map((play): OpenedPlay => ({ ...play, key: `play-${++count}` }));
-      for (const { bytes } of added) known.add(playToText(bytes));
-      store.setState({
-        plays: [...store.getState().plays, ...added],
-        statistics,
-        deaths: deathMapOf(statistics.all),
-        of,
-      });
+      const { plays: before, of: known } = store.getState();
+      const kept = known?.hash === of.hash ? before : [];
+      store.setState({ plays: [...kept, ...added], statistics, deaths: deathMapOf(statistics.all), of });
       return added;
     },
-    clear() {
-      known.clear();
-      store.setState({ ...EMPTY, selected: new Set() });
-    },
+    clear: () => store.setState({ ...EMPTY, selected: new Set() }),
     select: (keys) => store.setState({ selected: new Set(keys) }),
   };
 }

@@ -112,6 +112,39 @@ inChromium('plays in Chromium', ({ on }) => {
   );
 
   it(
+    'plays of a level before a change are named as such, stay until plays of the changed level are opened, and can be closed',
+    on(
+      { '01': lane() },
+      async ({ page, canvas, file, saved }) => {
+        await saved();
+        await drop(page, { 'before.gqr': recordedPlay(lane(), HOLD) });
+        await messages(page).getByText('before.gqr was opened.').waitFor();
+        const note = panel(page).getByRole('note');
+        expect(await note.count()).toBe(0);
+        await canvas.fit(file('01'));
+        await canvas.click({ x: 420, y: 304 });
+        await page.keyboard.press('ArrowUp');
+        await note.getByText(/^The level has changed since these plays\./).waitFor();
+        const changed = await until(() => {
+          const now = file('01');
+          expect(now.asteroids?.[0]).toMatchObject({ x: 420, y: 303 });
+          return now;
+        });
+        await drop(page, { 'after.gqr': recordedPlay(changed, HOLD) });
+        await messages(page).getByText('The plays of the level before its change were closed.').waitFor();
+        expect(await rows(page).allTextContents()).toEqual([expect.stringContaining('after.gqr')]);
+        await note.waitFor({ state: 'hidden' });
+        await panel(page)
+          .getByText(/^1 play: 0 % complete the level/)
+          .waitFor();
+        await panel(page).getByRole('button', { name: 'Close all opened plays' }).click();
+        await panel(page).getByText('Nobody has played this level here yet.').waitFor();
+      },
+      { context: { reducedMotion: 'reduce' } },
+    ),
+  );
+
+  it(
     'hundreds of plays: the list filters and sorts, and the heat map shows where and why she dies',
     on(
       { '01': lane() },

@@ -12,7 +12,7 @@ import {
 import { groupPlays, refusedInWords } from '../../editor/plays/group-plays.ts';
 import { deathMapOf, deathsNear } from '../../editor/shelf/death-map.ts';
 import { isPlayText, playFileName, playInFragment, playsInText, readPlayFiles } from '../../editor/shelf/given.ts';
-import { createShelf, type OpenedPlay } from '../../editor/shelf/shelf.ts';
+import { createShelf, type OpenedPlay, type Shelf } from '../../editor/shelf/shelf.ts';
 import { path } from '../../editor/workers/jobs/path.ts';
 import { plays as verifyPlays } from '../../editor/workers/jobs/plays.ts';
 import { compile, simulate } from '../../engine/index.ts';
@@ -159,6 +159,38 @@ describe('verifying plays', () => {
     expect([points[0], points[1]]).toEqual([200, 304]);
     const short = finish(path({ level: LEVEL, accuracy: 'precise', holds, until: 33 }, () => 0)).points;
     expect(short).toEqual(points.subarray(0, 2 * 34));
+  });
+});
+
+describe('the opened plays of a level', () => {
+  const of = { level: LEVEL, hash: levelHash(LEVEL) };
+  const add = (shelf: Shelf, bytes: Uint8Array, to = of) => {
+    const { plays, statistics } = verify([bytes]);
+    const decoded = decodePlay(bytes);
+    if (!decoded.ok) throw new Error(decoded.message);
+    return shelf.add([{ source: 'file', bytes, play: decoded.play, ...plays[0] }], statistics, to)[0].key;
+  };
+
+  it('are each there once: neither the same file again nor twice at once; a false claim about the same holds is another', () => {
+    const shelf = createShelf();
+    add(shelf, HIT);
+    const claim = HIT.slice();
+    claim[claim.length - 1] ^= 1;
+    const files = { known: HIT.slice(), claim, left: LEFT, again: LEFT.slice(), lost: LOST };
+    const given = Object.entries(files).map(([name, bytes]) => ({ name, bytes }));
+    expect(shelf.fresh(given).map(({ name }) => name)).toEqual(['claim', 'left', 'lost']);
+    shelf.clear();
+    expect(shelf.fresh(given).map(({ name }) => name)).toEqual(['known', 'claim', 'left', 'lost']);
+  });
+
+  it('stay until some of the level after a change are added; then none of the level before is left', () => {
+    const shelf = createShelf();
+    const keys = [add(shelf, HIT), add(shelf, LOST)];
+    expect(shelf.store.getState().plays.map(({ key }) => key)).toEqual(keys);
+    const changed = { ...of, hash: 'another' };
+    const key = add(shelf, LEFT, changed);
+    expect(keys).not.toContain(key);
+    expect(shelf.store.getState()).toMatchObject({ plays: [{ key, bytes: LEFT }], of: changed, deaths: null });
   });
 });
 
