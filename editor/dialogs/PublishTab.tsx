@@ -23,12 +23,8 @@ const TARGETS: Readonly<Record<Target, { readonly title: string; readonly about:
   },
 };
 
-/** What keeps the levels from being published as they are. */
-interface Refused {
-  readonly levels: readonly RefusedLevel[];
-  /** Whether a person may decide to publish them all the same. */
-  readonly isChoice: boolean;
-}
+/** Whether a person may decide to publish a level all the same. */
+const isChoice = ({ verdict }: RefusedLevel): boolean => verdict !== 'invalid' && verdict !== 'crashed';
 
 /** Makes a page on which levels can be played, but not edited. */
 export function PublishTab() {
@@ -44,9 +40,8 @@ export function PublishTab() {
   const [typed, setTyped] = useState<string | null>(null);
   const [withRuns, setWithRuns] = useState(true);
   const [progress, setProgress] = useState<string | null>(null);
-  const [refused, setRefused] = useState<Refused | null>(null);
-  const [problem, setProblem] = useState<string | null>(null);
-  const [done, setDone] = useState<string | null>(null);
+  const [published, setPublished] = useState<Published | null>(null);
+  const refused = published?.kind === 'refused' ? published.levels : [];
   const isAlone = target === 'levelFolder' || target === 'levelFile';
   const isFolder = target === 'folder' || target === 'levelFolder';
   const name = useStore(workspace.store, ({ list: known, opened }) => known?.levels.find(({ id }) => id === opened?.id())?.name);
@@ -58,25 +53,15 @@ export function PublishTab() {
   const change =
     <T,>(set: (value: T) => void) =>
     (value: T) => {
-      setRefused(null);
-      setProblem(null);
-      setDone(null);
+      setPublished(null);
       set(value);
     };
   const start = async (force: boolean) => {
-    setRefused(null);
-    setProblem(null);
-    setDone(null);
+    setPublished(null);
     setProgress('Checking the levels …');
     const onProgress = (checked: number, all: number) => setProgress(`Checking the levels: ${checked} of ${all} …`);
-    const published: Published = await publish(editor, { target, site, title: title.trim(), withRuns, force, onProgress });
+    setPublished(await publish(editor, { target, site, title: title.trim(), withRuns, force, onProgress }));
     setProgress(null);
-    if (published.kind === 'done') setDone(published.message);
-    else if (published.kind === 'failed') setProblem(published.message);
-    else {
-      const isNever = published.levels.some(({ verdict }) => verdict === 'invalid' || verdict === 'crashed');
-      setRefused({ levels: published.levels, isChoice: !isNever });
-    }
   };
 
   return (
@@ -140,24 +125,24 @@ export function PublishTab() {
         <input type="checkbox" checked={withRuns} onChange={(event) => change(setWithRuns)(event.target.checked)} />
         include the runs as ghosts, which give the solutions away
       </label>
-      {refused !== null && (
+      {refused.length > 0 && (
         <div role="alert" className="publish__refused">
           <p>
-            {refused.levels.length === 1 ? 'A level is' : `${refused.levels.length} levels are`} not known to be completable, so
-            nothing was published:
+            {refused.length === 1 ? 'A level is' : `${refused.length} levels are`} not known to be completable, so nothing was
+            published:
           </p>
           <ul className="share__refusals">
-            {refused.levels.map((one) => (
+            {refused.map((one) => (
               <li key={one.id}>
                 <VerdictSign verdict={one.verdict === 'crashed' ? 'invalid' : one.verdict} /> {one.name} ({one.id}): {one.message}
               </li>
             ))}
           </ul>
-          {!refused.isChoice && <p>Nobody can play a level that is not valid: fix it, or move it out of the folder.</p>}
+          {!refused.every(isChoice) && <p>Nobody can play a level that is not valid: fix it, or move it out of the folder.</p>}
         </div>
       )}
-      {problem !== null && <p role="alert">{problem}</p>}
-      {done !== null && <p role="status">{done}</p>}
+      {published?.kind === 'failed' && <p role="alert">{published.message}</p>}
+      {published?.kind === 'done' && <p role="status">{published.message}</p>}
       <div className="share__buttons">
         <Button
           type="submit"
@@ -168,7 +153,7 @@ export function PublishTab() {
         >
           Publish
         </Button>
-        {refused?.isChoice && (
+        {refused.length > 0 && refused.every(isChoice) && (
           <Button hint="Players may meet a level that nobody can complete" look="danger" onClick={() => void start(true)}>
             Publish all the same
           </Button>

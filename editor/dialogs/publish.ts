@@ -1,3 +1,4 @@
+import { plural } from '../../check/words/index.ts';
 import type { RefusedLevel } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
 import { errorInWords, folderRulesIn } from '../files/index.ts';
@@ -25,13 +26,14 @@ export type Published =
   | { readonly kind: 'refused'; readonly levels: readonly RefusedLevel[] };
 
 const megabytes = (bytes: number): string => `${(bytes / 1e6).toFixed(1)} MB`;
-const levelsInWords = (count: number): string => (count === 1 ? '1 level' : `${count} levels`);
 
 /** Publishes levels. Never rejects. */
 export async function publish(editor: Editor, wish: PublishWish): Promise<Published> {
   try {
     // what is published is what is saved
-    await editor.workspace.store.getState().opened?.saver.flush();
+    const { opened } = editor.workspace.store.getState();
+    if (opened !== null && !(await opened.saver.flush()))
+      throw new Error(`the latest changes to “${opened.id()}” are not saved yet, and would be missing`);
     return await (wish.target === 'folder' || wish.target === 'levelFolder' ? intoFolder : asFile)(editor, wish);
   } catch (error) {
     return { kind: 'failed', message: `The levels could not be published: ${error instanceof Error ? error.message : error}.` };
@@ -45,7 +47,7 @@ async function intoFolder({ workspace }: Editor, { target, site, title, withRuns
   const answer = await storage.publish({ site, level, title, withRuns, force });
   if (answer.ok) {
     const { site: path, levels, bytes } = answer.value;
-    const message = `Published ${levelsInWords(levels)} in ${path} (${megabytes(bytes)}). Open index.html there, or put the folder on any web server.`;
+    const message = `Published ${plural(levels, 'level')} in ${path} (${megabytes(bytes)}). Open index.html there, or put the folder on any web server.`;
     return { kind: 'done', message };
   }
   if (answer.error.levels !== undefined) return { kind: 'refused', levels: answer.error.levels };
@@ -72,6 +74,6 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
   const blob = new Blob([singlePage(game, { title, accuracy, levels })], { type: 'text/html' });
   const name = `${slugOf(title)}.html`;
   downloadFile({ name, blob });
-  const message = `Downloaded ${name}: ${levelsInWords(levels.length)}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;
+  const message = `Downloaded ${name}: ${plural(levels.length, 'level')}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;
   return { kind: 'done', message };
 }

@@ -1,7 +1,10 @@
 import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { Editor } from '../../editor/context/index.ts';
+import { type PublishWish, publish } from '../../editor/dialogs/publish.ts';
 import { fetchGame, playPageOf, singlePage } from '../../editor/share/index.ts';
+import { formatLevel, type LevelFile } from '../../schema/index.ts';
 
 const PAGE = `<!doctype html>
 <html lang="en">
@@ -57,6 +60,67 @@ describe('one file with a page, its game and a pack', () => {
     expect(asked).toEqual([`${folder}index.html`, `${folder}game.js`]);
     await expect(fetchGame(folder, get({ '/editor/game/index.html': PAGE }))).rejects.toThrow(/game\.js: status 404/);
     await expect(fetchGame(folder, () => Promise.reject(new TypeError('offline')))).rejects.toThrow(/index\.html: no answer/);
+  });
+});
+
+describe('what is published', () => {
+  const file = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
+  const texts: Readonly<Record<string, string>> = { a: formatLevel(file('A')), b: formatLevel(file('B')), bad: '{' };
+
+  /** @param verdicts of the levels, by their text */
+  function editorWith(ids: readonly string[], verdicts: Readonly<Record<string, string>>, isSaved = true) {
+    const levels = ids.map((id) => ({ id, name: id.toUpperCase() }));
+    const asked: unknown[] = [];
+    const opened = { id: () => ids[0], saver: { flush: async () => isSaved } };
+    const storage = {
+      read: async (id: string) => ({ ok: true, value: { text: texts[id], problems: [{ message: 'expected a level' }] } }),
+      publish: async (wanted: unknown) => {
+        asked.push(wanted);
+        return { ok: true, value: { site: '/levels/site', levels: 1, bytes: 1_250_000 } };
+      },
+    };
+    const start = (_: string, { text }: { text: string }) => ({
+      end: Promise.resolve({ kind: 'done', result: { verdict: verdicts[text] } }),
+    });
+    const editor = {
+      workspace: { storage, store: { getState: () => ({ list: { levels, folder: { id: '' } }, opened }) } },
+      workers: { start },
+      settings: { getState: () => ({ accuracy: 'precise' }) },
+    } as unknown as Editor;
+    const shown: number[] = [];
+    const wish = (more: Partial<PublishWish>): PublishWish => ({
+      ...{ target: 'file', site: 'site', title: 'Levels', withRuns: true, force: false },
+      onProgress: (checked) => shown.push(checked),
+      ...more,
+    });
+    return { asked, shown, publish: (more: Partial<PublishWish>) => publish(editor, wish(more)) };
+  }
+
+  it('is what is saved: changes that can not be saved are named, and nothing is published without them', async () => {
+    const unsaved = editorWith(['a'], {}, false);
+    const answer = await unsaved.publish({ target: 'folder' });
+    expect(answer).toEqual({
+      kind: 'failed',
+      message: 'The levels could not be published: the latest changes to “a” are not saved yet, and would be missing.',
+    });
+    expect(unsaved.asked).toEqual([]);
+    const saved = editorWith(['a', 'b'], {});
+    expect(await saved.publish({ target: 'levelFolder' })).toMatchObject({
+      kind: 'done',
+      message: expect.stringMatching(/^Published 1 level in \/levels\/site \(1\.3 MB\)/),
+    });
+    await saved.publish({ target: 'folder' });
+    expect(saved.asked).toMatchObject([{ level: 'a' }, { level: null }]);
+  });
+
+  it('has no level that is not known to be completable, unless it is wanted, and never one that is not valid', async () => {
+    const { publish: make, shown } = editorWith(['a', 'b', 'bad'], { [texts.a]: 'completable', [texts.b]: 'impossible' });
+    const b = { id: 'b', name: 'B', verdict: 'impossible', message: 'it is proved that nobody can complete it' };
+    const bad = { id: 'bad', name: 'BAD', verdict: 'invalid', message: 'expected a level' };
+    for (const force of [false, true]) expect(await make({ force })).toEqual({ kind: 'refused', levels: [b, bad] });
+    expect(shown.slice(0, 4)).toEqual([0, 1, 2, 3]);
+    const other = editorWith(['b', 'a'], { [texts.b]: 'broken', [texts.a]: 'completable' });
+    expect(await other.publish({ target: 'levelFile' })).toMatchObject({ kind: 'refused', levels: [{ id: 'b' }] });
   });
 });
 
