@@ -2,6 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import { type AccuracyName, TICK } from '../../engine/index.ts';
 import type { Hold, LevelFile, OwnRules } from '../../schema/index.ts';
+import { keptWith } from '../kept/index.ts';
 
 /** One attempt of the user at a level. */
 export interface Attempt {
@@ -64,14 +65,8 @@ export function createAttempts(): Attempts {
   };
 }
 
-const kept = new WeakMap<object, Attempts>();
-
-/** The attempts at a level; they stay while the page lives, also when another level is opened in the meantime. */
-export function attemptsAt(document: object): Attempts {
-  const attempts = kept.get(document) ?? createAttempts();
-  kept.set(document, attempts);
-  return attempts;
-}
+/** The attempts at a level, by its document; they stay while the page lives, also when another level is opened in the meantime. */
+export const attemptsAt = keptWith<object, Attempts>(createAttempts);
 
 /** How an attempt ended, in words: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
 export const attemptInWords = ({ end, tick }: Pick<Attempt, 'end' | 'tick'>, range: number): string =>

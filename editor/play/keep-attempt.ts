@@ -3,6 +3,7 @@ import type { Hold } from '../../schema/index.ts';
 import type { Attempt } from '../attempts/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
 import { addRun, type ChangeResult, freeRunName, replaceHolds, titled } from '../document/index.ts';
+import { bareTitle } from '../shelf/index.ts';
 
 interface Parts {
   readonly editor: Pick<Editor, 'session' | 'notices'>;
@@ -27,7 +28,7 @@ const LONGEST_NAME = 60;
 export function keepHolds(parts: Parts, title: string, holds: readonly Hold[]): void {
   const { document } = parts.level;
   const { session, notices } = parts.editor;
-  const name = freeRunName(document.file(), title.replace(/\.gqr$/i, '').slice(-LONGEST_NAME));
+  const name = freeRunName(document.file(), bareTitle(title).slice(-LONGEST_NAME));
   if (!changed(parts, document.change(`Keep ${title} as a run`, addRun(name, holds)))) return;
   session.setState({ run: name });
   notices.show('info', `${titled(title)} is kept as the last run, “${name}”.`, TOPIC);

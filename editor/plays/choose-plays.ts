@@ -1,28 +1,15 @@
 import { directoryOpen, fileOpen } from 'browser-fs-access';
+import { unlessClosed } from '../share/index.ts';
 import { isPlayFile, PLAY_EXTENSION } from '../shelf/index.ts';
 
-/** Whether an error means that the user closed the dialog. */
-const isCancel = (error: unknown): boolean => error instanceof DOMException && error.name === 'AbortError';
-
 /** Lets the user choose the files of plays. @returns null if none were chosen */
-export async function choosePlays(): Promise<readonly File[] | null> {
-  try {
-    return await fileOpen({ description: 'plays', extensions: [PLAY_EXTENSION], multiple: true });
-  } catch (error) {
-    if (isCancel(error)) return null;
-    throw error;
-  }
-}
+export const choosePlays = (): Promise<readonly File[] | null> =>
+  unlessClosed(fileOpen({ description: 'plays', extensions: [PLAY_EXTENSION], multiple: true }));
 
 /** Lets the user choose a folder. @returns the plays in it and in its folders; null if none was chosen */
 export async function choosePlayFolder(): Promise<readonly File[] | null> {
-  try {
-    const all = await directoryOpen({ recursive: true });
-    return all.filter((file): file is Extract<typeof file, File> => file instanceof File && isPlayFile(file));
-  } catch (error) {
-    if (isCancel(error)) return null;
-    throw error;
-  }
+  const all = await unlessClosed(directoryOpen({ recursive: true }));
+  return all?.filter((file): file is Extract<typeof file, File> => file instanceof File && isPlayFile(file)) ?? null;
 }
 
 /** All files of a folder that was dropped, and of its folders. */

@@ -2,15 +2,15 @@ import { levelHash } from '../../game/index.ts';
 import { type LevelEntry, readLevel } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
 import { allLevels, folderRulesIn } from '../files/index.ts';
+import { keptWith } from '../kept/index.ts';
 
 /** The hashes of levels that were read, by file, version and rules. */
-const known = new WeakMap<Editor, Map<string, string | null>>();
+const hashesOf = keptWith<Editor, Map<string, string | null>>(() => new Map());
 
 async function hashOf(editor: Editor, { id, etag }: LevelEntry): Promise<string | null> {
   const { storage, store } = editor.workspace;
   const rules = folderRulesIn(store.getState()).own;
-  const hashes = known.get(editor) ?? new Map<string, string | null>();
-  known.set(editor, hashes);
+  const hashes = hashesOf(editor);
   const key = JSON.stringify([id, etag, rules]);
   const before = hashes.get(key);
   if (before !== undefined) return before;

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { plural } from '../../check/words/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
+import { keptWith } from '../kept/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../shelf/index.ts';
 import type { Job } from '../workers/index.ts';
@@ -25,13 +26,8 @@ interface Desk {
   readonly reading: StoreApi<Reading | null>;
   last: Promise<unknown>;
 }
-const desks = new WeakMap<Editor, Desk>();
 
-function deskOf(editor: Editor): Desk {
-  const desk = desks.get(editor) ?? { reading: createStore<Reading | null>(() => null), last: Promise.resolve() };
-  desks.set(editor, desk);
-  return desk;
-}
+const deskOf = keptWith<Editor, Desk>(() => ({ reading: createStore<Reading | null>(() => null), last: Promise.resolve() }));
 
 /** What is read and verified at the moment; null: nothing. */
 export const readingOf = (editor: Editor): StoreApi<Reading | null> => deskOf(editor).reading;

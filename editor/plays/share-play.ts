@@ -1,8 +1,8 @@
 import { playToText } from '../../game/index.ts';
 import { type LevelFile, leavingFolder, type OwnRules } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
-import { copyText, keepFile, LONGEST_LINK, linkTo } from '../share/index.ts';
-import { playFileName } from '../shelf/index.ts';
+import { copyText, keepFile, LONGEST_LINK, linkTo, plainName } from '../share/index.ts';
+import { bareTitle, PLAY_EXTENSION } from '../shelf/index.ts';
 
 /** A play to be sent. */
 export interface SharedPlay {
@@ -12,6 +12,10 @@ export interface SharedPlay {
   /** The level as it was played, and the rules of its folder; null if it is not known. */
   readonly played: { readonly file: LevelFile; readonly rules: OwnRules } | null;
 }
+
+/** The name of the file that a play is saved as. @param level the name of the level */
+export const playFileName = (level: string, title: string): string =>
+  `${[level, bareTitle(title)].map((part) => plainName(part) || 'play').join('-')}${PLAY_EXTENSION}`;
 
 /** Saves a play as a `.gqr` file. */
 export async function savePlay(editor: Editor, level: string, { title, bytes }: SharedPlay): Promise<void> {

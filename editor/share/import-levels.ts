@@ -19,13 +19,9 @@ const LETTERS: Readonly<Record<string, string>> = {
   ...{ ı: 'i', ł: 'l', ŋ: 'ng', ŧ: 't', ĸ: 'k', ſ: 's', ƒ: 'f' },
 };
 
-/**
- * `07 Sling Shot!.level.json` becomes `07-sling-shot`, `Böse` `boese`, `Café` `cafe`; a name without a Latin letter or digit
- * becomes `level`.
- */
-export function slugOf(fileName: string): string {
-  const stem = fileName.replace(/(\.level)?\.json$/i, '');
-  const slug = stem
+/** A text as letters a-z, digits and hyphens: `Sling Shot!` becomes `sling-shot`, `Böse` `boese`, `Café` `cafe`; '' if it has none. */
+export const plainName = (text: string): string =>
+  text
     .toLowerCase()
     .normalize('NFC')
     .replace(/[^\p{ASCII}]/gu, (letter) => LETTERS[letter] ?? letter)
@@ -37,6 +33,10 @@ export function slugOf(fileName: string): string {
     .replace(/^-+|-+$/g, '')
     .slice(0, 60)
     .replace(/-+$/, '');
+
+/** `07 Sling Shot!.level.json` becomes `07-sling-shot`; a name without a Latin letter or digit becomes `level`. */
+export function slugOf(fileName: string): string {
+  const slug = plainName(fileName.replace(/(\.level)?\.json$/i, ''));
   if (slug === '') return 'level';
   // some names are reserved for devices on some systems
   return LEVEL_ID_PART.test(slug) ? slug : `level-${slug}`;

@@ -1,33 +1,24 @@
 import { fileOpen, fileSave } from 'browser-fs-access';
 import type { ExportedFile } from './export.ts';
 
-/** Whether an error means that the user closed the dialog. */
-const isCancel = (error: unknown): boolean => error instanceof DOMException && error.name === 'AbortError';
-
-/** Lets the user choose level files. @returns null if none were chosen */
-export async function chooseFiles(): Promise<readonly File[] | null> {
+/** What a dialog of the browser gives; null if the user closed it. */
+export async function unlessClosed<T>(dialog: Promise<T>): Promise<T | null> {
   try {
-    return await fileOpen({
-      description: 'levels',
-      mimeTypes: ['application/json'],
-      extensions: ['.json'],
-      multiple: true,
-    });
+    return await dialog;
   } catch (error) {
-    if (isCancel(error)) return null;
+    if (error instanceof DOMException && error.name === 'AbortError') return null;
     throw error;
   }
 }
 
+/** Lets the user choose level files. @returns null if none were chosen */
+export const chooseFiles = (): Promise<readonly File[] | null> =>
+  unlessClosed(fileOpen({ description: 'levels', mimeTypes: ['application/json'], extensions: ['.json'], multiple: true }));
+
 /** Saves a file for the user, by a dialog or as a download. @returns whether it was saved */
 export async function keepFile({ name, blob }: ExportedFile): Promise<boolean> {
-  try {
-    await fileSave(blob, { fileName: name, extensions: [name.slice(name.lastIndexOf('.'))] });
-    return true;
-  } catch (error) {
-    if (isCancel(error)) return false;
-    throw error;
-  }
+  const saving = fileSave(blob, { fileName: name, extensions: [name.slice(name.lastIndexOf('.'))] });
+  return (await unlessClosed(saving.then(() => true))) ?? false;
 }
 
 /** Downloads a file at once: a dialog would no longer be allowed some seconds after the click that asked for the file. */

@@ -18,6 +18,9 @@ export const PLAY_EXTENSION = '.gqr';
 
 export const isPlayFile = ({ name }: { readonly name: string }): boolean => name.toLowerCase().endsWith(PLAY_EXTENSION);
 
+/** What to call a play after its file: `ann.gqr` becomes `ann`. */
+export const bareTitle = (title: string): string => title.replace(/\.gqr$/i, '');
+
 /** Base64url of the first three bytes of every play: 0x89, `G`, `Q`. */
 const BEGINNING = 'iUdR';
 
@@ -78,15 +81,3 @@ export async function readPlayFiles(
   for (let i = 0; i < files.length && !isOver(); i += AT_ONCE) await Promise.all(files.slice(i, i + AT_ONCE).map(read));
   return { plays, refused };
 }
-
-/** A file name: letters, digits and hyphens. */
-const slug = (text: string): string =>
-  text
-    .toLowerCase()
-    .replace(/[^a-z0-9]+/g, '-')
-    .replace(/^-+|-+$/g, '')
-    .slice(0, 60) || 'play';
-
-/** The name of the file that a play is saved as. @param level the name of the level */
-export const playFileName = (level: string, title: string): string =>
-  `${slug(level)}-${slug(title.replace(/\.gqr$/i, ''))}${PLAY_EXTENSION}`;

@@ -1,10 +1,10 @@
 export { type DeathMap, deathsNear } from './death-map.ts';
 export {
+  bareTitle,
   type GivenPlay,
   isPlayFile,
   isPlayText,
   PLAY_EXTENSION,
-  playFileName,
   playInFragment,
   playsInText,
   type RefusedFile,

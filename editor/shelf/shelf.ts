@@ -3,6 +3,7 @@ import type { PlayStatistics, Attempt as Replayed } from '../../check/plays/inde
 import { type Play, type PlayVerdict, playToText } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { OpenLevel } from '../context/index.ts';
+import { keptWith } from '../kept/index.ts';
 import { type DeathMap, deathMapOf } from './death-map.ts';
 
 /** A play that was opened from outside, and what it turned out to be. */
@@ -81,11 +82,7 @@ export function createShelf(): Shelf {
   };
 }
 
-const shelves = new WeakMap<OpenLevel['document'], Shelf>();
+const shelfAt = keptWith<object, Shelf>(createShelf);
 
 /** The opened plays of a level; they stay while the page lives, also when another level is opened in the meantime. */
-export function shelfOf({ document }: Pick<OpenLevel, 'document'>): Shelf {
-  const shelf = shelves.get(document) ?? createShelf();
-  shelves.set(document, shelf);
-  return shelf;
-}
+export const shelfOf = ({ document }: Pick<OpenLevel, 'document'>): Shelf => shelfAt(document);

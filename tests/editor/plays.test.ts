@@ -10,8 +10,9 @@ import {
   SORTS,
 } from '../../editor/panels/attempts/attempt-rows.ts';
 import { groupPlays, refusedInWords } from '../../editor/plays/group-plays.ts';
+import { playFileName } from '../../editor/plays/share-play.ts';
 import { deathMapOf, deathsNear } from '../../editor/shelf/death-map.ts';
-import { isPlayText, playFileName, playInFragment, playsInText, readPlayFiles } from '../../editor/shelf/given.ts';
+import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/shelf/given.ts';
 import { createShelf, type OpenedPlay, type Shelf } from '../../editor/shelf/shelf.ts';
 import { path } from '../../editor/workers/jobs/path.ts';
 import { plays as verifyPlays } from '../../editor/workers/jobs/plays.ts';
@@ -117,6 +118,7 @@ describe('what a person opens', () => {
   it('has a file name without characters that a system refuses', () => {
     expect(playFileName('Nova lane: part 2', 'attempt 3')).toBe('nova-lane-part-2-attempt-3.gqr');
     expect(playFileName('???', '../a\\b.GQR')).toBe('play-a-b.gqr');
+    expect(playFileName('Böse', 'ann.gqr')).toBe('boese-ann.gqr');
   });
 });
 

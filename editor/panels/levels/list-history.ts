@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Editor } from '../../context/index.ts';
 import type { EditedLevel } from '../../document/index.ts';
+import { keptWith } from '../../kept/index.ts';
 
 /** An undoable action on the list of levels, not on the contents of a level. */
 export interface ListStep {
@@ -134,13 +135,5 @@ function createListHistory({ open }: Editor): ListHistory {
   };
 }
 
-const histories = new WeakMap<Editor, ListHistory>();
-
 /** The history of the page. */
-export function listHistoryOf(editor: Editor): ListHistory {
-  const known = histories.get(editor);
-  if (known !== undefined) return known;
-  const made = createListHistory(editor);
-  histories.set(editor, made);
-  return made;
-}
+export const listHistoryOf = keptWith(createListHistory);

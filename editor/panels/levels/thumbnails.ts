@@ -2,6 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
 import { type LevelEntry, type OwnRules, RULE_NAMES } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
+import { keptWith } from '../../kept/index.ts';
 import type { Results } from '../../workers/index.ts';
 
 const THEMES = ['dark', 'light'] as const;
@@ -70,14 +71,8 @@ interface Wanted {
   readonly by: PlayedBy;
 }
 
-const made = new WeakMap<Editor, Thumbnails>();
-
 /** The thumbnails of this page. They are made one at a time, so that other work does not have to wait for the workers. */
-export function thumbnailsOf(editor: Editor): Thumbnails {
-  const known = made.get(editor) ?? createThumbnails(editor);
-  made.set(editor, known);
-  return known;
-}
+export const thumbnailsOf = keptWith(createThumbnails);
 
 function createThumbnails({ workspace, workers }: Editor): Thumbnails {
   const store = createStore<MadeThumbnails>(() => ({ byKey: new Map(), lastKey: new Map() }));

@@ -1,0 +1,1 @@
+export { keptWith } from './kept-with.ts';
