@@ -1,7 +1,8 @@
 import { RotateCcw, Route, X } from 'lucide-react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useProof } from '../context/index.ts';
+import { useEditor, useProof } from '../context/index.ts';
 import { Button } from '../ui/index.ts';
+import { SpeedAndMinerals } from './SpeedAndMinerals.tsx';
 import type { Readout } from './use-playtest.ts';
 
 interface PlayHudProps {
@@ -19,20 +20,13 @@ interface PlayHudProps {
 /** Time, speed and minerals during a playtest, and its controls. */
 export function PlayHud({ readout, gun, touch, isOver, onRestart, onLeave, toGun }: PlayHudProps) {
   const { settings } = useEditor();
-  const level = useLevel();
   const isRunShown = useStore(settings, ({ runInPlay }) => runInPlay);
   const hasRun = useProof(({ run }) => run.name !== null);
-  const { minerals: all } = level.proof.proof().level;
   return (
     <div className="play__hud">
       <div className="play__readout numbers" aria-hidden>
         <span>{((readout?.tick ?? 0) / 60).toFixed(2)} s</span>
-        <span>{Math.round(readout?.speed ?? 0)} px/s</span>
-        {all.length > 0 && (
-          <span>
-            minerals {readout?.minerals ?? 0}/{all.length}
-          </span>
-        )}
+        <SpeedAndMinerals speed={readout?.speed ?? 0} minerals={readout?.minerals ?? 0} />
         <span className="play__hint">{touch ? `${gun}: gun` : `${gun} or Space: gun · R: again · Esc: edit`}</span>
       </div>
       <div className="play__tools">

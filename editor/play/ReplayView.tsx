@@ -1,19 +1,16 @@
 import { Pause, Play, Plus, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
-import { TICK, TICK_RATE } from '../../engine/index.ts';
-import { useEditor, useLevel, useSession } from '../context/index.ts';
+import { TICK } from '../../engine/index.ts';
+import { useEditor, useLevel } from '../context/index.ts';
 import type { Replay } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
+import { everyFrame } from './every-frame.ts';
 import { keepHolds } from './keep-attempt.ts';
 import './play.css';
 import { createReplay, type ReplayPlayer } from './replay.ts';
+import { SpeedAndMinerals } from './SpeedAndMinerals.tsx';
 
-interface Moment {
-  readonly tick: number;
-  readonly minerals: number;
-  readonly speed: number;
-  readonly isOver: boolean;
-}
+type Moment = Pick<ReplayPlayer, 'tick' | 'minerals' | 'speed' | 'isOver'>;
 
 const momentOf = ({ tick, minerals, speed, isOver }: ReplayPlayer): Moment => ({ tick, minerals, speed, isOver });
 
@@ -23,36 +20,32 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
   const level = useLevel();
   const host = useRef<HTMLDivElement>(null);
   const player = useRef<ReplayPlayer | null>(null);
-  const rate = useSession((state) => state.rate);
   const [isPlaying, setPlaying] = useState(true);
   const [moment, setMoment] = useState<Moment>({ tick: 0, minerals: 0, speed: 0, isOver: false });
-  const now = useRef({ rate, isPlaying });
-  now.current = { rate, isPlaying };
-  const { minerals } = level.proof.proof().level;
+  const isPlayingNow = useRef(isPlaying);
+  isPlayingNow.current = isPlaying;
 
   useEffect(() => {
     const playing = createReplay(level.proof.proof().level, replay);
     player.current = playing;
     level.playtest.setState({ pose: () => playing.pose() }, true);
     host.current?.focus({ preventScroll: true });
-    let last = performance.now();
-    const onFrame = (time: number) => {
-      frame = requestAnimationFrame(onFrame);
-      const ms = (time - last) * now.current.rate;
-      last = time;
-      if (!now.current.isPlaying || playing.isOver) return;
-      const { tick } = playing;
-      playing.advance(ms);
-      if (playing.tick !== tick) setMoment(momentOf(playing));
-      if (playing.isOver) setPlaying(false);
-    };
-    let frame = requestAnimationFrame(onFrame);
+    const stop = everyFrame(
+      () => editor.session.getState().rate,
+      (ms) => {
+        if (!isPlayingNow.current || playing.isOver) return;
+        const { tick } = playing;
+        playing.advance(ms);
+        if (playing.tick !== tick) setMoment(momentOf(playing));
+        if (playing.isOver) setPlaying(false);
+      },
+    );
     return () => {
-      cancelAnimationFrame(frame);
+      stop();
       player.current = null;
       level.playtest.setState(null, true);
     };
-  }, [level, replay]);
+  }, [editor, level, replay]);
 
   const seek = useCallback((tick: number) => {
     const playing = player.current;
@@ -72,7 +65,7 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
   const step = useCallback(
     (by: number) => {
       setPlaying(false);
-      seek(Math.max(0, (player.current?.tick ?? 0) + by));
+      seek((player.current?.tick ?? 0) + by);
     },
     [seek],
   );
@@ -94,12 +87,7 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
     <div ref={host} className="play play--replay" tabIndex={-1} role="application" aria-label={`Replay of ${replay.title}`}>
       <div className="play__hud">
         <div className="play__readout numbers" aria-hidden>
-          <span>{Math.round(moment.speed)} px/s</span>
-          {minerals.length > 0 && (
-            <span>
-              minerals {moment.minerals}/{minerals.length}
-            </span>
-          )}
+          <SpeedAndMinerals {...moment} />
         </div>
       </div>
       <div className={`replay replay--${replay.look}`}>
@@ -132,7 +120,7 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
             />
           </div>
           <span className="replay__moment numbers">
-            {(tick * TICK).toFixed(2)} / {(replay.tick / TICK_RATE).toFixed(2)} s
+            {(tick * TICK).toFixed(2)} / {(replay.tick * TICK).toFixed(2)} s
           </span>
           <Button hint="Keep it in the level as a run" shortcut="Enter" icon={<Plus size={16} />} onClick={keep} />
           <Button hint="Back to editing" shortcut="Esc" icon={<X size={16} />} onClick={leave} />

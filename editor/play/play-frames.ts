@@ -1,4 +1,5 @@
 import type { SettingsStore } from '../settings/index.ts';
+import { everyFrame } from './every-frame.ts';
 import { listenToGun } from './gun-input.ts';
 import type { Playtest } from './playtest.ts';
 import { createSound } from './sound.ts';
@@ -34,12 +35,8 @@ export function playFrames({ element, settings, rate, onReadout }: FramesParts):
     release: () => current?.player.release(),
   });
   const sound = createSound(() => (settings.getState().sound ? settings.getState().volume : 0));
-  let last = performance.now();
   let shownAt = 0;
-  const onFrame = (now: number) => {
-    frame = requestAnimationFrame(onFrame);
-    const ms = (now - last) * rate();
-    last = now;
+  const stopFrames = everyFrame(rate, (ms, now) => {
     if (current === null) return;
     const playing = current;
     playing.player.advance(ms);
@@ -48,8 +45,7 @@ export function playFrames({ element, settings, rate, onReadout }: FramesParts):
       shownAt = now;
       onReadout(playing);
     }
-  };
-  let frame = requestAnimationFrame(onFrame);
+  });
   return {
     play(playing) {
       current = playing;
@@ -63,7 +59,7 @@ export function playFrames({ element, settings, rate, onReadout }: FramesParts):
       else sound.died();
     },
     stop() {
-      cancelAnimationFrame(frame);
+      stopFrames();
       gun.stop();
       sound.close();
     },

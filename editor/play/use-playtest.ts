@@ -34,13 +34,10 @@ interface PlaytestOnPage {
 export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnPage {
   const editor = useEditor();
   const level = useLevel();
-  const rate = useSession((state) => state.rate);
   const from = useSession((state) => state.playFrom);
   const play = useRef<Playtest | null>(null);
   const frames = useRef<PlayFrames | null>(null);
   const begun = useRef(nowOf(editor, level));
-  const rateNow = useRef(rate);
-  rateNow.current = rate;
   const [readout, setReadout] = useState<Readout | null>(null);
   const [attempt, setAttempt] = useState<Attempt | null>(null);
 
@@ -92,7 +89,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
     const running = playFrames({
       element,
       settings: editor.settings,
-      rate: () => rateNow.current,
+      rate: () => editor.session.getState().rate,
       onReadout: (playing) => setReadout(read(playing)),
     });
     frames.current = running;

@@ -1,14 +1,15 @@
-import { FolderOpen, Gamepad2, X } from 'lucide-react';
+import { FolderOpen, X } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
 import { type Reading, readingOf } from '../../plays/index.ts';
 import { hashNow, shelfOf } from '../../shelf/index.ts';
 import { Button } from '../../ui/index.ts';
-import { Progress, useThrottledProof } from '../parts/index.ts';
+import { plural } from '../figures/index.ts';
+import { PlayButton, Progress, useThrottledProof } from '../parts/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
 import { AttemptLine } from './AttemptLine.tsx';
-import { type AttemptRow, attemptRows, type ListOptions, SHOWN, type Shown, SORTS, type Sort } from './attempt-rows.ts';
+import { type AttemptRow, attemptRows, type ListOptions, type Shown, type Sort } from './attempt-rows.ts';
 import './attempts.css';
 import { DeathList } from './DeathList.tsx';
 import { replayRow, rowMenu } from './row-actions.ts';
@@ -137,7 +138,7 @@ interface FiltersProps {
 }
 
 /** Search, filter and order. */
-function Filters({ options, onChange, shown, all }: FiltersProps) {
+function Filters({ options, onChange, shown: count, all }: FiltersProps) {
   return (
     <div className="attempts-panel__filters">
       <input
@@ -148,34 +149,32 @@ function Filters({ options, onChange, shown, all }: FiltersProps) {
         value={options.words}
         onChange={(event) => onChange({ ...options, words: event.target.value })}
       />
-      <select
-        className="field"
-        aria-label="Show"
-        value={options.shown}
-        onChange={(event) => onChange({ ...options, shown: event.target.value as Shown })}
-      >
-        {SHOWN.map((one) => (
-          <option key={one} value={one}>
-            {SHOWN_TITLES[one]}
-          </option>
-        ))}
-      </select>
-      <select
-        className="field"
-        aria-label="Order"
-        value={options.sort}
-        onChange={(event) => onChange({ ...options, sort: event.target.value as Sort })}
-      >
-        {SORTS.map((one) => (
-          <option key={one} value={one}>
-            {SORT_TITLES[one]}
-          </option>
-        ))}
-      </select>
+      <Choice label="Show" titles={SHOWN_TITLES} value={options.shown} onChange={(shown) => onChange({ ...options, shown })} />
+      <Choice label="Order" titles={SORT_TITLES} value={options.sort} onChange={(sort) => onChange({ ...options, sort })} />
       <span className="attempts-panel__count numbers" role="status">
-        {shown === all ? `${all} ${all === 1 ? 'attempt' : 'attempts'}` : `${shown} of ${all} attempts`}
+        {count === all ? plural(all, 'attempt') : `${count} of ${all} attempts`}
       </span>
     </div>
+  );
+}
+
+interface ChoiceProps<T extends string> {
+  readonly label: string;
+  readonly titles: Readonly<Record<T, string>>;
+  readonly value: T;
+  readonly onChange: (value: T) => void;
+}
+
+/** One of some values, by their titles. */
+function Choice<T extends string>({ label, titles, value, onChange }: ChoiceProps<T>) {
+  return (
+    <select className="field" aria-label={label} value={value} onChange={(event) => onChange(event.target.value as T)}>
+      {Object.entries<string>(titles).map(([one, title]) => (
+        <option key={one} value={one}>
+          {title}
+        </option>
+      ))}
+    </select>
   );
 }
 
@@ -185,15 +184,7 @@ function NoAttempts() {
   return (
     <div className="attempts-panel__empty">
       <p>Nobody has played this level here yet.</p>
-      <Button
-        hint="Play from the start"
-        shortcut="Space"
-        look="main"
-        icon={<Gamepad2 size={15} />}
-        onClick={() => commands.run('play.start')}
-      >
-        Play the level
-      </Button>
+      <PlayButton />
       <p>
         Or open plays of others: <code>.gqr</code> files, as the game saves and sends them. Drop files or a folder of them
         anywhere on the page, or paste a play that was copied as text.

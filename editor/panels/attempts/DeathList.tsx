@@ -9,8 +9,6 @@ import { percent, plural } from '../figures/index.ts';
 /** Places that are listed. */
 const MOST = 12;
 
-const NO_CLUSTERS: readonly FailureCluster[] = [];
-
 /** Where and why players fail in the opened plays, the most frequent first; each place can be brought into view. */
 export function DeathList() {
   const { session } = useEditor();
@@ -20,13 +18,12 @@ export function DeathList() {
   const deaths = useStore(shelf.store, (state) => state.deaths);
   const isShown = useSession(({ layers }) => layers.deaths);
   const title = useId();
-  if (statistics === null || statistics.all.length === 0) return null;
-  const { all, clusters = NO_CLUSTERS, causes } = statistics;
-  const won = all.filter(({ cause }) => cause === null).length;
+  if (statistics === null || statistics.attempts === 0) return null;
+  const { attempts, share, clusters, causes } = statistics;
   const show = ({ x, y, plays }: FailureCluster) => {
     session.setState({ lookAt: { x, y } });
-    const keys = new Set(plays.map((index) => shelf.store.getState().plays[index]?.key));
-    shelf.select([...keys].filter((key) => key !== undefined));
+    const opened = shelf.store.getState().plays;
+    shelf.select(plays.map((index) => opened[index].key));
   };
   return (
     <section className="deaths" aria-labelledby={title}>
@@ -48,7 +45,7 @@ export function DeathList() {
         )}
       </div>
       <p className="deaths__sum numbers">
-        {plural(all.length, 'play')}: {percent(won / all.length)} complete the level
+        {plural(attempts, 'play')}: {percent(share)} complete the level
         {causes.length > 0 && `; most often she ${causeInWords(causes[0].cause)} (${percent(causes[0].share)} of failures)`}.
       </p>
       {clusters.length > 0 && (

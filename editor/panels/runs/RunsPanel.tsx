@@ -1,8 +1,9 @@
-import { Gamepad2, Plus } from 'lucide-react';
+import { Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
 import { useDocument, useEditor, useLevel, useProof } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
+import { PlayButton } from '../parts/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
 import { AttemptList } from './AttemptList.tsx';
 import { runChanges } from './change-runs.ts';
@@ -103,19 +104,10 @@ export function RunsPanel() {
 
 /** The empty state of a level without runs. */
 function NoRuns() {
-  const { commands } = useEditor();
   return (
     <div className="runs__empty">
       <p>This level has no runs yet.</p>
-      <Button
-        hint="Play from the start"
-        shortcut="Space"
-        look="main"
-        icon={<Gamepad2 size={15} />}
-        onClick={() => commands.run('play.start')}
-      >
-        Play the level
-      </Button>
+      <PlayButton />
       <p>Keep an attempt as a run, or let the solver find one.</p>
     </div>
   );
