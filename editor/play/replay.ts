@@ -36,7 +36,7 @@ export function createReplay(level: Level, { holds, accuracy, tick: last }: Repl
       return shown.speed();
     },
     advance: (ms) => void player.advance(ms),
-    seek: (tick) => player.restart({ from: tick > 0 ? { holds, tick: Math.min(last, tick) } : null, replay: holds }),
+    seek: (tick) => player.restart({ from: tick > 0 ? { holds, tick } : null, replay: holds }),
     pose: shown.pose,
   };
 }

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../../editor/attempts/attempts.ts';
+import { causeInWords } from '../../editor/attempts/index.ts';
 import {
   type AttemptRow,
   attemptRows,
@@ -255,6 +256,27 @@ describe('the map of deaths', () => {
   });
 });
 
+it('the map of deaths reaches exactly as far as it is asked to, and names what she dies of', () => {
+  const death = (x: number, kind: 'lost' | 'alien') =>
+    ({ x, y: 10, cause: kind === 'alien' ? { kind, index: 1 } : { kind, index: null } }) as const;
+  const map = deathMapOf([death(50, 'lost'), death(50.25, 'alien'), death(-30, 'alien'), death(-30, 'alien')]);
+  if (map === null) throw new Error('no deaths');
+  expect(deathsNear(map, 10, 10, 40)).toEqual([
+    { cause: 'hits alien 2', count: 2 },
+    { cause: 'is lost', count: 1 },
+  ]);
+});
+
+it.each([
+  [{ kind: 'nova', index: 2 }, 'hits nova 3'],
+  [{ kind: 'lost', index: null }, 'is lost'],
+  [{ kind: 'timeout', index: null }, 'runs out of time'],
+  [{ kind: 'left', index: null }, 'is left before the end'],
+  [{ kind: 'minerals', index: null }, 'collects too few minerals'],
+] as const)('the cause %o in words', (cause, words) => {
+  expect(causeInWords(cause)).toBe(words);
+});
+
 describe('the list of attempts', () => {
   const attempt = (number: number, tick: number, outcome: 'completed' | 'lost' | null): Attempt => ({
     number,
@@ -293,6 +315,8 @@ describe('the list of attempts', () => {
     expect(titles({ words: 'NOVA 1' })).toEqual(['2.gqr']);
     expect(titles({ shown: 'opened', sort: 'name' })).toEqual(['2.gqr', '10.gqr', 'wrong.gqr']);
     expect(titles({ shown: 'mine', sort: 'shortest' })).toEqual(['attempt 2', 'attempt 1', 'attempt 3']);
+    expect(titles({ shown: 'mine', sort: 'longest' })).toEqual(['attempt 3', 'attempt 1', 'attempt 2']);
+    expect(titles({ shown: 'mine', sort: 'oldest' })).toEqual(['attempt 1', 'attempt 2', 'attempt 3']);
     expect(titles({ shown: 'mine', sort: 'minerals' })).toEqual(['attempt 3', 'attempt 2', 'attempt 1']);
   });
 

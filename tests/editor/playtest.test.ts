@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createPlaytest, type Playtest } from '../../editor/play/playtest.ts';
+import { createReplay } from '../../editor/play/replay.ts';
 import { compile, simulate, TICK_RATE } from '../../engine/index.ts';
-import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { type Hold, type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 
 const FILE: LevelFile = {
   version: 1,
@@ -76,7 +77,15 @@ describe('a playtest', () => {
     expect(collected).toBe(1);
     expect(playtest.minerals).toBe(1);
     expect(seen).toEqual([...Array<string>(collected).fill('mineral'), run.outcome]);
+    // the gun is still held
+    expect(playtest.pose().beamTo).toBeNull();
     expect(playtest.end).toMatchObject({ outcome: run.outcome, with: run.with, time: run.time, tick: run.tick });
+  });
+
+  it('lets her wait while the tab sleeps: a frame counts for at most 250 ms', () => {
+    const playtest = createPlaytest(scene, { from: null });
+    playtest.player.advance(60_000);
+    expect(playtest.player.tick).toBe(15);
   });
 
   it('shows her between two ticks, and the beam to the asteroid that pulls her until the attempt ends', () => {
@@ -93,4 +102,45 @@ describe('a playtest', () => {
     expect(playtest.end).not.toBeNull();
     expect(playtest.pose().beamTo).toBeNull();
   });
+});
+
+describe('a replay', () => {
+  const holds: Hold[] = [
+    [20, 70],
+    [80, 90],
+  ];
+  const tick = 90;
+  const level = resolveLevel({ ...FILE, minerals: [{ x: 200, y: 325, radius: 12 }] });
+  const scene = compile(level, 'precise');
+  const replay = { title: 'attempt 1', holds, accuracy: 'precise', tick, end: '', look: 'lost' } as const;
+
+  it('has at each tick what the playtest had, whichever way it got there, and is over at its last tick', () => {
+    fc.assert(
+      fc.property(fc.array(fc.integer({ min: -5, max: tick + 50 }), { minLength: 1, maxLength: 6 }), (ticks) => {
+        const replayed = createReplay(level, replay);
+        for (const to of ticks) {
+          replayed.seek(to);
+          const at = Math.min(tick, Math.max(0, to));
+          expect(replayed.tick).toBe(at);
+          expect(replayed.isOver).toBe(at === tick);
+          expect([replayed.minerals, replayed.speed]).toEqual([playedTo(at).minerals, playedTo(at).speed]);
+          expect(replayed.pose().collected.size).toBe(replayed.minerals);
+        }
+      }),
+      { numRuns: 30 },
+    );
+    expect(playedTo(tick).minerals).toBe(1);
+    const replayed = createReplay(level, replay);
+    for (let i = 0; i < 1000 && !replayed.isOver; i++) replayed.advance(30);
+    expect(replayed.tick).toBe(tick);
+    expect(replayed.pose().beamTo).toBeNull();
+    replayed.seek(0);
+    expect([replayed.isOver, replayed.minerals]).toEqual([false, 0]);
+    replayed.advance(3 * MS);
+    expect(replayed.tick).toBe(3);
+  });
+
+  function playedTo(to: number): Playtest {
+    return createPlaytest(scene, { from: { holds, tick: to } });
+  }
 });

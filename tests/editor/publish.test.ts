@@ -34,6 +34,8 @@ describe('one file with a page, its game and a pack', () => {
         // as a browser splits it
         const scripts = [...page.matchAll(/<script>(.*?)<\/script/gis)].map(([, script]) => script);
         expect(scripts).toHaveLength(2);
+        // after it, "<script" hides the end of the element
+        expect(scripts.join('')).not.toContain('<!--');
         const hashes = scripts.map((script) => `'sha256-${createHash('sha256').update(script).digest('base64')}'`);
         expect(page.replaceAll('&#39;', "'")).toContain(`script-src ${hashes.join(' ')};`);
         const run = new Function('globalThis', scripts.join('\n'));
