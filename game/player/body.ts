@@ -31,7 +31,7 @@ export class Body {
     this.jump();
   }
 
-  /** Takes the present state for both, so that nothing is drawn between them: at the start, or after a restore. */
+  /** Takes the present state for both, so that nothing is drawn between them: where a play begins. */
   jump(): void {
     const { simulation, aliens, asteroids } = this;
     simulation.readState(this.state);

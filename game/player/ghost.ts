@@ -70,6 +70,11 @@ export class GhostRun implements Ghost {
   reset(): void {
     this.simulation.reset();
     this.ending = null;
+    this.jump();
+  }
+
+  /** Shows nothing before the tick where it is. */
+  jump(): void {
     this.body.jump();
   }
 }

@@ -305,7 +305,6 @@ export class LevelPlayer implements Player {
     this.attempt = { ...this.attempt, ...options };
     const { replay = null, from = null, ghosts = [] } = this.attempt;
     this.simulation.reset();
-    this.body.jump();
     this.gun.reset();
     this.playHash.reset();
     // a caller may have kept the list of the last attempt
@@ -320,6 +319,9 @@ export class LevelPlayer implements Player {
     this.script = from === null ? null : new Script(from.holds);
     while (from !== null && this.tick < from.tick && this.ending === null) this.step();
     this.untold.length = 0;
+    // nothing before the play begins is shown
+    this.body.jump();
+    for (const ghost of this.ghosts) ghost.jump();
     this.script = replay === null ? null : new Script(replay);
     this.show();
   }

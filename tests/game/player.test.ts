@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, type Scene, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { createPlayer, type PlayEvent, type Player } from '../../game/index.ts';
+import type { Hold } from '../../schema/index.ts';
 import { accuracyNames, levelsFor } from '../engine/accuracies.ts';
 import { arbitraryPlayableLevel } from '../engine/arbitrary-level.ts';
 import { pack, shipped } from '../levels/shipped-pack.ts';
@@ -303,6 +304,22 @@ describe('callbacks', () => {
     told.advance(0);
     expect(types).toEqual(told.events.map(({ type }) => type));
   });
+});
+
+it('a player that takes over from a run is shown where it takes over, not a tick before', () => {
+  const holds: Hold[] = [[110, 250]];
+  const player = createPlayer(firewalk, { from: { holds, tick: 200 }, ghosts: [{ name: 'the same', holds }] });
+  expect(player.tick).toBe(200);
+  const pose = new Float64Array(STATE_SIZE);
+  player.readPose(pose);
+  expect([...pose]).toEqual([...player.state]);
+  player.ghosts[0].readPose(pose);
+  expect([...pose]).toEqual([...player.state]);
+  player.advance(1000 / 120);
+  player.readPose(pose);
+  expect([...pose]).toEqual([...player.state]);
+  player.advance(1000 / 120);
+  expect([player.tick, [...player.previous]]).toEqual([201, [...pose]]);
 });
 
 it('a run that ends before the player takes over is shown at its end', () => {
