@@ -39,7 +39,8 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
     'can be dragged from inside and outside of the bar, the middle moves it, and a legend explains the graphs',
     on({ '01': drifting() }, async (stage) => {
       const { page } = stage;
-      await page.getByTitle(/^2 holds, /).waitFor();
+      // until the end is known, the timeline reaches to the last hold only
+      await page.getByTitle(/^2 holds, reaches the black hole at/).waitFor();
       // by as many ticks as fit into whole px
       const drag = async (x: number, px: number) => {
         const { middle, zoom } = await firstHold(page);
