@@ -387,6 +387,22 @@ describe('the watch over the robustness of the shown run', () => {
     expect(looks()).toEqual(['attempt-1', 'slack-1--2']);
   });
 
+  it('measures a run that was cut off at first, as soon as all of it is simulated', async () => {
+    const { workers, clock, level } = stage();
+    const whole = level.proof.proof();
+    const store = createStore<typeof whole>(() => ({ ...whole, limit: 'run', run: { ...whole.run, outcome: 'timeout' } }));
+    const after = (ms: number, call: () => void) => clock.after(ms, call);
+    const proof = { ...level.proof, store, proof: () => store.getState() };
+    const watch = watchRobustness({ level: { ...level, proof }, workers, after, afterRest: after });
+    await settle({ clock, workers });
+    expect(watch.store.getState().phase).toBe('failed');
+    expect(workers.jobs).toHaveLength(0);
+    store.setState(whole, true);
+    await settle({ clock, workers });
+    expect(watch.store.getState().phase).toBe('measuring');
+    expect(workers.last('robustness').isCancelled()).toBe(false);
+  });
+
   it('forgets its results when the run or the level changes, and ignores old answers', async () => {
     for (const isRun of [true, false]) {
       const { workers, clock, watch, level, holds, scene, document, looks } = watched();

@@ -75,7 +75,7 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
   const { proof, analysis } = level;
   const store = createStore<RobustnessState>(() => ({ phase: 'waiting', ...UNKNOWN, withMinerals: false }));
   let jobs: readonly Job<'fan' | 'robustness'>[] = [];
-  let last: { scene: Scene; holds: string } | null = null;
+  let last: { scene: Scene; holds: string; whole: boolean } | null = null;
   let waiting: (() => void)[] = [];
 
   const put = (analysed: Analysed | null) => {
@@ -156,10 +156,13 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
     waiting = [afterRest(SETTLE, measure)];
   };
   const look = () => {
-    const { scene, run } = proof.proof();
+    const known = proof.proof();
+    const { scene, run } = known;
     const holds = run.holds.join();
-    if (last !== null && last.scene === scene && last.holds === holds) return;
-    last = { scene, holds };
+    // a run that was cut off is simulated to its end once the page is at rest
+    const whole = isWhole(known);
+    if (last !== null && last.scene === scene && last.holds === holds && last.whole === whole) return;
+    last = { scene, holds, whole };
     settle();
   };
   look();
