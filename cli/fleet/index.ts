@@ -1,0 +1,2 @@
+export { rangesOf, readRanges } from './ranges.ts';
+export { chooseShard, type Environment, type ShardChoice } from './shard-number.ts';
