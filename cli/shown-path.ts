@@ -8,9 +8,13 @@ export function shellPath(file: string, platform: string = process.platform): st
   // a name that looks like an option
   const path = file.startsWith('-') && file !== '-' ? `./${file}` : file;
   if (platform === 'win32') return /^[\w./\\:-]+$/.test(path) ? path : `"${path}"`;
-  if (/^[\w./:-]+$/.test(path)) return path;
-  return /["$`!\\]/.test(path) ? `'${path.replaceAll("'", "'\\''")}'` : `"${path}"`;
+  return /^[\w./:-]+$/.test(path) ? path : quoted(path);
 }
+
+/** Any text as one word of a POSIX shell, also one that is an option. */
+export const shellWord = (text: string): string => (/^[\w./:=,%@+-]+$/.test(text) ? text : quoted(text));
+
+const quoted = (text: string): string => (/["$`!\\]/.test(text) ? `'${text.replaceAll("'", "'\\''")}'` : `"${text}"`);
 
 /** A path for a message, in which an empty path must be visible. */
 export const namedPath = (file: string): string => (file === '' ? '""' : file);

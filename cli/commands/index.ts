@@ -46,6 +46,11 @@ export const COMMANDS: readonly CommandEntry[] = [
     summary: 'verify recorded plays: repeat their inputs and compare what comes of them with what they claim',
     load: () => import('./verify/index.ts'),
   },
+  {
+    name: 'submit',
+    summary: 'run the shards of a plan on a cluster',
+    load: () => import('./submit/index.ts'),
+  },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'merge-driver', summary: 'merge two versions of a level, for git', load: () => import('./merge-driver.ts') },
