@@ -26,11 +26,25 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
     const said = takeNotices() + (result.messages ?? '');
     if (said !== '') process.stderr.write(said);
     for (const message of messages) process.stderr.write(`${visible(message)}\n`);
-    if (result.output !== undefined && result.output.length > 0) process.stdout.write(result.output);
+    await writeOutput(result);
     return failed && result.exitCode < 2 ? 2 : result.exitCode;
   } catch (error) {
     await leaveSignals();
     return reportError(error);
+  }
+}
+
+async function writeOutput({ output, end }: CommandResult): Promise<void> {
+  try {
+    if (output === undefined) return;
+    if (typeof output === 'string' || output instanceof Uint8Array) {
+      if (output.length > 0) process.stdout.write(output);
+      return;
+    }
+    const { printAll } = await import('./print.ts');
+    await printAll(output);
+  } finally {
+    end?.();
   }
 }
 

@@ -3,7 +3,7 @@ import { dirname } from 'node:path';
 import type { ResultFile } from './command.ts';
 import { Failure, systemReason } from './failure.ts';
 import { uncut } from './signals.ts';
-import { writeWhole } from './write-file.ts';
+import { writePieces, writeWhole } from './write-file.ts';
 
 /**
  * Writes the files of a result. One that can't be written does not keep the others from being written.
@@ -28,11 +28,12 @@ export async function writeResultFiles(files: readonly ResultFile[]): Promise<{ 
 async function write({ path, content, mode }: ResultFile): Promise<void> {
   if (mode === 'replace') {
     makeFolder(path);
-    return writeWhole(path, content);
+    return typeof content === 'string' || content instanceof Uint8Array ? writeWhole(path, content) : writePieces(path, content);
   }
   await uncut(() => {
     try {
-      appendFileSync(path, content);
+      for (const piece of typeof content === 'string' || content instanceof Uint8Array ? [content] : content)
+        appendFileSync(path, piece);
     } catch (error) {
       throw new Failure(`${path}: can't be written: ${systemReason(error)}`);
     }

@@ -13,7 +13,8 @@ const SIGNALS = ['SIGINT', 'SIGTERM'] as const;
 const ALWAYS_CATCHES = process.platform === 'win32' || process.pid === 1;
 
 let isCatching = false;
-let undo: () => void = () => {};
+/** What is taken back before a signal ends the process, the latest first. */
+const undos: (() => void)[] = [];
 
 /** Takes a signal that is not to end the process; null: every signal ends it. */
 let listener: ((signal: NodeJS.Signals) => boolean) | null = null;
@@ -21,7 +22,7 @@ let listener: ((signal: NodeJS.Signals) => boolean) | null = null;
 const end = (signal: NodeJS.Signals): void => {
   if (listener?.(signal)) return;
   try {
-    undo();
+    for (const undo of undos.reverse()) undo();
   } finally {
     process.exit(128 + constants.signals[signal]);
   }
@@ -77,19 +78,28 @@ export async function uncut<T>(work: () => T): Promise<T> {
  * @param takeBack undoes the steps that were done, if a signal comes before the last one or a step throws
  */
 export async function allOrNone(steps: Iterable<() => void>, takeBack: () => void): Promise<void> {
+  await withUndo(takeBack, async () => {
+    try {
+      for (const step of steps) {
+        step();
+        await hearSignals();
+      }
+    } catch (error) {
+      takeBack();
+      throw error;
+    }
+  });
+}
+
+/** Does work that is taken back if a signal ends the process in it. */
+export async function withUndo<T>(takeBack: () => void, work: () => Promise<T>): Promise<T> {
   catchSignals();
   await hearSignals();
-  undo = takeBack;
+  undos.push(takeBack);
   try {
-    for (const step of steps) {
-      step();
-      await hearSignals();
-    }
-  } catch (error) {
-    takeBack();
-    throw error;
+    return await work();
   } finally {
-    undo = () => {};
+    undos.splice(undos.lastIndexOf(takeBack), 1);
   }
 }
 

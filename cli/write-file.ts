@@ -1,9 +1,10 @@
-import { existsSync, lstatSync, readlinkSync, realpathSync, statSync, writeFileSync } from 'node:fs';
+import { closeSync, existsSync, lstatSync, openSync, readlinkSync, realpathSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
-import { replaceFile } from './disk.ts';
+import { renamePatiently, replaceFile } from './disk.ts';
 import { Failure, systemReason } from './failure.ts';
+import { LineWriter } from './line-writer.ts';
 import { shellPath } from './shown-path.ts';
-import { uncut } from './signals.ts';
+import { hearSignals, uncut, withUndo } from './signals.ts';
 import { whyNotWritable } from './writable.ts';
 
 /** Resolves the links of a path, even if its target does not exist yet. */
@@ -31,6 +32,46 @@ export async function writeWhole(path: string, content: string | Uint8Array): Pr
   if (stats !== undefined && !stats.isFile()) return tryTo(path, () => writeFileSync(target, bytes));
   await uncut(() => tryTo(path, () => replace(target, bytes)));
 }
+
+/**
+ * Writes a file piece by piece, completely or not at all: for one that is too large for memory.
+ * @throws Failure with the reason if it can't be written
+ */
+export async function writePieces(path: string, pieces: Iterable<string>): Promise<void> {
+  const target = tryTo(path, () => followed(path));
+  const stats = statSync(target, { throwIfNoEntry: false });
+  if (stats !== undefined && !stats.isFile()) {
+    const descriptor = tryTo(path, () => openSync(target, 'w'));
+    try {
+      for (const piece of pieces) tryTo(path, () => writeFileSync(descriptor, piece));
+    } finally {
+      closeSync(descriptor);
+    }
+    return;
+  }
+  const why = stats === undefined ? null : whyNotWritable(target);
+  if (why !== null) throw new Failure(`${path}: can't be written: ${why}`);
+  const out = tryTo(path, () => new LineWriter(target));
+  const discard = (): void => out.discard();
+  try {
+    await withUndo(discard, async () => {
+      let heard = performance.now();
+      for (const piece of pieces) {
+        tryTo(path, () => out.write(piece));
+        if (performance.now() - heard < SLICE) continue;
+        await hearSignals();
+        heard = performance.now();
+      }
+      tryTo(path, () => out.end());
+      tryTo(path, () => renamePatiently(out.unfinished, target));
+    });
+  } finally {
+    discard();
+  }
+}
+
+/** ms between two looks at signals */
+const SLICE = 20;
 
 /** The same within work that no signal may interrupt; only for a regular file, or a path without a file. */
 export function replaceRegular(path: string, content: Uint8Array): void {

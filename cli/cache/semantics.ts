@@ -29,7 +29,17 @@ const MODULE = extname(new URL(import.meta.url).pathname);
  * @throws if something is missing
  */
 export function semantics(root: string = HERE, extension: string = MODULE): string {
-  const hash = createHash('sha256').update(process.version);
+  return createHash('sha256').update(process.version).update(codeFingerprint(root, extension)).digest('hex');
+}
+
+/**
+ * The same without Node: results don't depend on it, only a cache takes no chances.
+ * @param root the folder with the rooms
+ * @param extension of a module
+ * @throws if something is missing
+ */
+export function codeFingerprint(root: string = HERE, extension: string = MODULE): string {
+  const hash = createHash('sha256');
   const add = (path: string): void => {
     const entries = readdirSync(join(root, path), { withFileTypes: true });
     for (const entry of entries.sort((a, b) => (a.name < b.name ? -1 : 1))) {

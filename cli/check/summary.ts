@@ -1,22 +1,10 @@
-import type { Verdict } from '../../schema/index.ts';
 import type { CheckedLevel } from './checked-level.ts';
-
-/** The number of levels for each verdict; 0 for verdicts that no level has. */
-export function summarize(reports: readonly CheckedLevel[]): Record<Verdict, number> {
-  const summary = { completable: 0, broken: 0, unproven: 0, impossible: 0, invalid: 0, crashed: 0 };
-  for (const { verdict } of reports) summary[verdict]++;
-  return summary;
-}
-
-/** The number of problems that are warnings. */
-export const countWarnings = (reports: readonly Pick<CheckedLevel, 'problems'>[]): number =>
-  reports.reduce((sum, { problems }) => sum + problems.filter(({ severity }) => severity === 'warning').length, 0);
+import { type Totals, totalsOf } from './totals.ts';
 
 /** That there are more warnings than allowed; null if there are not. @param maxWarnings null: any number is allowed */
-export function tooManyWarnings(reports: readonly Pick<CheckedLevel, 'problems'>[], maxWarnings: number | null): string | null {
-  const count = countWarnings(reports);
-  if (maxWarnings === null || count <= maxWarnings) return null;
-  return `${count} ${count === 1 ? 'warning' : 'warnings'}: at most ${maxWarnings} allowed (--max-warnings)`;
+export function tooManyWarnings({ warnings }: Pick<Totals, 'warnings'>, maxWarnings: number | null): string | null {
+  if (maxWarnings === null || warnings <= maxWarnings) return null;
+  return `${warnings} ${warnings === 1 ? 'warning' : 'warnings'}: at most ${maxWarnings} allowed (--max-warnings)`;
 }
 
 /**
@@ -24,9 +12,12 @@ export function tooManyWarnings(reports: readonly Pick<CheckedLevel, 'problems'>
  * too many warnings; else 0
  * @param maxWarnings null: any number is allowed
  */
-export function exitCodeOf(reports: readonly CheckedLevel[], maxWarnings: number | null): 0 | 1 | 2 {
-  if (reports.length === 0 || reports.some((r) => r.unreadable || r.verdict === 'crashed')) return 2;
-  const isGood = ({ verdict, problems }: CheckedLevel): boolean =>
-    verdict === 'completable' && problems.every(({ severity }) => severity === 'warning');
-  return reports.every(isGood) && tooManyWarnings(reports, maxWarnings) === null ? 0 : 1;
+export function exitCodeFor(totals: Totals, maxWarnings: number | null): 0 | 1 | 2 {
+  const { levels, good, failed } = totals;
+  if (levels === 0 || failed > 0) return 2;
+  return good === levels && tooManyWarnings(totals, maxWarnings) === null ? 0 : 1;
 }
+
+/** The exit code of a check of these levels. */
+export const exitCodeOf = (levels: readonly CheckedLevel[], maxWarnings: number | null): 0 | 1 | 2 =>
+  exitCodeFor(totalsOf(levels), maxWarnings);

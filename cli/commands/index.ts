@@ -51,6 +51,12 @@ export const COMMANDS: readonly CommandEntry[] = [
     summary: 'run the shards of a plan on a cluster',
     load: () => import('./submit/index.ts'),
   },
+  {
+    name: 'plan',
+    summary: 'split a large set of levels into shards for many machines',
+    load: () => import('./plan/index.ts'),
+  },
+  { name: 'merge', summary: 'put the results of shards together, and miss nothing', load: () => import('./merge/index.ts') },
   { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'merge-driver', summary: 'merge two versions of a level, for git', load: () => import('./merge-driver.ts') },

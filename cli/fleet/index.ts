@@ -1,4 +1,15 @@
+export { type Gathered, gather } from './gather.ts';
+export { contentsOf, JOBS, type JobName } from './job-names.ts';
+export { jobOf } from './jobs/index.ts';
+export { makePlan } from './make-plan.ts';
+export { mergedRecords } from './merged-records.ts';
+export { MOST_SHARDS, type Plan, planText, readPlan } from './plan.ts';
 export { rangesOf, readRanges } from './ranges.ts';
+export { readCosts } from './read-costs.ts';
+export { replaySample } from './replay.ts';
+export { recordOfLine } from './result.ts';
 export { maxArraySize, submitJob, USUAL_ARRAY_SIZE } from './sbatch.ts';
+export { ignoreFor } from './set-paths.ts';
+export { addShardOptions, refuseBesidesPlan, type ShardOptions, shardOfPlan } from './shard-command.ts';
 export { chooseShard, type Environment, type ShardChoice } from './shard-number.ts';
 export { arrayJob, logsOf, mergeJob, reportOf, type SlurmOrder, submission } from './slurm.ts';

@@ -9,8 +9,12 @@ const MOST_NAMED = 20;
  * What was not checked, for people: lines, or nothing if all was checked. No line begins with a file, whose name GitHub could take
  * for a command.
  */
-export function earlyEndInWords({ unchecked, interrupted }: Results): string {
-  if (unchecked.length === 0) return interrupted ? 'interrupted by a signal after the last level\n' : '';
+export function earlyEndInWords({ unchecked, interrupted, unlisted = 0 }: Results): string {
+  const rest =
+    unlisted === 0
+      ? ''
+      : `and ${plural(unlisted, 'level')} more that ${unlisted === 1 ? 'fails' : 'fail'}: --format json lists all levels\n`;
+  if (unchecked.length === 0) return interrupted ? 'interrupted by a signal after the last level\n' : rest;
   const why = interrupted ? 'interrupted by a signal' : 'ended early';
   const are = unchecked.length === 1 ? 'is' : 'are';
   const named = unchecked.slice(0, MOST_NAMED).map((file) => `  - ${visibleLine(file)}\n`);

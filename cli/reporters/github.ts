@@ -1,5 +1,4 @@
 import { plural } from '../../check/words/index.ts';
-import { summarize } from '../check/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { earlyEndInWords } from './early-end.ts';
 import { pathInWorkspace } from './paths.ts';
@@ -8,7 +7,7 @@ import { type Annotation, errorsFirst, workflowCommand } from './workflow-comman
 
 /** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */
 export function checkGithub(results: Results, { places, linkTo, quiet = false }: ReportContext): string {
-  const { levels } = results;
+  const { levels, totals } = results;
   const annotations = levels.flatMap((level): Annotation[] => {
     const failure = failureOf(level, linkTo);
     const file = pathInWorkspace(level.file, places);
@@ -19,9 +18,9 @@ export function checkGithub(results: Results, { places, linkTo, quiet = false }:
       return { severity, file, line, column, title: code, message: lines.filter((text) => text !== '').join('\n') };
     });
   });
-  const counts = Object.entries(summarize(levels)).filter(([, count]) => count > 0);
+  const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
-  const summary = `${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}`;
+  const summary = `${plural(totals.levels, 'level')}${words === '' ? '' : `: ${words}`}`;
   if (results.excess) annotations.push(excessOf(results.excess));
   return `${errorsFirst(annotations).map(workflowCommand).join('')}${summary}\n${earlyEndInWords(results)}`;
 }

@@ -1,4 +1,4 @@
-export { chooseReports, expectReportFiles, reporterOption, reportFormatOption } from './destinations.ts';
+export { chooseReports, type Destination, expectReportFiles, reporterOption, reportFormatOption } from './destinations.ts';
 export { pathInWorkspace } from './paths.ts';
 export { placesOf } from './places.ts';
 export { reportCheck } from './report-check.ts';

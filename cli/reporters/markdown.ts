@@ -1,5 +1,5 @@
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
-import { type CheckedLevel, summarize } from '../check/index.ts';
+import type { CheckedLevel } from '../check/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
 import { visible } from '../visible.ts';
@@ -42,7 +42,7 @@ export function markdownWithin(
   const warned = passing.filter(({ problems }) => problems.length > 0);
   const space = new Space(mostBytes - RESERVE);
 
-  const head = space.take([part(heading(results, failing.length))]);
+  const head = space.take([part(heading(results))]);
   if (head.length === 0) return '';
   const rows = space.take(
     failing.map((level) => part(row(level, shown))),
@@ -102,11 +102,13 @@ const PASSING = `\n<details><summary>Completable levels</summary>\n\n${HEADER}`;
 
 const GOOD = 'Every level is good';
 
-function heading({ levels, unchecked, interrupted, excess }: Results, failing: number): string {
-  const counts = Object.entries(summarize(levels)).filter(([, count]) => count > 0);
+function heading({ totals, unchecked, interrupted, excess }: Results): string {
+  const { levels } = totals;
+  const failing = levels - totals.good;
+  const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
   const title =
-    levels.length === 0
+    levels === 0
       ? 'No level was checked'
       : failing === 0
         ? excess
@@ -114,9 +116,9 @@ function heading({ levels, unchecked, interrupted, excess }: Results, failing: n
           : interrupted || unchecked.length > 0
             ? 'The check is not complete'
             : GOOD
-        : `${failing} of ${plural(levels.length, 'level')} ${failing === 1 ? 'fails' : 'fail'}`;
+        : `${failing} of ${plural(levels, 'level')} ${failing === 1 ? 'fails' : 'fail'}`;
   const isGood = title === GOOD;
-  return `### ${isGood ? '✅' : '❌'} ${title}\n\n${plural(levels.length, 'level')}${words === '' ? '' : `: ${words}`}\n${excess ? `\n**${excess}**\n` : ''}`;
+  return `### ${isGood ? '✅' : '❌'} ${title}\n\n${plural(levels, 'level')}${words === '' ? '' : `: ${words}`}\n${excess ? `\n**${excess}**\n` : ''}`;
 }
 
 function row(level: CheckedLevel, shownFile: (file: string) => string): string {

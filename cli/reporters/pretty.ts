@@ -1,6 +1,6 @@
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
-import { type CheckedLevel, countWarnings, summarize } from '../check/index.ts';
+import type { CheckedLevel, Totals } from '../check/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { visibleLine } from '../visible.ts';
@@ -18,7 +18,7 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
 export function checkPretty(results: Results, { colors, width, linkTo, quiet = false }: ReportContext): string {
-  const { levels: reports } = results;
+  const { levels: reports, totals } = results;
   const listed = quiet ? reports.flatMap(onlyErrors) : reports;
   const lines = alignColumns(listed.map(row), { right: [TIME_COLUMN], width });
   const paint = (verdict: Verdict): ((text: string) => string) =>
@@ -31,18 +31,14 @@ export function checkPretty(results: Results, { colors, width, linkTo, quiet = f
     const failure = failureOf(level, linkTo);
     if (failure !== null) text += `    ${colors.dim(`look at it: ${visibleLine(placeInWords(failure))}`)}\n`;
   }
-  const summary = summarize(reports);
-  const counts = Object.entries(summary).filter(([, count]) => count > 0);
+  const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ');
-  const count = `${colors.bold(plural(reports.length, 'level'))}${words === '' ? '' : `: ${words}`}${besides(reports, quiet)}`;
+  const count = `${colors.bold(plural(totals.levels, 'level'))}${words === '' ? '' : `: ${words}`}${besides(totals, quiet)}`;
   text += `${quiet && listed.length === 0 ? '' : '\n'}${count}\n${earlyEndInWords(results)}`;
   if (results.excess) text += `${colors.red(results.excess)}\n`;
-  const tight = reports.filter(({ problems }) => problems.some(({ code }) => code === 'slack-below-required')).length;
+  const { tight, differing } = totals;
   if (tight > 0)
     text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;
-  const differing = reports.filter(({ problems }) =>
-    problems.some(({ code, severity }) => severity === 'error' && (code === 'result-changed' || code === 'not-in-lock')),
-  ).length;
   if (differing > 0) text += `${colors.red(`${plural(differing, 'level')} not as agreed on in the lock`)}\n`;
   for (const [verdict] of counts as [Verdict, number][]) {
     if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
@@ -58,10 +54,11 @@ function onlyErrors(report: CheckedLevel): CheckedLevel[] {
 }
 
 /** What the summary says besides verdicts: allowed problems, and warnings where they are not listed. */
-function besides(reports: readonly CheckedLevel[], quiet: boolean): string {
-  const allowed = reports.reduce((sum, report) => sum + (report.allowed ?? 0), 0);
-  const warnings = quiet ? countWarnings(reports) : 0;
-  const notes = [warnings === 0 ? '' : plural(warnings, 'warning'), allowed === 0 ? '' : `${plural(allowed, 'problem')} allowed`];
+function besides({ allowed, warnings }: Totals, quiet: boolean): string {
+  const notes = [
+    warnings === 0 || !quiet ? '' : plural(warnings, 'warning'),
+    allowed === 0 ? '' : `${plural(allowed, 'problem')} allowed`,
+  ];
   const said = notes.filter((note) => note !== '').join(', ');
   return said === '' ? '' : `; ${said}`;
 }

@@ -1,4 +1,5 @@
 import process from 'node:process';
+import type { CheckedLevel } from '../check/index.ts';
 import { colorsFor, PLAIN, widthOf } from '../colors.ts';
 import type { CommandResult, ResultFile } from '../command.ts';
 import { readVersion } from '../version.ts';
@@ -16,7 +17,10 @@ const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
   markdown: async () => (await import('./markdown.ts')).checkMarkdown,
 };
 
-/** Makes the reports of a check: those for files, and the one for stdout. */
+/**
+ * Makes the reports of a check: those for files, and the one for stdout.
+ * @param levels for a large set: gives all levels, as often as it is called; JSON is then made in pieces
+ */
 export async function reportCheck(
   results: Results,
   reports: readonly Destination[],
@@ -26,6 +30,7 @@ export async function reportCheck(
     linkTo,
     quiet,
   }: Pick<ReportContext, 'accuracy' | 'linkTo' | 'quiet'> & { readonly exitCode: CommandResult['exitCode'] },
+  levels: (() => Iterable<CheckedLevel>) | null = null,
 ): Promise<CommandResult> {
   const context: ReportContext = {
     colors: PLAIN,
@@ -39,8 +44,15 @@ export async function reportCheck(
     isJenkins: Boolean(process.env.JENKINS_URL),
   };
   const files: ResultFile[] = [];
-  let output = '';
+  let output: CommandResult['output'] = '';
   for (const { name, file } of reports) {
+    if (name === 'json' && levels !== null) {
+      const { checkJsonOf } = await import('./json.ts');
+      const pieces = { [Symbol.iterator]: () => checkJsonOf(levels(), results, linkTo) };
+      if (file === null) output = pieces;
+      else files.push({ path: file, content: pieces, mode: 'replace' });
+      continue;
+    }
     const make = await REPORTERS[name]();
     if (file === null) output = make(results, { ...context, colors: colorsFor(process.stdout), width: widthOf(process.stdout) });
     else files.push({ path: file, content: make(results, context), mode: 'replace' });

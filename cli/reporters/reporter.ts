@@ -1,4 +1,4 @@
-import type { CheckedLevel } from '../check/index.ts';
+import type { CheckedLevel, Totals } from '../check/index.ts';
 import type { Colors } from '../colors.ts';
 import type { EditorLink } from '../show-failure/index.ts';
 
@@ -9,7 +9,12 @@ export type ReporterName = (typeof REPORTER_NAMES)[number];
 
 /** What a check has found out. */
 export interface Results {
+  /** The levels that are listed: all, or of a large set those that fail. */
   readonly levels: readonly CheckedLevel[];
+  /** Of all levels. */
+  readonly totals: Totals;
+  /** How many levels that fail are not listed; missing if none. */
+  readonly unlisted?: number;
   /** The files that were not checked, because the check ended early. */
   readonly unchecked: readonly string[];
   /** Whether a signal ended the check early. */

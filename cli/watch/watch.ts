@@ -66,7 +66,8 @@ async function print({ output = '', messages = '', files = [], exitCode }: Comma
   const written = await writeResultFiles(files.filter(({ mode }) => mode === 'replace'));
   const isScreen = process.stdout.isTTY === true && process.env.TERM !== 'dumb';
   if (isScreen) process.stdout.write(CLEAR_SCREEN);
-  if (output.length > 0) process.stdout.write(output);
+  // only a report of packs is in pieces, and packs are not watched
+  if (typeof output === 'string' && output !== '') process.stdout.write(output);
   const all = [...written.messages.map((text) => `${text}\n`), messages].join('');
   const isOver = exitCode > 2;
   const prompt = isOver ? '' : `watching for changes${process.stdin.isTTY ? ': a checks all again, q ends' : ''}\n`;

@@ -6,6 +6,7 @@ import type { AskedOptions, CheckedLevel, CheckSettings } from '../../check/inde
 import {
   checkContent,
   checkFiles,
+  exitCodeFor,
   exitCodeOf,
   FEW_FILES,
   judgeLevels,
@@ -14,12 +15,14 @@ import {
   refuseLimitsWithoutSearch,
   settingsFor,
   tooManyWarnings,
+  totalsOf,
   unreadableLevel,
 } from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config-file.ts';
 import { type Configuration, noConfiguration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions, shardOfPlan } from '../../fleet/index.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
@@ -33,7 +36,7 @@ import { chooseFiles } from './choose-files.ts';
 
 const MOST_WARNINGS = 1_000_000;
 
-interface CheckOptions extends AccuracyOptions, ConfigOptions, AskedOptions, CacheOptions {
+interface CheckOptions extends AccuracyOptions, ConfigOptions, AskedOptions, CacheOptions, ShardOptions {
   readonly maxWarnings?: number;
   readonly quiet?: true;
   readonly format?: string;
@@ -50,7 +53,7 @@ interface CheckOptions extends AccuracyOptions, ConfigOptions, AskedOptions, Cac
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addCacheOptions(addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level'))
+  addShardOptions(addCacheOptions(addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level')))
     .description('Read and validate every level, replay its runs, and report which levels can be completed.')
     .argument('[path...]', PATHS)
     .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
@@ -120,6 +123,8 @@ Examples:
   $ gq check --reporter github --reporter json=out/levels.json   a report on stdout, and one in a file`,
     )
     .action(async (paths: string[], options: CheckOptions) => {
+      refuseBesidesPlan(command, paths, options);
+      if (options.plan !== undefined) return finish(await shardOfPlan('check', options, options.jobs));
       refuseUnused(command, [{ option: '--seed', isUsed: options.solve === true, needs: '--solve' }]);
       finish(await (options.watch ? watchLevels(paths, options) : check(paths, options, checkFiles)));
     });
@@ -201,15 +206,17 @@ async function check(
   // severity, what levels allow and the lock do not change what was checked and kept
   const levels = await judgeLevels(compare(reports), configuration);
   const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
+  const totals = totalsOf(levels);
   const results = {
     levels,
+    totals,
     unchecked,
     interrupted: signal !== null,
     shown: shown(levels),
-    excess: tooManyWarnings(levels, maxWarnings),
+    excess: tooManyWarnings(totals, maxWarnings),
   };
   const isNothing = levels.length === 0 && options.changed !== undefined;
-  const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeOf(levels, maxWarnings);
+  const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeFor(totals, maxWarnings);
   const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;
   const report = await reportCheck(results, reported, {
     exitCode,

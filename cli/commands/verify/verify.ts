@@ -11,6 +11,7 @@ import { Failure, systemReason } from '../../failure.ts';
 import { once, statOrError, walk } from '../../files.ts';
 import { findConfigured } from '../../level-paths.ts';
 import { collect, jobsOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { print } from '../../print.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { readRegularFile } from '../../regular-file.ts';
@@ -139,24 +140,6 @@ async function verify(paths: readonly string[], options: Options, command: Comma
     messages: [...warnings, ...errors].join(''),
     exitCode: errors.length > 0 ? 2 : isClean ? 0 : 1,
   };
-}
-
-/**
- * Writes to standard output and waits until there is room for more.
- * @returns whether anybody still reads it
- */
-async function print(text: string): Promise<boolean> {
-  const { stdout } = process;
-  if (stdout.destroyed || stdout.errored !== null) return false;
-  if (stdout.write(text)) return true;
-  await new Promise<void>((resolve) => {
-    const done = (): void => {
-      for (const event of ['drain', 'close', 'error']) stdout.off(event, done);
-      resolve();
-    };
-    for (const event of ['drain', 'close', 'error']) stdout.on(event, done);
-  });
-  return !stdout.destroyed && stdout.errored === null;
 }
 
 /** The key in a file, without the end of its line. */

@@ -1,0 +1,53 @@
+import type { Verdict } from '../../schema/index.ts';
+import type { CheckedLevel } from './checked-level.ts';
+
+/** What reports say about all levels of a check together. */
+export interface Totals {
+  levels: number;
+  /** The number of levels for each verdict; 0 for verdicts that no level has. */
+  readonly summary: Record<Verdict, number>;
+  /** Levels that are completable and have no error. */
+  good: number;
+  /** Files that could not be read, and levels on which gq failed. */
+  failed: number;
+  warnings: number;
+  /** Problems that levels allow. */
+  allowed: number;
+  /** Levels that forgive less than is required. */
+  tight: number;
+  /** Levels that are not as agreed on in the lock. */
+  differing: number;
+}
+
+const noLevels = (): Totals => ({
+  levels: 0,
+  summary: { completable: 0, broken: 0, unproven: 0, impossible: 0, invalid: 0, crashed: 0 },
+  good: 0,
+  failed: 0,
+  warnings: 0,
+  allowed: 0,
+  tight: 0,
+  differing: 0,
+});
+
+const isOfLock = (code: string): boolean => code === 'result-changed' || code === 'not-in-lock';
+
+/** Whether a level is completable and has no error. */
+export const isGood = ({ verdict, problems }: Pick<CheckedLevel, 'verdict' | 'problems'>): boolean =>
+  verdict === 'completable' && problems.every(({ severity }) => severity === 'warning');
+
+export function totalsOf(levels: Iterable<CheckedLevel>): Totals {
+  const totals = noLevels();
+  for (const level of levels) {
+    const { verdict, problems, unreadable, allowed = 0 } = level;
+    totals.levels++;
+    totals.summary[verdict]++;
+    if (isGood(level)) totals.good++;
+    if (unreadable || verdict === 'crashed') totals.failed++;
+    totals.warnings += problems.filter(({ severity }) => severity === 'warning').length;
+    totals.allowed += allowed;
+    if (problems.some(({ code }) => code === 'slack-below-required')) totals.tight++;
+    if (problems.some(({ code, severity }) => severity === 'error' && isOfLock(code))) totals.differing++;
+  }
+  return totals;
+}

@@ -1,0 +1,124 @@
+import { availableParallelism } from 'node:os';
+import { type Command, InvalidArgumentError, Option } from 'commander';
+import { plural } from '../../../check/words/index.ts';
+import type { CommandResult } from '../../command.ts';
+import {
+  contentsOf,
+  type Gathered,
+  gather,
+  jobOf,
+  mergedRecords,
+  rangesOf,
+  readPlan,
+  recordOfLine,
+  replaySample,
+} from '../../fleet/index.ts';
+import { jobsOption } from '../../options.ts';
+import { chooseReports, expectReportFiles, reporterOption, reportFormatOption } from '../../reporters/index.ts';
+import { namedPath, shellPath } from '../../shown-path.ts';
+import { exitCodeAfter, stoppable } from '../../signals.ts';
+
+const LISTS = ['list', 'slurm', 'k8s'] as const;
+
+interface Options {
+  readonly plan: string;
+  readonly missing?: (typeof LISTS)[number];
+  /** The share of the levels, 0 to 1. */
+  readonly replay: number;
+  readonly format?: string;
+  readonly reporter?: readonly string[];
+  readonly output?: string;
+  readonly quiet?: true;
+  readonly jobs: number;
+}
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .description('Put the results of shards together: every level exactly once, the same report for any number of shards.')
+    .argument('<dir...>', 'directories with results')
+    .requiredOption('--plan <file>', 'the plan, as gq plan has written it')
+    .addOption(new Option('--missing <form>', 'print only the shards whose results are missing').choices(LISTS))
+    .option('--replay <share>', 'how many of the good results to repeat: a percentage, all or none', parseShare, 0.01)
+    .addOption(reportFormatOption())
+    .addOption(reporterOption())
+    .option('-o, --output <file>', 'write the report into a file in place of stdout')
+    .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
+    .addOption(jobsOption(availableParallelism()))
+    .addHelpText(
+      'after',
+      `
+Missing shards are named, and nothing else is reported. --missing slurm and k8s print them as 2,5-7, list as one a line; do those
+shards again, and merge again. Copies of a result that agree are fine. Results that differ are an alarm: a machine computes
+otherwise, or a result was changed.
+--replay repeats a sample of what is said to be good, chosen by a hash of all results, and needs the levels for it.
+The report has the same bytes for any number of shards, in any order, on any machine; so levels have no times in it (ms is 0).
+
+Exit code: 0 and 1 as the command that was planned; 2 when a result is missing, damaged or of another plan; 3 when results
+contradict each other or a replay.
+
+Examples:
+  $ gq merge results --plan plan.json
+  $ gq merge results --plan plan.json --format json -o report.json
+  $ sbatch --array=$(gq merge results --plan plan.json --missing slurm) shard.sh`,
+    )
+    .action(async (folders: string[], options: Options) => finish(await merge(folders, options)));
+}
+
+function parseShare(text: string): number {
+  if (text === 'all') return 1;
+  if (text === 'none') return 0;
+  const percent = Number(text.replace(/%$/, ''));
+  if (/^[\d.]+%?$/.test(text) && percent <= 100) return percent / 100;
+  throw new InvalidArgumentError('expected a percentage from 0 to 100, all or none');
+}
+
+async function merge(folders: readonly string[], options: Options): Promise<CommandResult> {
+  const plan = readPlan(options.plan);
+  const asked = chooseReports(options).map((one) =>
+    one.file === null && options.output !== undefined ? { ...one, file: options.output } : one,
+  );
+  expectReportFiles(asked, [], { 'the plan': options.plan });
+  const gathered = await gather(plan, folders);
+  const notes = [...gathered.notes, ...gathered.conflicts].map((note) => `${note}\n`).join('');
+  if (options.missing !== undefined) return { ...listMissing(options.missing, gathered), messages: notes };
+  if (gathered.conflicts.length > 0) {
+    return {
+      messages: `${notes}error: results contradict each other; a machine computes otherwise, or a result was changed\n`,
+      exitCode: 3,
+    };
+  }
+  if (gathered.missing.length > 0) return { messages: notes + missingInWords(gathered, options), exitCode: 2 };
+  const results = gathered.results.map((path) => path!);
+  const { done: replayed, signal } = await stoppable((stopping) =>
+    replaySample(plan, results, { rate: options.replay, seed: gathered.seed, jobs: options.jobs, stopping }),
+  );
+  if (signal !== null) return { exitCode: exitCodeAfter(signal) };
+  if (replayed.refuted.length > 0) {
+    const lines = replayed.refuted
+      .map(({ file, truth }) => `${namedPath(file)}: recorded as good, but it is ${truth}\n`)
+      .join('');
+    return {
+      messages: `${notes}${lines}error: replays contradict the results: a machine computes otherwise, or a result was changed\n`,
+      exitCode: 3,
+    };
+  }
+  function* records() {
+    for (const line of mergedRecords(results)) yield recordOfLine(line);
+  }
+  const report = await jobOf(plan.job).report(records, plan.report, asked, { quiet: options.quiet, withTimes: false });
+  const sample =
+    options.replay === 0 ? 'no result was repeated' : `${plural(replayed.replayed, 'good result')} repeated: as recorded`;
+  const whole = `${plural(plan.shards.length, 'shard')}, ${plural(plan.levels, contentsOf(plan.job) === 'plays' ? 'play' : 'level')}: each exactly once; ${sample}\n`;
+  return { ...report, messages: notes + whole + (report.messages ?? '') };
+}
+
+function listMissing(form: (typeof LISTS)[number], { missing }: Gathered): CommandResult {
+  if (missing.length === 0) return { exitCode: 0 };
+  return { output: form === 'list' ? missing.map((shard) => `${shard}\n`).join('') : `${rangesOf(missing)}\n`, exitCode: 2 };
+}
+
+function missingInWords({ missing, results }: Gathered, { plan }: Options): string {
+  const ranges = rangesOf(missing);
+  const which = missing.length === 1 ? `shard ${ranges} is` : `shards ${ranges} are`;
+  return `error: ${missing.length} of ${plural(results.length, 'result')} missing: ${which} not there; do ${missing.length === 1 ? 'it' : 'them'} again: gq check --plan ${shellPath(plan)} --shard ${missing[0]} --out ...\n`;
+}

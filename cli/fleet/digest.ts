@@ -1,0 +1,105 @@
+import { createHash } from 'node:crypto';
+
+/** Bytes of a SHA-256. */
+export const DIGEST = 32;
+
+const sha256 = (...parts: readonly Uint8Array[]): Buffer => {
+  const hash = createHash('sha256');
+  for (const part of parts) hash.update(part);
+  return hash.digest();
+};
+
+/** The hash of an entry's bytes: decides its shard. */
+export const contentHash = (content: Uint8Array): Buffer => sha256(content);
+
+/** The hash of an entry: of its bytes, by their hash, and of its name. */
+export const entryHash = (content: Uint8Array, name: string): Buffer => sha256(content, Buffer.from(name));
+
+/** Blocks of a set at most. */
+const MOST_BLOCKS = 4096;
+
+/**
+ * The hashes of a set in blocks of consecutive entries, so that a difference has a place. The number of entries in a block is a
+ * power of two, and the hash of a block that of its two halves, so a set of unknown size needs little memory: whenever there are
+ * too many blocks, two become one.
+ */
+export class SetDigest {
+  private blocks: Buffer[] = [];
+  /** The hashes of the block under way, of 1, 2, 4, ... entries; each entry of a binary counter. */
+  private readonly partial: (Buffer | null)[] = [];
+  private count = 0;
+
+  /**
+   * @param size entries in a block; grows unless `onBlock` is given
+   * @param onBlock gets each block that is complete, in place of keeping it
+   */
+  constructor(
+    private size = 1,
+    private readonly onBlock: ((hash: Buffer, index: number) => void) | null = null,
+  ) {}
+
+  /** The number of entries. */
+  get entries(): number {
+    return this.count;
+  }
+
+  add(hash: Buffer): void {
+    let node = hash;
+    let level = 0;
+    for (let half = 1; half < this.size; half *= 2, level++) {
+      const left = this.partial[level] ?? null;
+      if (left === null) {
+        this.partial[level] = node;
+        this.count++;
+        return;
+      }
+      this.partial[level] = null;
+      node = sha256(left, node);
+    }
+    this.count++;
+    this.endBlock(node);
+  }
+
+  /** Ends the last block. @returns all blocks, and how many entries each of them has */
+  end(): { readonly size: number; readonly blocks: readonly string[] } {
+    let last: Buffer | null = null;
+    for (const node of this.partial) if (node !== null && node !== undefined) last = last === null ? node : sha256(node, last);
+    this.partial.length = 0;
+    if (last !== null) this.endBlock(last);
+    return { size: this.size, blocks: this.blocks.map((hash) => hash.toString('hex', 0, 16)) };
+  }
+
+  private endBlock(node: Buffer): void {
+    if (this.onBlock !== null) {
+      this.onBlock(node, Math.ceil(this.count / this.size) - 1);
+      return;
+    }
+    this.blocks.push(node);
+    if (this.blocks.length < MOST_BLOCKS || this.count % this.size !== 0) return;
+    const { blocks } = this;
+    this.blocks = [];
+    for (let i = 0; i < blocks.length; i += 2) this.blocks.push(sha256(blocks[i], blocks[i + 1]));
+    this.size *= 2;
+  }
+}
+
+/** The hash of a shard: of its entries and of their numbers within the set. */
+export class ShardDigest {
+  private readonly hash = createHash('sha256');
+  private count = 0;
+  private readonly number = Buffer.alloc(8);
+
+  get entries(): number {
+    return this.count;
+  }
+
+  add(n: number, hash: Uint8Array): void {
+    this.number.writeDoubleLE(n);
+    this.hash.update(this.number).update(hash);
+    this.count++;
+  }
+
+  end(): string {
+    return this.hash.digest('hex');
+  }
+}

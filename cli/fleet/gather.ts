@@ -1,0 +1,108 @@
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { Failure, systemReason } from '../failure.ts';
+import { namedPath } from '../shown-path.ts';
+import { hearSignals } from '../signals.ts';
+import { entryHash, ShardDigest } from './digest.ts';
+import { LineReader } from './line-reader.ts';
+import type { Plan } from './plan.ts';
+import { headerOf, inspect, RESULT_FILE, recordOfLine } from './result.ts';
+
+/** The results of a plan that were found. */
+export interface Gathered {
+  /** The result of each shard; null: it is missing. */
+  readonly results: readonly (string | null)[];
+  readonly missing: readonly number[];
+  /** What was found besides good results, for people: damaged ones, copies. */
+  readonly notes: readonly string[];
+  /** Results that contradict each other or the plan: why. */
+  readonly conflicts: readonly string[];
+  /** Depends on every result, so that nobody who writes one knows it before. */
+  readonly seed: string;
+}
+
+/**
+ * Finds the results of a plan in folders, and reads each to its end.
+ * @throws Failure if a folder can't be read, or has a result of another plan
+ */
+export async function gather(plan: Plan, folders: readonly string[]): Promise<Gathered> {
+  const results: (string | null)[] = plan.shards.map(() => null);
+  const records = new Map<number, string>();
+  const sums: string[] = [];
+  const notes: string[] = [];
+  const conflicts: string[] = [];
+  const foreign: string[] = [];
+  for (const path of resultsIn(folders)) {
+    const shard = Number(RESULT_FILE.exec(path.split(/[/\\]/).at(-1)!)![1]);
+    if (shard >= plan.shards.length) {
+      foreign.push(`${namedPath(path)}: the plan has shards 0 to ${plan.shards.length - 1} only`);
+      continue;
+    }
+    const digest = new ShardDigest();
+    const found = tryTo(path, () => inspect(path, headerOf(plan, shard), (line) => addTo(digest, line)));
+    await hearSignals();
+    if (found.state === 'foreign') foreign.push(`${namedPath(path)}: ${found.why}`);
+    else if (found.state === 'damaged') notes.push(`${namedPath(path)}: not counted: ${found.why}`);
+    else if (digest.end() !== plan.shards[shard].hash)
+      conflicts.push(`${namedPath(path)}: it has other levels than shard ${shard} of the plan`);
+    else if (results[shard] === null) {
+      results[shard] = path;
+      records.set(shard, found.records);
+      sums.push(`${shard} ${found.records}`);
+    } else if (records.get(shard) === found.records) notes.push(`${namedPath(path)}: the same as ${namedPath(results[shard])}`);
+    else conflicts.push(firstDifference(results[shard], path));
+  }
+  if (foreign.length > 0) {
+    throw new Failure(
+      `nothing was merged: expected results of this plan alone:\n${foreign.map((line) => `  ${line}\n`).join('')}merge them with their own plan, or move them away`,
+    );
+  }
+  const missing = results.flatMap((path, shard) => (path === null ? [shard] : []));
+  return { results, missing, notes, conflicts, seed: sums.sort().join('\n') };
+}
+
+function resultsIn(folders: readonly string[]): string[] {
+  return folders.flatMap((folder) => {
+    const names = tryTo(folder, () => readdirSync(folder));
+    // a result before those that differ from it
+    return names
+      .filter((name) => RESULT_FILE.test(name))
+      .sort()
+      .map((name) => join(folder, name));
+  });
+}
+
+const HEAD = /^\{"n":(\d+),"file":("(?:[^"\\]|\\.)*"),"sha256":"([0-9a-f]{64})",/;
+
+function addTo(digest: ShardDigest, line: Buffer): void {
+  const head = HEAD.exec(line.toString('utf8'));
+  // a line without a head makes the hash of the shard another
+  if (head === null) digest.add(-1, line);
+  else digest.add(Number(head[1]), entryHash(Buffer.from(head[3], 'hex'), JSON.parse(head[2])));
+}
+
+/** Says which level two results judge differently. */
+function firstDifference(a: string, b: string): string {
+  const [one, other] = [new LineReader(a), new LineReader(b)];
+  one.next();
+  other.next();
+  for (let [x, y] = [one.next(), other.next()]; x !== null && y !== null; [x, y] = [one.next(), other.next()]) {
+    const [left, right] = [recordOfLine(x), recordOfLine(y)];
+    if (left.result === undefined || right.result === undefined) break;
+    if (JSON.stringify(left.result) === JSON.stringify(right.result)) continue;
+    const key = Object.keys({ ...left.result, ...right.result }).find(
+      (name) => JSON.stringify(left.result[name]) !== JSON.stringify(right.result[name]),
+    )!;
+    const short = (value: unknown): string => (JSON.stringify(value) ?? 'nothing').slice(0, 80);
+    return `${namedPath(a)} and ${namedPath(b)} differ at ${namedPath(left.file)}: ${key} is ${short(left.result[key])} in one, ${short(right.result[key])} in the other`;
+  }
+  return `${namedPath(a)} and ${namedPath(b)} differ`;
+}
+
+function tryTo<T>(path: string, work: () => T): T {
+  try {
+    return work();
+  } catch (error) {
+    throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}`);
+  }
+}

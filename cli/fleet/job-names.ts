@@ -1,0 +1,9 @@
+import type { Contents } from '../packs/index.ts';
+
+/** What can be done with a large set; each is the command of that name. */
+export const JOBS = ['check'] as const;
+
+export type JobName = (typeof JOBS)[number];
+
+/** What a set consists of that a job works on. */
+export const contentsOf = (job: string): Contents => (job === 'verify' ? 'plays' : 'levels');

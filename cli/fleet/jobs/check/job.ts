@@ -1,0 +1,16 @@
+import { type CheckSettings, crashedLevel } from '../../../check/index.ts';
+import type { JobKind } from '../kind.ts';
+import { recordOf } from './record.ts';
+import type { CheckReporting } from './report.ts';
+
+/** `gq check` of each level. */
+export const checkJob: JobKind = {
+  isLong: ({ search, requireSlack }) => search !== null || requireSlack !== null,
+  isClaim: ({ verdict }) => verdict === 'completable',
+  crashed: (name, error) => recordOf(crashedLevel(name, error)),
+  openWork: async (settings) => (await import('./work.ts')).openCheck(settings as unknown as CheckSettings),
+  async report(records, reporting, destinations, options) {
+    const { reportCheckOf } = await import('./report.ts');
+    return reportCheckOf(records, reporting as unknown as CheckReporting, destinations, { ...options, linkTo: null });
+  },
+};

@@ -1,0 +1,74 @@
+import { createHash } from 'node:crypto';
+import { type Batch, readSet, sizeOf } from '../packs/index.ts';
+import type { ShardRecord } from './job.ts';
+import { contentsOf } from './job-names.ts';
+import { jobOf } from './jobs/index.ts';
+import { mergedRecords } from './merged-records.ts';
+import type { Plan } from './plan.ts';
+import { recordOfLine } from './result.ts';
+import { limitsFor } from './run-shard.ts';
+import { setPaths } from './set-paths.ts';
+import { type Asked, sharedText, workInThreads } from './threads.ts';
+import type { Common } from './worker.ts';
+
+/** What replays of a sample have shown. */
+export interface Replayed {
+  readonly replayed: number;
+  /** Records that are not true. */
+  readonly refuted: readonly { readonly file: string; readonly truth: string }[];
+}
+
+/** Refuted records that are kept. */
+const MOST_REFUTED = 20;
+
+/**
+ * Repeats what a sample of the records claims.
+ * @param rate the share of the records in the sample, 0 to 1
+ * @param seed chooses the sample; known only when all results are written
+ */
+export async function replaySample(
+  plan: Plan,
+  results: readonly string[],
+  {
+    rate,
+    seed,
+    jobs,
+    stopping,
+  }: { readonly rate: number; readonly seed: string; readonly jobs: number; readonly stopping: AbortSignal },
+): Promise<Replayed> {
+  if (rate === 0) return { replayed: 0, refuted: [] };
+  const { job } = plan;
+  const contents = contentsOf(job);
+  const paths = await setPaths(plan.paths, plan.ignore, contents);
+  const common: Common = { job, contents, settings: sharedText(plan.settings), rule: null, shard: 0 };
+  const records = mergedRecords(results);
+  let replayed = 0;
+  const refuted: { file: string; truth: string }[] = [];
+
+  async function* tasks(): AsyncGenerator<Asked<ReadonlyMap<number, ShardRecord>>> {
+    for await (const batch of readSet(paths, contents, limitsFor(false))) {
+      const replay = chosen(batch);
+      if (replay.size > 0) yield { task: { batch, common, replay }, tag: replay };
+    }
+  }
+
+  function chosen(batch: Batch): Map<number, ShardRecord> {
+    const replay = new Map<number, ShardRecord>();
+    for (let i = 0; i < sizeOf(batch); i++) {
+      const { value, done } = records.next();
+      if (done || !isSampled(batch.first + i)) continue;
+      const record = recordOfLine(value);
+      if (jobOf(plan.job).isClaim(record.result)) replay.set(i, record);
+    }
+    return replay;
+  }
+
+  const isSampled = (n: number): boolean =>
+    rate === 1 || createHash('sha256').update(seed).update(`\n${n}`).digest().readUInt32BE(0) < rate * 2 ** 32;
+
+  await workInThreads(tasks(), jobs, stopping, (done, { tag }) => {
+    replayed += tag.size;
+    for (const [i, truth] of done.refuted) if (refuted.length < MOST_REFUTED) refuted.push({ file: tag.get(i)!.file, truth });
+  });
+  return { replayed, refuted };
+}

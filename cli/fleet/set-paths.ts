@@ -1,0 +1,49 @@
+import { relative, resolve } from 'node:path';
+import { Failure, systemReason } from '../failure.ts';
+import { findLevelFiles, once, statOrError, walk } from '../files.ts';
+import { ignoreOf } from '../ignore.ts';
+import type { Contents } from '../packs/index.ts';
+import { namedPath } from '../shown-path.ts';
+import type { Plan } from './plan.ts';
+
+/** The files and packs of a set, in its order. */
+export async function setPaths(
+  paths: readonly string[],
+  { file, directory, patterns }: Plan['ignore'],
+  contents: Contents,
+): Promise<readonly string[]> {
+  if (contents === 'plays') return playPaths(paths);
+  const ignores = await ignoreOf({ directory: resolve(directory), ignore: patterns });
+  const { files, unreadable } = await findLevelFiles(paths, { file, ignores });
+  if (unreadable.length === 0) return files;
+  throw unreadableFolders(unreadable);
+}
+
+/** What a configuration leaves out, for another process in the same working directory. */
+export const ignoreFor = (configuration: {
+  readonly file: string | null;
+  readonly directory: string;
+  readonly ignore: readonly string[];
+}): Plan['ignore'] => ({
+  file: configuration.file,
+  directory: relative('', configuration.directory) || '.',
+  patterns: [...configuration.ignore],
+});
+
+function playPaths(paths: readonly string[]): string[] {
+  const files: string[] = [];
+  const unreadable: { path: string; reason: string }[] = [];
+  for (const path of paths) {
+    const stats = statOrError(path);
+    if (stats instanceof Error)
+      throw new Failure(`${namedPath(path)}: ${systemReason(stats)}; expected plays (.gqr), directories of them, or packs`);
+    if (!stats.isDirectory()) files.push(path);
+    else files.push(...walk(path, (name) => name.endsWith('.gqr'), unreadable));
+  }
+  if (unreadable.length > 0) throw unreadableFolders(unreadable);
+  if (files.length === 0) throw new Failure(`no plays: expected *.gqr in ${paths.map(namedPath).join(', ')}`);
+  return once(files);
+}
+
+const unreadableFolders = (folders: readonly { readonly path: string; readonly reason: string }[]): Failure =>
+  new Failure(folders.map(({ path, reason }) => `${namedPath(path)}: the directory can't be read: ${reason}`).join('\n'));

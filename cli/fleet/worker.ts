@@ -1,0 +1,81 @@
+import { type Batch, type Contents, entriesOf, sizeOf } from '../packs/index.ts';
+import { contentHash, DIGEST, entryHash } from './digest.ts';
+import type { ShardRecord, Work } from './job.ts';
+import { jobOf } from './jobs/index.ts';
+import { type Rule, shardOf } from './rule.ts';
+
+/** What all tasks of a thread have in common. */
+export interface Common {
+  readonly job: string;
+  readonly contents: Contents;
+  /** The settings as JSON, shared between threads. */
+  readonly settings: SharedArrayBuffer;
+  /** null: all entries count. */
+  readonly rule: Rule | null;
+  readonly shard: number;
+}
+
+/** A message to a worker. */
+export interface Task {
+  readonly batch: Batch;
+  readonly common: Common;
+  /** Records whose claims are replayed, in place of working; by their index in the batch. */
+  readonly replay?: ReadonlyMap<number, ShardRecord>;
+}
+
+/** What a thread has done with a batch. */
+export interface Done {
+  /** The hashes of all entries, one after the other. */
+  readonly hashes: Uint8Array;
+  /** The indices of the entries that are of the shard. */
+  readonly own: readonly number[];
+  /** A record for each of these, as text with a line break. */
+  readonly lines: readonly string[];
+  /** Files that can't be read: why. */
+  readonly unreadable: readonly string[];
+  /** Records that a replay has refuted: what is true. */
+  readonly refuted: ReadonlyMap<number, string>;
+}
+
+let work: Promise<Work> | null = null;
+
+/** A process does one job only. */
+function workOf({ job, settings }: Common): Promise<Work> {
+  work ??= jobOf(job).openWork(JSON.parse(Buffer.from(settings).toString()));
+  return work;
+}
+
+/** Runs in a worker thread: works on the entries of a batch that are of its shard. */
+export default async function workOnBatch({ batch, common, replay }: Task): Promise<Done> {
+  const { contents, rule, shard } = common;
+  const { work: workOn, replay: replayOne } = await workOf(common);
+  const hashes = new Uint8Array(DIGEST * sizeOf(batch));
+  const own: number[] = [];
+  const lines: string[] = [];
+  const unreadable: string[] = [];
+  const refuted = new Map<number, string>();
+  let i = -1;
+  for (const entry of entriesOf(batch, contents)) {
+    i++;
+    const { name, content } = entry;
+    const record = replay?.get(i);
+    if (replay !== undefined && record === undefined) continue;
+    const isRead = content instanceof Uint8Array;
+    if (!isRead) unreadable.push(content.message);
+    const hash = contentHash(isRead ? content : new Uint8Array());
+    if (record !== undefined) {
+      const truth = hash.toString('hex') === record.sha256 ? await replayOne(entry, record.result) : 'of other bytes';
+      if (truth !== null) refuted.set(i, truth);
+      continue;
+    }
+    hashes.set(entryHash(hash, name), DIGEST * i);
+    if (rule !== null && shardOf(hash, rule) !== shard) continue;
+    const start = performance.now();
+    const result = await workOn(entry);
+    const ms = performance.now() - start;
+    own.push(i);
+    const done: ShardRecord = { n: batch.first + i, file: name, sha256: hash.toString('hex'), ms, result };
+    lines.push(`${JSON.stringify(done)}\n`);
+  }
+  return { hashes, own, lines, unreadable, refuted };
+}

@@ -1,0 +1,4 @@
+export { type Batch, type BatchLimits, type Contents, sizeOf } from './batch.ts';
+export { type Entry, entriesOf } from './entries.ts';
+export { packFormat } from './formats.ts';
+export { readSet } from './read-set.ts';
