@@ -22,7 +22,7 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
     const { messages, failed } =
       result.files === undefined ? NOTHING_WRITTEN : await (await import('./result-files.ts')).writeResultFiles(result.files);
     // from here on a signal ends the process even while a write waits for its reader
-    await leaveSignals();
+    if (result.end === undefined) await leaveSignals();
     const said = takeNotices() + (result.messages ?? '');
     if (said !== '') process.stderr.write(said);
     for (const message of messages) process.stderr.write(`${visible(message)}\n`);

@@ -13,7 +13,7 @@ export interface CommandResult {
    * 3: results contradict each other; 129: git takes it for the failure of a merge driver; 130 and 143: a signal came, and what was done until then is reported.
    */
   readonly exitCode: 0 | 1 | 2 | 3 | 129 | 130 | 143;
-  /** Removes what the pieces of the output were made of. */
+  /** Removes what the pieces of the output are made of. Called once everything is written, or when a signal ends the process. */
   readonly end?: () => void;
 }
 

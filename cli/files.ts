@@ -13,6 +13,10 @@ export interface FoundFiles {
   readonly unreadable: readonly { readonly path: string; readonly reason: string }[];
 }
 
+/** That directories can't be read, where nothing can be done without them. */
+export const unreadableFolders = (folders: FoundFiles['unreadable']): Failure =>
+  new Failure(folders.map(({ path, reason }) => `${namedPath(path)}: the directory can't be read: ${reason}`).join('\n'));
+
 /** What a configuration leaves out, and which file says so. */
 interface LeftOut {
   readonly file: string | null;

@@ -1,20 +1,25 @@
 import { closeSync, openSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { MAX_FILE_SIZE } from '../schema/basics/index.ts';
 import { Failure, systemReason } from './failure.ts';
+import { entryName, readEntry } from './packs/index.ts';
 import { NotAFile, readBeyond, readRegularFile } from './regular-file.ts';
 import { namedPath } from './shown-path.ts';
 import { siblingHint } from './sibling-hint.ts';
 
 /**
- * Reads the bytes of a file; of one larger than `MAX_FILE_SIZE` only slightly more than that, which readers then refuse.
+ * Reads the bytes of a file, or of an entry of a pack (`levels.tar#a.level.json`, `levels.ndjson#12`); of one larger than `MAX_FILE_SIZE` only slightly more than that, which readers then refuse.
  * A pipe of the shell (`<(command)`, /dev/stdin) is read to its end, however long that takes; a named pipe is refused, because
  * there may never be a writer.
  * @throws Failure with the reason if it can't be read
  */
 export function readBytes(path: string): Uint8Array {
   try {
-    return isStream(path, statSync(path)) ? readStream(path) : readRegularFile(path, MAX_FILE_SIZE);
+    const entry = entryName(path);
+    const stats = statSync(path, { throwIfNoEntry: entry === null });
+    if (stats === undefined) return readEntry(entry!.pack, entry!.label);
+    return isStream(path, stats) ? readStream(path) : readRegularFile(path, MAX_FILE_SIZE);
   } catch (error) {
+    if (error instanceof Failure) throw error;
     throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}${hintFor(path, error)}`);
   }
 }

@@ -91,15 +91,28 @@ export async function allOrNone(steps: Iterable<() => void>, takeBack: () => voi
   });
 }
 
+/**
+ * From now on a signal ends the process through the event loop, and calls a function before.
+ * @returns ends that
+ */
+export function onSignal(takeBack: () => void): () => void {
+  catchSignals();
+  undos.push(takeBack);
+  return () => {
+    const at = undos.lastIndexOf(takeBack);
+    if (at >= 0) undos.splice(at, 1);
+  };
+}
+
 /** Does work that is taken back if a signal ends the process in it. */
 export async function withUndo<T>(takeBack: () => void, work: () => Promise<T>): Promise<T> {
   catchSignals();
   await hearSignals();
-  undos.push(takeBack);
+  const forget = onSignal(takeBack);
   try {
     return await work();
   } finally {
-    undos.splice(undos.lastIndexOf(takeBack), 1);
+    forget();
   }
 }
 

@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { Failure } from '../failure.ts';
 import { type Batch, type Contents, entriesOf, packFormat, readSet } from '../packs/index.ts';
+import { readBytes } from '../read-bytes.ts';
 import { namedPath } from '../shown-path.ts';
 import { hearSignals } from '../signals.ts';
 import { type Balanced, balance, type Costs } from './balance.ts';
@@ -94,7 +95,7 @@ async function* entriesIn(
   const unreadable: string[] = [];
   let listened = performance.now();
   for await (const batch of readSet(paths, contents, LIMITS)) {
-    for (const { name, content } of entriesOf(batch, contents)) {
+    for (const { name, content } of entriesOf(batch, contents, readBytes)) {
       if (content instanceof Uint8Array) yield { name, content, source: batch.source };
       else unreadable.push(content.message);
     }

@@ -1,6 +1,7 @@
 import { mkdirSync } from 'node:fs';
 import { Failure, systemReason } from '../failure.ts';
 import { type Batch, entriesOf, readSet, sizeOf } from '../packs/index.ts';
+import { readBytes } from '../read-bytes.ts';
 import { namedPath } from '../shown-path.ts';
 import { DIGEST, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf } from './job-names.ts';
@@ -158,7 +159,7 @@ class Comparison {
     if (from >= levels) return new Failure(this.words(`it has more than the ${levels} that were planned`));
     const contents = contentsOf(job);
     const names = this.recent
-      .flatMap((batch) => [...entriesOf(batch, contents)].map(({ name }, i) => ({ name, n: batch.first + i })))
+      .flatMap((batch) => [...entriesOf(batch, contents, readBytes)].map(({ name }, i) => ({ name, n: batch.first + i })))
       .filter(({ n }) => n >= from && n < from + block)
       .map(({ name }) => namedPath(name));
     const which = names.length <= 1 ? names[0] : `${names[0]} to ${names[names.length - 1]}`;

@@ -1,6 +1,6 @@
 import { relative, resolve } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
-import { findLevelFiles, once, statOrError, walk } from '../files.ts';
+import { findLevelFiles, once, statOrError, unreadableFolders, walk } from '../files.ts';
 import { ignoreOf } from '../ignore.ts';
 import type { Contents } from '../packs/index.ts';
 import { namedPath } from '../shown-path.ts';
@@ -44,6 +44,3 @@ function playPaths(paths: readonly string[]): string[] {
   if (files.length === 0) throw new Failure(`no plays: expected *.gqr in ${paths.map(namedPath).join(', ')}`);
   return once(files);
 }
-
-const unreadableFolders = (folders: readonly { readonly path: string; readonly reason: string }[]): Failure =>
-  new Failure(folders.map(({ path, reason }) => `${namedPath(path)}: the directory can't be read: ${reason}`).join('\n'));

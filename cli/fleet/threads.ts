@@ -1,5 +1,6 @@
 import { type Batch, entriesOf, sizeOf } from '../packs/index.ts';
 import { openPool } from '../pool.ts';
+import { readBytes } from '../read-bytes.ts';
 import { contentHash, DIGEST, entryHash } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';
@@ -101,7 +102,7 @@ function joined(parts: readonly Done[]): Done {
 
 /** What becomes of a single entry on which a thread has died. */
 function crashed({ batch, common, replay }: Task, error: unknown): Done {
-  const [{ name, content }] = entriesOf(batch, common.contents);
+  const [{ name, content }] = entriesOf(batch, common.contents, readBytes);
   const isRead = content instanceof Uint8Array;
   const hash = contentHash(isRead ? content : new Uint8Array());
   const isOwn = common.rule === null || shardOf(hash, common.rule) === common.shard;

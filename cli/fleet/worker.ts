@@ -1,4 +1,5 @@
 import { type Batch, type Contents, entriesOf, sizeOf } from '../packs/index.ts';
+import { readBytes } from '../read-bytes.ts';
 import { contentHash, DIGEST, entryHash } from './digest.ts';
 import type { ShardRecord, Work } from './job.ts';
 import { jobOf } from './jobs/index.ts';
@@ -55,7 +56,7 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
   const unreadable: string[] = [];
   const refuted = new Map<number, string>();
   let i = -1;
-  for (const entry of entriesOf(batch, contents)) {
+  for (const entry of entriesOf(batch, contents, readBytes)) {
     i++;
     const { name, content } = entry;
     const record = replay?.get(i);

@@ -1,5 +1,4 @@
 import { Failure } from '../failure.ts';
-import { readBytes } from '../read-bytes.ts';
 import type { Batch, Contents } from './batch.ts';
 import { unwrap } from './unwrap.ts';
 
@@ -11,10 +10,13 @@ export interface Entry {
   readonly content: Uint8Array | Failure;
 }
 
-/** The entries of a batch, in their order. */
-export function* entriesOf({ source }: Batch, contents: Contents): Generator<Entry> {
+/**
+ * The entries of a batch, in their order.
+ * @param readFile reads a file; throws a Failure if it can't be read
+ */
+export function* entriesOf({ source }: Batch, contents: Contents, readFile: (path: string) => Uint8Array): Generator<Entry> {
   if ('files' in source) {
-    for (const name of source.files) yield { name, content: read(name) };
+    for (const name of source.files) yield { name, content: read(name, readFile) };
     return;
   }
   const { pack, kind, labels, bytes, ends } = source;
@@ -30,9 +32,9 @@ export function* entriesOf({ source }: Batch, contents: Contents): Generator<Ent
   }
 }
 
-function read(file: string): Uint8Array | Failure {
+function read(file: string, readFile: (path: string) => Uint8Array): Uint8Array | Failure {
   try {
-    return readBytes(file);
+    return readFile(file);
   } catch (error) {
     if (error instanceof Failure) return error;
     throw error;

@@ -4,7 +4,6 @@ import { type Batch, type BatchLimits, BatchMaker, type Contents, sizeOf } from 
 import { packFormat } from './formats.ts';
 import { openPack } from './open-pack.ts';
 import { readLines } from './read-lines.ts';
-import { readTar } from './read-tar.ts';
 
 /** Which files of an archive count. */
 const COUNTS: Readonly<Record<Contents, RegExp>> = { levels: /\.level\.json$/, plays: /\.gqr$/ };
@@ -35,8 +34,10 @@ export async function* readSet(paths: readonly string[], contents: Contents, lim
     const before = first;
     const maker = new BatchMaker(path, format.kind, first, limits);
     const stream = openPack(path, format);
+    const isCounted = (name: string): boolean => COUNTS[contents].test(name);
+    // loaded only for archives, as it takes time
     const batches =
-      format.kind === 'tar' ? readTar(path, stream, maker, (name) => COUNTS[contents].test(name)) : readLines(stream, maker);
+      format.kind === 'tar' ? (await import('./read-tar.ts')).readTar(path, stream, maker, isCounted) : readLines(stream, maker);
     for await (const batch of batches) {
       first += sizeOf(batch);
       yield batch;

@@ -1,5 +1,6 @@
 import type { EditorPlace } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
+import { entryName } from '../packs/index.ts';
 import { shellPath } from '../shown-path.ts';
 
 /** Where to look at the failure of a level. */
@@ -27,8 +28,9 @@ export async function editorLinkTo(url = ''): Promise<EditorLink | null> {
 export const isFailing = ({ verdict, problems }: CheckedLevel): boolean =>
   verdict !== 'completable' || problems.some(({ severity }) => severity === 'error');
 
-/** Whether the editor can open a file: it lists no others. */
-const isEditable = ({ file, unreadable }: CheckedLevel): boolean => !unreadable && /[^\\/]\.level\.json$/.test(file);
+/** Whether the editor can open a file: it lists no others, and does not look into packs. */
+const isEditable = ({ file, unreadable }: CheckedLevel): boolean =>
+  !unreadable && /[^\\/]\.level\.json$/.test(file) && entryName(file) === null;
 
 /**
  * Where to look at the failure of a level; null if the level does not fail, or the editor can't open its file.

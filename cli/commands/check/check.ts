@@ -22,6 +22,7 @@ import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config-file.ts';
 import { type Configuration, noConfiguration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
+import { unreadableFolders } from '../../files.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions, shardOfPlan } from '../../fleet/index.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
@@ -32,6 +33,7 @@ import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
 import { refuseUnused } from '../../unused-options.ts';
+import { checkPacks, firstPack, refuseForPacks } from './check-packs.ts';
 import { chooseFiles } from './choose-files.ts';
 
 const MOST_WARNINGS = 1_000_000;
@@ -146,6 +148,8 @@ async function watchLevels(paths: readonly string[], options: CheckOptions): Pro
 
 function refuseToWatch(paths: readonly string[], { updateLock }: CheckOptions): void {
   if (updateLock) throw new Failure('--update-lock agrees on one result of each level: expected no --watch with it');
+  const pack = firstPack(paths);
+  if (pack !== undefined) refuseForPacks(pack, { watch: true, lock: null });
   if (paths.includes(STDIN)) throw new Failure('--watch follows files: expected no level from standard input with it');
 }
 
@@ -169,6 +173,8 @@ async function check(
   const configuredLock = input !== null && options.stdinPath === undefined ? null : configuration.lock;
   const lockFile = (options.lock ?? configuredLock) || (options.updateLock ? 'gq.lock.json' : null);
   expectReportFiles(asked, files, { 'the lock': lockFile, 'the configuration': configuration.file });
+  const pack = input === null ? firstPack(files) : undefined;
+  if (pack !== undefined) refuseForPacks(pack, { ...options, lock: lockFile });
   const lock =
     lockFile === null
       ? null
@@ -186,6 +192,13 @@ async function check(
     forLock: lock !== null,
     inFull: asked.some(({ name }) => name === 'json'),
   };
+  const linkTo = await editorLinkTo(options.editorUrl);
+  const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
+  if (pack !== undefined) {
+    if (unreadable.length > 0) throw unreadableFolders(unreadable);
+    const reporting = { accuracy: accuracy.name, severity: configuration.severity, maxWarnings };
+    return checkPacks(files, { ...settings, proveMinerals: options.solve === true }, reporting, asked, { ...options, linkTo });
+  }
   const folder = cacheFolder(chosenCache(options, configuration.cache));
   const cache = folder === null ? null : openLevelCache(folder, settings);
   const progress = createProgress('checked', files.length);
@@ -205,7 +218,6 @@ async function check(
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
   // severity, what levels allow and the lock do not change what was checked and kept
   const levels = await judgeLevels(compare(reports), configuration);
-  const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
   const totals = totalsOf(levels);
   const results = {
     levels,
@@ -221,7 +233,7 @@ async function check(
   const report = await reportCheck(results, reported, {
     exitCode,
     accuracy: accuracy.name,
-    linkTo: await editorLinkTo(options.editorUrl),
+    linkTo,
     quiet: options.quiet,
   });
   return { ...report, messages: `${message}${report.messages ?? ''}${messages ?? ''}` };

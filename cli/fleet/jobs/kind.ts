@@ -1,9 +1,12 @@
 import type { CommandResult } from '../../command.ts';
 import type { Destination } from '../../reporters/index.ts';
+import type { EditorLink } from '../../show-failure/index.ts';
 import type { Json, ShardRecord, Work } from '../job.ts';
 
 /** Options of a report that do not come from the plan. */
 export interface ReportOptions {
+  /** Makes links to a page of the editor. */
+  readonly linkTo?: EditorLink | null;
   readonly quiet?: boolean;
   /** Whether levels have the time that they took, which is another in each run. */
   readonly withTimes: boolean;

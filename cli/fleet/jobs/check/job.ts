@@ -11,6 +11,6 @@ export const checkJob: JobKind = {
   openWork: async (settings) => (await import('./work.ts')).openCheck(settings as unknown as CheckSettings),
   async report(records, reporting, destinations, options) {
     const { reportCheckOf } = await import('./report.ts');
-    return reportCheckOf(records, reporting as unknown as CheckReporting, destinations, { ...options, linkTo: null });
+    return reportCheckOf(records, reporting as unknown as CheckReporting, destinations, options);
   },
 };

@@ -2,8 +2,8 @@ import type { SeverityMap } from '../../../../schema/index.ts';
 import { type CheckedLevel, exitCodeFor, isGood, judgeOf, tooManyWarnings, totalsOf } from '../../../check/index.ts';
 import type { CommandResult } from '../../../command.ts';
 import { type Destination, reportCheck } from '../../../reporters/index.ts';
-import type { EditorLink } from '../../../show-failure/index.ts';
 import type { ShardRecord } from '../../job.ts';
+import type { ReportOptions } from '../kind.ts';
 import { levelOf } from './record.ts';
 
 /** What the report of a check depends on besides the results. */
@@ -20,17 +20,16 @@ const MOST_LISTED = 1000;
  * The reports of a large set. JSON is made in pieces and lists all levels; the others list all levels of a small set, and those
  * that fail of a large one.
  * @param records gives the records in the order of the set, as often as it is called
- * @param withTimes whether levels have the time that they took: it is another in each run
  */
 export async function reportCheckOf(
   records: () => Iterable<ShardRecord>,
   { accuracy, severity, maxWarnings }: CheckReporting,
   destinations: readonly Destination[],
-  options: { readonly withTimes: boolean; readonly quiet?: boolean; readonly linkTo: EditorLink | null },
+  { withTimes, quiet, linkTo = null }: ReportOptions,
 ): Promise<CommandResult> {
   const judge = await judgeOf({ severity });
   function* levels(): Generator<CheckedLevel> {
-    for (const { file, ms, result } of records()) yield judge(levelOf(file, options.withTimes ? ms : 0, result));
+    for (const { file, ms, result } of records()) yield judge(levelOf(file, withTimes ? ms : 0, result));
   }
   const first: CheckedLevel[] = [];
   const failing: CheckedLevel[] = [];
@@ -51,5 +50,5 @@ export async function reportCheckOf(
     interrupted: false,
     excess: tooManyWarnings(totals, maxWarnings),
   };
-  return reportCheck(results, destinations, { exitCode: exitCodeFor(totals, maxWarnings), accuracy, ...options }, levels);
+  return reportCheck(results, destinations, { exitCode: exitCodeFor(totals, maxWarnings), accuracy, quiet, linkTo }, levels);
 }
