@@ -1,12 +1,9 @@
 import type { Circles } from '../circles.ts';
-import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
+import { DIAGONAL, Square } from './square.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
-
-/** A square's half diagonal divided by half its side, rounded up. */
-const DIAGONAL = 1.4143;
 
 /** No place in a cell is farther than this from its centre, px. */
 const REACH = (SIDE / 2) * DIAGONAL;
@@ -17,15 +14,18 @@ const FREE = [96, 64, 40];
 /** How far recoil may move an asteroid from its original place before its neighbourhoods become invalid, px. */
 export const DRIFT = 16;
 
-/** Cells are kept on a torus of 2^BITS by 2^BITS: in a level smaller than 2048 px no two of them share a slot. */
-const BITS = 6;
-const MASK = (1 << BITS) - 1;
+/**
+ * Cells are kept on a torus of 2^bits by 2^bits. Most runs come to few cells, so it begins small, and grows: in a level smaller
+ * than 2048 px no two of them share a slot of the largest torus.
+ */
+const FIRST_BITS = 3;
+const LAST_BITS = 6;
 
 /**
- * What can matter to her anywhere in a square, in the order in which the original game examines it. Everything else is farther
- * away than rounding could bridge, so leaving it out changes no bit.
+ * A square cell and what can matter to her anywhere in it, in the order in which the original game examines it. Everything else
+ * is farther away than rounding could bridge, so leaving it out changes no bit.
  */
-interface Survey {
+export interface Neighbourhood {
   /** Targets that may be the nearest, ascending. */
   readonly rivals: Int32Array;
   /** Codes of what ends the run by touch: 0 is the black hole, novae begin at 1, targets at 1 + novae; ascending. */
@@ -38,10 +38,6 @@ interface Survey {
   readonly quiet: boolean;
   /** Aliens at their places in the level neither see nor touch her. */
   readonly unseen: boolean;
-}
-
-/** A square cell and what can matter anywhere in it. */
-export interface Neighbourhood extends Survey {
   /** Bounds of the cell, px: from `left` and `top` inclusive to `right` and `bottom` exclusive. */
   readonly left: number;
   readonly right: number;
@@ -59,33 +55,50 @@ interface Cell extends Neighbourhood {
   readonly row: number;
 }
 
-const all = (count: number): Int32Array => Int32Array.from({ length: count }, (_, i) => i);
+/** The whole numbers from 0 up to `count`, which is left out. */
+function below(count: number): Int32Array {
+  const all = new Int32Array(count);
+  for (let i = 0; i < count; i++) all[i] = i;
+  return all;
+}
+
+const emptyTorus = (bits: number): (Cell | null)[] => new Array(1 << (2 * bits)).fill(null);
+
+function slotOf(column: number, row: number, bits: number): number {
+  const mask = (1 << bits) - 1;
+  return ((row & mask) << bits) | (column & mask);
+}
 
 /** Neighbourhoods of a scene, each made when she first comes there. They depend on the level alone, so all runs share them. */
 export class Neighbourhoods {
   /** A neighbourhood that leaves nothing out, for places and times that the cells do not cover. */
   readonly everything: Neighbourhood;
-  private readonly cells: (Cell | null)[] = new Array(1 << (2 * BITS)).fill(null);
-  private readonly drift: number;
+  private bits = FIRST_BITS;
+  private cells = emptyTorus(FIRST_BITS);
+  /** How many cells were made since the torus has had its size. */
+  private made = 0;
+  private readonly square: Square;
 
   constructor(
-    private readonly scene: Scene,
+    scene: Scene,
     /** Discs of each frame rule. */
     private readonly discs: readonly Circles[],
   ) {
     const { targets, coldCount, novae, minerals, repulsors, level } = scene;
-    this.drift = level.recoil ? DRIFT : 0;
-    const hot = all(targets.count).slice(coldCount);
+    this.square = new Square(scene, level.recoil ? DRIFT : 0);
+    // all novae, and those targets that are hot
+    const deadly = below(1 + novae.count + targets.count - coldCount);
+    for (let k = 1 + novae.count; k < deadly.length; k++) deadly[k] += coldCount;
     this.everything = {
       left: Number.NEGATIVE_INFINITY,
       right: Number.POSITIVE_INFINITY,
       top: Number.NEGATIVE_INFINITY,
       bottom: Number.POSITIVE_INFINITY,
-      rivals: all(targets.count),
-      deadly: Int32Array.from([...all(1 + novae.count), ...hot.map((i) => 1 + novae.count + i)]),
-      minerals: all(minerals.count),
-      repulsors: all(repulsors.count),
-      discs: discs.map(({ count }) => all(count)),
+      rivals: below(targets.count),
+      deadly,
+      minerals: below(minerals.count),
+      repulsors: below(repulsors.count),
+      discs: discs.map(({ count }) => below(count)),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -99,38 +112,61 @@ export class Neighbourhoods {
   at(x: number, y: number): Neighbourhood {
     const column = Math.floor(x / SIDE);
     const row = Math.floor(y / SIDE);
-    const slot = ((row & MASK) << BITS) | (column & MASK);
-    const kept = this.cells[slot];
+    const kept = this.cells[slotOf(column, row, this.bits)];
     if (kept !== null && kept.column === column && kept.row === row) return kept;
     const cell = this.make(column, row);
-    this.cells[slot] = cell;
+    this.keep(cell);
     return cell;
   }
 
+  private keep(cell: Cell): void {
+    // when it is a quarter full, cells begin to take each other's slots
+    if (++this.made > this.cells.length >> 2 && this.bits < LAST_BITS) {
+      const before = this.cells;
+      this.bits++;
+      this.made = 0;
+      this.cells = emptyTorus(this.bits);
+      for (const one of before) if (one !== null) this.cells[slotOf(one.column, one.row, this.bits)] = one;
+    }
+    this.cells[slotOf(cell.column, cell.row, this.bits)] = cell;
+  }
+
   private make(column: number, row: number): Cell {
+    const { square } = this;
     const x = (column + 0.5) * SIDE;
     const y = (row + 0.5) * SIDE;
-    const here = this.survey(x, y, SIDE / 2);
-    let free = SIDE / 2;
-    if (here.quiet) {
-      for (const half of FREE) {
-        const wide = this.survey(x, y, half);
-        if (!wide.quiet || wide.rivals.length > here.rivals.length || wide.unseen !== here.unseen) continue;
-        free = half;
-        break;
-      }
-    }
+    square.place(x, y, SIDE / 2);
+    square.addDeadly();
+    const deadly = square.taken();
+    square.addMinerals();
+    const minerals = square.taken();
+    square.addRepulsors();
+    const repulsors = square.taken();
+    const discs = this.discs.map((list) => {
+      square.addDiscs(list);
+      return square.taken();
+    });
+    square.addRivals();
+    const rivals = square.taken();
+    const quiet =
+      square.isInRange &&
+      deadly.length === 0 &&
+      minerals.length === 0 &&
+      repulsors.length === 0 &&
+      discs.every(({ length }) => length === 0);
+    const unseen = square.isUnseen;
+    const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
     // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
     return {
       column,
       row,
-      rivals: here.rivals,
-      deadly: here.deadly,
-      minerals: here.minerals,
-      repulsors: here.repulsors,
-      discs: here.discs,
-      quiet: here.quiet,
-      unseen: here.unseen,
+      rivals,
+      deadly,
+      minerals,
+      repulsors,
+      discs,
+      quiet,
+      unseen,
       left: column * SIDE,
       right: (column + 1) * SIDE,
       top: row * SIDE,
@@ -142,59 +178,30 @@ export class Neighbourhoods {
     };
   }
 
-  /** What can matter to her in the square around (x, y) with half side `half`, px. */
-  private survey(x: number, y: number, half: number): Survey {
-    const { scene, drift } = this;
-    const { targets, coldCount, novae, minerals, repulsors, aliens, level } = scene;
-    const { halfDiagonal } = scene.box;
-    const toCorner = half * DIAGONAL;
-    const distance = (cx: number, cy: number) => Math.sqrt((cx - x) * (cx - x) + (cy - y) * (cy - y));
-    // whether a distance from the centre may be below `reach` somewhere in the square; the margin is far above any rounding
-    const within = (d: number, reach: number) => d <= (reach + toCorner + 1e-3) * (1 + 1e-9) + d * 1e-9;
-    const touching = (circles: IndexedCircles, moves: number): number[] => {
-      const near = circlesAround(circles, x, y, toCorner + halfDiagonal + moves + 1);
-      return near.filter((i) => within(distance(circles.x[i], circles.y[i]), halfDiagonal + circles.r[i] + moves));
-    };
-
-    const hole = level.blackHole;
-    const deadly = within(distance(hole.x, hole.y), halfDiagonal + hole.radius) ? [0] : [];
-    for (const i of touching(novae, 0)) deadly.push(1 + i);
-    for (const i of touching(targets, drift)) if (i >= coldCount) deadly.push(1 + novae.count + i);
-    const collectable = touching(minerals, 0);
-    // a field matters unless the whole square is inside it or outside
-    const pushing = circlesAround(repulsors, x, y, toCorner + 1).filter((i) =>
-      within(distance(repulsors.x[i], repulsors.y[i]), repulsors.r[i]),
-    );
-    const discs = this.discs.map((circles) =>
-      all(circles.count).filter((i) => within(distance(circles.x[i], circles.y[i]), circles.r[i])),
-    );
-    const closest = nearestDistance(targets, x, y, distance);
-    const slack = 2 * (toCorner + drift);
-    const rivals =
-      closest === null
-        ? []
-        : circlesAround(targets, x, y, (closest + slack + 1) * (1 + 1e-9)).filter((i) =>
-            within(distance(targets.x[i], targets.y[i]), closest + slack),
-          );
-    const inRange = closest !== null && !(closest * (1 + 1e-9) + toCorner + drift + 1e-3 >= level.range);
-    let unseen = true;
-    for (let i = 0; i < aliens.count && unseen; i++) {
-      unseen = !within(distance(aliens.x[i], aliens.y[i]), Math.max(scene.rules.alienSight, halfDiagonal + aliens.r[i]));
+  /** Half the side of the largest square around a quiet cell that is as quiet, with as many rivals and the same `unseen`, px. */
+  private freeAround(rivals: number, unseen: boolean): number {
+    const { square } = this;
+    for (const half of FREE) {
+      square.resize(half);
+      if (this.isQuiet() && this.rivalsIn() === rivals && square.isUnseen === unseen) return half;
     }
-    return {
-      rivals: Int32Array.from(rivals),
-      deadly: Int32Array.from(deadly),
-      minerals: Int32Array.from(collectable),
-      repulsors: Int32Array.from(pushing),
-      discs,
-      quiet:
-        inRange &&
-        deadly.length === 0 &&
-        collectable.length === 0 &&
-        pushing.length === 0 &&
-        discs.every(({ length }) => length === 0),
-      unseen,
-    };
+    return SIDE / 2;
+  }
+
+  /** Whether only the gun acts in the square. */
+  private isQuiet(): boolean {
+    const { square } = this;
+    if (!square.isInRange) return false;
+    square.addDeadly();
+    square.addMinerals();
+    square.addRepulsors();
+    for (const list of this.discs) square.addDiscs(list);
+    return square.taken().length === 0;
+  }
+
+  private rivalsIn(): number {
+    this.square.addRivals();
+    return this.square.taken().length;
   }
 }
 
@@ -204,26 +211,4 @@ export function liesWithin({ left, right, top, bottom }: Neighbourhood, x: numbe
   const dy = (top + bottom) / 2 - y;
   const inner = radius - REACH;
   return inner > 0 && dx * dx + dy * dy < inner * inner;
-}
-
-/** Indices, ascending, of at least all circles that come nearer than `reach` px to a place. */
-function circlesAround(circles: IndexedCircles, x: number, y: number, reach: number): number[] {
-  if (circles.spatial === null) return Array.from({ length: circles.count }, (_, i) => i);
-  return [...circles.spatial.around(x, y, reach)].sort((a, b) => a - b);
-}
-
-function nearestDistance(
-  circles: IndexedCircles,
-  x: number,
-  y: number,
-  distance: (x: number, y: number) => number,
-): number | null {
-  const of = (list: Circles, i: number) => distance(list.x[i], list.y[i]);
-  if (circles.spatial !== null) return of(circles, circles.spatial.nearestCentre(x, y));
-  let closest: number | null = null;
-  for (let i = 0; i < circles.count; i++) {
-    const d = of(circles, i);
-    if (closest === null || d < closest) closest = d;
-  }
-  return closest;
 }
