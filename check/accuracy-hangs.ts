@@ -1,10 +1,11 @@
 import {
   ACCURACIES,
   type Accuracy,
-  compile,
+  atAccuracy,
   createSimulation,
   joinHolds,
   playScript,
+  type Scene,
   TICK,
   TICK_RATE,
   type WorkBudget,
@@ -28,7 +29,7 @@ export interface AccuracyHang {
  * requested one; the others follow only where those disagree.
  * @param level the level
  * @param runs how the level's runs end at the requested accuracy, in the order of its list
- * @param asked the requested accuracy
+ * @param scene the level, compiled at the requested accuracy
  * @param maxTime the longest a run may last, s
  * @param budget limits the work
  * @throws WorkLimitReached when the budget is spent
@@ -36,15 +37,15 @@ export interface AccuracyHang {
 export function hangsOnAccuracy(
   level: Level,
   runs: readonly RunEnd[],
-  asked: Accuracy,
+  scene: Scene,
   maxTime: number,
   budget: WorkBudget,
 ): AccuracyHang[] {
   if (runs.length === 0) return [];
   const maxTicks = Math.round(maxTime * TICK_RATE);
-  const ends = new Map<string, readonly RunEnd[]>([[asked.name, runs]]);
+  const ends = new Map<string, readonly RunEnd[]>([[scene.accuracy.name, runs]]);
   const play = (accuracy: Accuracy): void => {
-    if (!ends.has(accuracy.name)) ends.set(accuracy.name, playAll(level, accuracy, maxTicks, budget));
+    if (!ends.has(accuracy.name)) ends.set(accuracy.name, playAll(level, atAccuracy(scene, accuracy), maxTicks, budget));
   };
   const agree = (index: number): boolean => {
     const [first, ...rest] = [...ends.values()].map((list) => list[index].outcome === 'completed');
@@ -62,8 +63,8 @@ export function hangsOnAccuracy(
 /** Keeps only how a run ended, because the full record is too large to send from a worker. */
 const endOf = ({ outcome, with: touched, time, tick }: RunEnd): RunEnd => ({ outcome, with: touched, time, tick });
 
-function playAll(level: Level, accuracy: Accuracy, maxTicks: number, budget: WorkBudget): RunEnd[] {
-  const simulation = createSimulation(compile(level, accuracy), budget);
+function playAll(level: Level, scene: Scene, maxTicks: number, budget: WorkBudget): RunEnd[] {
+  const simulation = createSimulation(scene, budget);
   return level.runs.map(({ holds }) => {
     simulation.reset();
     playScript(simulation, joinHolds(holds), maxTicks);

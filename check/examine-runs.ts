@@ -1,4 +1,4 @@
-import { type Accuracy, findWarnings, type Run, type Scene, simulate, WorkBudget } from '../engine/index.ts';
+import { findWarnings, type Run, type Scene, simulate, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { hangsOnAccuracy } from './accuracy-hangs.ts';
 import { overrunOf, type RunFindings } from './findings.ts';
@@ -16,8 +16,8 @@ export const playRuns = (scene: Scene, maxTime: number, budget: WorkBudget): Run
 
 /** How the runs were simulated, and what examining them may cost. */
 export interface ExamineOptions {
-  /** The accuracy at which the runs were simulated. */
-  readonly accuracy: Accuracy;
+  /** The level, compiled at the accuracy at which the runs were simulated. It may have other runs. */
+  readonly scene: Scene;
   /** The longest a run may last, s of simulated time; a longer run ends with `timeout`. */
   readonly maxTime: number;
   /** The work that one part of a check may cost, pieces of motion. */
@@ -38,13 +38,13 @@ export interface ExamineOptions {
 export function examineRuns(
   level: Level,
   runs: readonly Run[],
-  { accuracy, maxTime, maxWork, budget, found = null }: ExamineOptions,
+  { scene, maxTime, maxWork, budget, found = null }: ExamineOptions,
 ): RunFindings {
   const areAllPlayed = runs.every(({ stopped }) => stopped === null);
   const stopped = areAllPlayed ? null : overrunOf(budget);
   // A separate budget, so that one part of a check does not starve another.
   const others = new WorkBudget(maxWork / 2);
-  const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, accuracy, maxTime, others)) : ([] as const);
+  const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, scene, maxTime, others)) : ([] as const);
   const all = found === null ? runs : [...runs, found];
   const warnings = withinWork(budget, () =>
     findWarnings(
@@ -53,7 +53,7 @@ export function examineRuns(
     ),
   );
   return {
-    accuracy: accuracy.name,
+    accuracy: scene.accuracy.name,
     range: level.range,
     allow: level.allow ?? {},
     ends: runs.map(({ outcome, with: touched, time, tick, stopped: by }, i) => ({

@@ -3,13 +3,14 @@ import { rulesOf } from '../schema/basics/index.ts';
 import type { Accuracy } from './accuracy.ts';
 import { boxOf } from './contact/index.ts';
 import { type EffectSet, explosionsAtStart, strongestOf } from './effects/index.ts';
-import { circlesOf, indexed } from './indexed-circles.ts';
+import { circlesOf, type IndexedCircles, indexed } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
 
 /** The places in a list of all circles, without those that equal an earlier one. */
 function unlike(list: readonly Circle[]): number[] {
-  const seen = new Set<string>();
   const kept: number[] = [];
+  if (list.length === 0) return kept;
+  const seen = new Set<string>();
   for (const [i, { x, y, radius }] of list.entries()) {
     const circle = `${x} ${y} ${radius}`;
     if (!seen.has(circle)) kept.push(i);
@@ -24,29 +25,63 @@ export function compileWith(included: EffectSet, level: Level, accuracy: Accurac
   const rules = rulesOf(level);
   const effects = included.choose(level);
   const parts = included.of(effects);
-  const all = (list: readonly Circle[]) => circlesOf(list, [...list.keys()]);
   const cold: number[] = [];
   const hot: number[] = [];
-  for (const [i, a] of level.asteroids.entries()) (a.hot ? hot : cold).push(i);
-  const aliens = indexed(all(level.aliens), indexing);
-  // continuous time has places relative to where she starts
-  const origin = accuracy.integrator === 'arcade' ? { x: 0, y: 0 } : level.astronaut;
-  const explosions = explosionsAtStart(aliens, origin.x, origin.y);
-  return {
+  for (let i = 0; i < level.asteroids.length; i++) (level.asteroids[i].hot ? hot : cold).push(i);
+  const own: Record<string, unknown> = {};
+  for (const { name, prepare } of parts) if (prepare !== undefined) own[name] = prepare(level, indexing);
+  const prepared = {
     level,
     rules,
     box: boxOf(rules),
-    accuracy,
     effects,
     strongest: strongestOf(parts, level, rules),
     targets: indexed(circlesOf(level.asteroids, [...cold, ...hot]), indexing),
     coldCount: cold.length,
-    novae: indexed(all(level.novae), indexing),
+    novae: indexed(circlesOf(level.novae), indexing),
     repulsors: indexed(circlesOf(level.repulsors, unlike(level.repulsors)), indexing),
-    aliens: { ...aliens, explosions },
-    minerals: indexed(all(level.minerals), indexing),
-    own: Object.fromEntries(
-      parts.flatMap(({ name, prepare }) => (prepare === undefined ? [] : [[name, prepare(level, indexing)]])),
-    ),
+    aliens: indexed(circlesOf(level.aliens), indexing),
+    minerals: indexed(circlesOf(level.minerals), indexing),
+    own,
+  };
+  return sceneAt(prepared, accuracy);
+}
+
+/**
+ * The scene of the same level at another accuracy. It shares what does not depend on the accuracy, so it takes less time than
+ * to compile the level again.
+ *
+ * @param scene - the scene
+ * @param accuracy - the accuracy
+ * @returns the scene that {@link compile} would make
+ */
+export const atAccuracy = (scene: Scene, accuracy: Accuracy): Scene =>
+  accuracy === scene.accuracy ? scene : sceneAt(scene, accuracy);
+
+/** What is the same at all accuracies. */
+type Prepared = Omit<Scene, 'accuracy' | 'aliens'> & { readonly aliens: IndexedCircles };
+
+function sceneAt(prepared: Prepared, accuracy: Accuracy): Scene {
+  const { level, rules, box, effects, strongest, targets, coldCount, novae, repulsors, aliens, minerals, own } = prepared;
+  const { count, x, y, r, index, spatial } = aliens;
+  // continuous time has places relative to where she starts
+  const isRelative = accuracy.integrator !== 'arcade';
+  const { astronaut } = level;
+  const explosions = explosionsAtStart(aliens, isRelative ? astronaut.x : 0, isRelative ? astronaut.y : 0);
+  // written out: spreads would give every scene a hidden class of its own, which slows property access down in V8
+  return {
+    level,
+    rules,
+    box,
+    accuracy,
+    effects,
+    strongest,
+    targets,
+    coldCount,
+    novae,
+    repulsors,
+    aliens: { count, x, y, r, index, spatial, explosions },
+    minerals,
+    own,
   };
 }

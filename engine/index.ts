@@ -2,6 +2,7 @@ export * from './accuracy.ts';
 export type { Circles } from './circles.ts';
 export type { Clearance } from './clearance.ts';
 export { compile } from './compile.ts';
+export { atAccuracy } from './compile-with.ts';
 export * from './constants.ts';
 export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';

@@ -8,6 +8,10 @@ export interface IndexedCircles extends Circles {
   readonly spatial: SpatialIndex | null;
 }
 
+const NO_NUMBERS = new Float64Array(0);
+
+const NO_CIRCLES: Circles = { count: 0, x: NO_NUMBERS, y: NO_NUMBERS, r: NO_NUMBERS, index: new Int32Array(0) };
+
 /** Adds an index to a list of circles where it is worth one. */
 export function indexed(circles: Circles, indexing: Indexing): IndexedCircles {
   const { count, x, y, r, index } = circles;
@@ -15,14 +19,25 @@ export function indexed(circles: Circles, indexing: Indexing): IndexedCircles {
   return { count, x, y, r, index, spatial: indexing.circles(circles) };
 }
 
-/** The circles of a list at the indices in `order`, as parallel arrays. */
-export function circlesOf(list: readonly Disc[], order: readonly number[]): Circles {
-  const pick = (f: (c: Disc) => number) => Float64Array.from(order, (i) => f(list[i]));
-  return {
-    count: order.length,
-    x: pick((c) => c.x),
-    y: pick((c) => c.y),
-    r: pick((c) => c.radius),
-    index: Int32Array.from(order),
-  };
+/**
+ * The circles of a list as parallel arrays.
+ * @param order - the indices of those that are taken, in their order; all of the list when left out
+ */
+export function circlesOf(list: readonly Disc[], order?: readonly number[]): Circles {
+  const count = order === undefined ? list.length : order.length;
+  // most lists of most levels are empty
+  if (count === 0) return NO_CIRCLES;
+  const x = new Float64Array(count);
+  const y = new Float64Array(count);
+  const r = new Float64Array(count);
+  const index = new Int32Array(count);
+  for (let k = 0; k < count; k++) {
+    const i = order === undefined ? k : order[k];
+    const disc = list[i];
+    x[k] = disc.x;
+    y[k] = disc.y;
+    r[k] = disc.radius;
+    index[k] = i;
+  }
+  return { count, x, y, r, index };
 }

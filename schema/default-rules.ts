@@ -31,8 +31,19 @@ export const RULE_NAMES = /* @__PURE__ */ Object.keys(ORIGINAL) as readonly Rule
  * @param level - a level, or anything with `rules`
  * @returns a value for each rule: the level's own, or the original game's
  */
-export function rulesOf({ rules = {} }: { readonly rules?: OwnRules | undefined }): Rules {
-  return Object.fromEntries(RULE_NAMES.map((name) => [name, rules[name] ?? DEFAULT_RULES[name]])) as Rules;
+export function rulesOf({ rules }: { readonly rules?: OwnRules | undefined }): Rules {
+  if (rules === undefined) return DEFAULT_RULES;
+  // written out: every check of a level needs them, and a loop over names takes ten times as long
+  return {
+    pull: rules.pull ?? ORIGINAL.pull,
+    recoil: rules.recoil ?? ORIGINAL.recoil,
+    push: rules.push ?? ORIGINAL.push,
+    alienPull: rules.alienPull ?? ORIGINAL.alienPull,
+    alienSight: rules.alienSight ?? ORIGINAL.alienSight,
+    speedLimit: rules.speedLimit ?? ORIGINAL.speedLimit,
+    boxWidth: rules.boxWidth ?? ORIGINAL.boxWidth,
+    boxHeight: rules.boxHeight ?? ORIGINAL.boxHeight,
+  };
 }
 
 /**

@@ -101,7 +101,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
 
   const shown = found ?? chosen(level.runs, scripted, Math.max(completing, 0));
   const { run: brief, report } = inWords(level, shown, settings, budget);
-  const runs = examineRuns(level, scripted, { accuracy, maxTime, maxWork, budget, found: found?.run });
+  const runs = examineRuns(level, scripted, { scene, maxTime, maxWork, budget, found: found?.run });
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
   const findings = findingsOf(runs, {

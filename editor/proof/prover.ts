@@ -23,7 +23,7 @@ const NOTHING_PROVED = { impossible: null, minerals: [] };
 /** The findings of a level's runs; each is simulated completely, once. */
 function findingsIn(known: SceneRecord, level: Level): RunFindings {
   const runs = level.runs.map(({ holds }) => known.full(joinHolds(holds)));
-  return examineRuns(level, runs, asGqCheck(known.accuracy, new WorkBudget()));
+  return examineRuns(level, runs, asGqCheck(known.scene, new WorkBudget()));
 }
 
 /**

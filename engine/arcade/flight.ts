@@ -10,15 +10,20 @@ import { NUMBERS, type World } from './world.ts';
 const DT = TICK;
 const { PULL, RECOIL, LIMIT } = NUMBERS;
 
+const NOWHERE = new Float64Array(0);
+
 /** Frames away from objects: only the gun acts while she stays within the bounds of her surroundings. */
 export class Flight {
   /** Her place at the start of each frame, x and y alternately, if it was traced. */
-  readonly path: Float64Array = new Float64Array(2 * AHEAD);
+  readonly path: Float64Array;
 
   constructor(
     private readonly world: World,
     private readonly around: Surroundings,
-  ) {}
+  ) {
+    // only aliens follow it
+    this.path = world.aliens.count > 0 ? new Float64Array(2 * AHEAD) : NOWHERE;
+  }
 
   /**
    * Makes frames until she leaves the bounds.

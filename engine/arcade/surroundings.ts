@@ -7,12 +7,14 @@ import type { World } from './world.ts';
 /** This far from every object nothing matters to her, px. */
 const AWAY = 1.5;
 
+const NONE = new Int32Array(0);
+
 /** What is around her, and how far nothing but the gun acts. */
 export class Surroundings {
   /** Left, right, top and bottom of the area in which only the gun acts, px. */
   readonly bounds: Float64Array = new Float64Array(4);
   /** Targets that may be the nearest within the area. */
-  rivals: Int32Array = new Int32Array(0);
+  rivals: Int32Array = NONE;
   private readonly nearest = new Int32Array(1);
   private readonly discs: readonly Circles[];
   private readonly neighbourhoods: Neighbourhoods;

@@ -64,7 +64,7 @@ export class World {
     const { pull, push, recoil, speedLimit } = scene.rules;
     this.numbers = Float64Array.of(pull, push, recoil, speedLimit);
     this.box = scene.box;
-    this.frameRules = ALL_EFFECTS.of(scene.effects).flatMap(({ frame }) => frame ?? []);
+    this.frameRules = ALL_EFFECTS.frameRulesOf(scene.effects);
     let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
     this.frameStates = this.frameRules.map((rule) => {
       const at = length;
@@ -87,9 +87,9 @@ export class World {
     this.places = this.recoil ? this.s : new Float64Array(2 * targets.count);
     this.placesFrom = this.recoil ? HEAD : 0;
     this.placesStep = this.recoil ? ROCK : 2;
-    this.deadlyX = Float64Array.from([blackHole.x, ...novae.x, ...targets.x]);
-    this.deadlyY = Float64Array.from([blackHole.y, ...novae.y, ...targets.y]);
-    this.deadlyR = Float64Array.from([blackHole.radius, ...novae.r, ...targets.r]);
+    this.deadlyX = inARow(blackHole.x, novae.x, targets.x);
+    this.deadlyY = inARow(blackHole.y, novae.y, targets.y);
+    this.deadlyR = inARow(blackHole.radius, novae.r, targets.r);
     this.firstTarget = 1 + novae.count;
     this.layOut();
     this.reset();
@@ -138,6 +138,15 @@ export class World {
     copy(snapshot, this.s);
     this.aliens.forget();
   }
+}
+
+/** One number after the other: those of the black hole, of novae and of targets. */
+function inARow(hole: number, novae: Float64Array, targets: Float64Array): Float64Array {
+  const all = new Float64Array(1 + novae.length + targets.length);
+  all[0] = hole;
+  for (let i = 0; i < novae.length; i++) all[1 + i] = novae[i];
+  for (let i = 0; i < targets.length; i++) all[1 + novae.length + i] = targets[i];
+  return all;
 }
 
 function copy(from: Float64Array, to: Float64Array): void {

@@ -49,7 +49,6 @@ export class ContinuousSimulation implements Simulation {
   /** The run as the files of this folder see it. */
   readonly motion: Motion;
   private readonly start: Float64Array;
-  private readonly mostAtOnce: number;
   /** Set if the budget is too small even for the start of the run. */
   private readonly refusal: WorkLimitReached | null = null;
   private readonly startHead: Float64Array;
@@ -61,14 +60,11 @@ export class ContinuousSimulation implements Simulation {
    */
   constructor({ effects: included, integratorOf }: Method, scene: Scene, recorder: Recorder | null, budget: WorkBudget) {
     const effects = included.of(scene.effects);
-    const motion = new Motion(scene, integratorOf(scene.accuracy), included.partsOf(effects), recorder, budget);
+    const motion = new Motion(scene, integratorOf(scene.accuracy), included.partsOf(scene.effects), recorder, budget);
     for (const effect of effects) effect.attach?.(motion);
     this.scene = scene;
     this.work = motion.work;
     this.motion = motion;
-    this.start = motion.s.slice();
-    const objects = objectLists(scene.level).reduce((sum, [, list]) => sum + list.length, 0);
-    this.mostAtOnce = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objects;
     try {
       layOut(motion, effects);
       begin(motion);
@@ -76,7 +72,7 @@ export class ContinuousSimulation implements Simulation {
       if (!(error instanceof WorkLimitReached)) throw error;
       this.refusal = error;
     }
-    this.start.set(motion.s);
+    this.start = motion.s.slice();
     if (motion.crowd !== null) motion.crowd.changed = false;
     this.startHead = this.start.subarray(0, motion.chasers);
     this.startRest = this.start.subarray(motion.chasers + CHASER * scene.aliens.count);
@@ -271,9 +267,16 @@ export class ContinuousSimulation implements Simulation {
         instant = s[START] + s[NEXT];
         events = 0;
       }
-      if (++events > this.mostAtOnce) throw new WorkLimitReached(this.mostAtOnce, 'events');
+      if (++events > MOST_AT_ONCE.inAnyLevel) this.limitEvents(events);
       fire(motion, time);
     }
+  }
+
+  /** @throws {@link WorkLimitReached} if so many events at one instant mean that the run does not advance */
+  private limitEvents(events: number): void {
+    const objects = objectLists(this.scene.level).reduce((sum, [, list]) => sum + list.length, 0);
+    const most = MOST_AT_ONCE.inAnyLevel + MOST_AT_ONCE.byEachObject * objects;
+    if (events > most) throw new WorkLimitReached(most, 'events');
   }
 
   /** Gives the unfinished piece at the end of a run to the recorder. */

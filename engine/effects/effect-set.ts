@@ -1,16 +1,26 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { layOutRules } from '../events/index.ts';
+import type { FrameRule } from '../frames/index.ts';
 import type { EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
 import type { Indexing } from '../spatial-index.ts';
 import type { Effect } from './effect.ts';
 import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, LISTED_FIRST } from './order.ts';
 
+/** Chosen effects, and what follows from them once somebody has asked for it. */
+interface Chosen {
+  readonly effects: readonly Effect[];
+  parts: Parts | null;
+  frameRules: readonly FrameRule[] | null;
+}
+
 /** The effects that a program includes: all of them, or what its levels call for. */
 export class EffectSet {
   private readonly all: readonly Effect[];
   private readonly rules: readonly EventRule[];
-  private readonly layouts = new Map<string, Parts>();
+  // found again by the choice itself: a level is simulated more than once, at more than one accuracy
+  private readonly chosen = new WeakMap<EffectChoice, Chosen>();
+  private readonly known = new Map<string, Chosen>();
 
   /**
    * @param effects - the effects, in any order
@@ -41,19 +51,38 @@ export class EffectSet {
   }
 
   /** The effects that are part of a scene. */
-  of({ simulated }: EffectChoice): readonly Effect[] {
-    const names = new Set(simulated.map(({ name }) => name));
-    return this.all.filter(({ name }) => names.has(name));
+  of(choice: EffectChoice): readonly Effect[] {
+    return this.chosenBy(choice).effects;
   }
 
   /** What these effects contribute to a motion, laid out. Motions with the same effects share it. */
-  partsOf(effects: readonly Effect[]): Parts {
-    const key = effects.map(({ name }) => name).join(' ');
-    const known = this.layouts.get(key);
-    if (known !== undefined) return known;
-    const parts = this.layOut(effects);
-    this.layouts.set(key, parts);
-    return parts;
+  partsOf(choice: EffectChoice): Parts {
+    const chosen = this.chosenBy(choice);
+    chosen.parts ??= this.layOut(chosen.effects);
+    return chosen.parts;
+  }
+
+  /** What `arcade` calls in its frames for these effects. */
+  frameRulesOf(choice: EffectChoice): readonly FrameRule[] {
+    const chosen = this.chosenBy(choice);
+    chosen.frameRules ??= chosen.effects.flatMap(({ frame }) => frame ?? []);
+    return chosen.frameRules;
+  }
+
+  private chosenBy(choice: EffectChoice): Chosen {
+    let chosen = this.chosen.get(choice);
+    if (chosen === undefined) {
+      let key = '';
+      for (const { name } of choice.simulated) key += `${name} `;
+      chosen = this.known.get(key);
+      if (chosen === undefined) {
+        const names = new Set(choice.simulated.map(({ name }) => name));
+        chosen = { effects: this.all.filter(({ name }) => names.has(name)), parts: null, frameRules: null };
+        this.known.set(key, chosen);
+      }
+      this.chosen.set(choice, chosen);
+    }
+    return chosen;
   }
 
   private layOut(effects: readonly Effect[]): Parts {

@@ -11,6 +11,9 @@ import {
 } from '../motion/index.ts';
 import { CONVERGENCE, PIECE_SHARE } from '../tolerances.ts';
 
+/** Error of position per second if the accuracy has none, px. */
+const DEFAULT_TOLERANCE = 1e-9;
+
 /** Longest Taylor piece in accelerated flow, s, so that bounds over it stay tight. */
 const LONGEST_TAYLOR = 4;
 
@@ -57,5 +60,10 @@ function taylor(tolerance: number): Integrator {
   };
 }
 
+/** The integrator of the tolerance that nearly every scene has. */
+const usual = /* @__PURE__ */ taylor(DEFAULT_TOLERANCE / PIECE_SHARE);
+
 /** The integrator with error control of an accuracy. */
-export const taylorOf = ({ tolerance }: Accuracy): Integrator => taylor((tolerance ?? 1e-9) / PIECE_SHARE);
+export function taylorOf({ tolerance }: Accuracy): Integrator {
+  return tolerance === null || tolerance === DEFAULT_TOLERANCE ? usual : taylor(tolerance / PIECE_SHARE);
+}

@@ -18,7 +18,7 @@ const { CHASER, ROCK } = RECORDS;
 /** Factor by which a fixed step may overestimate a force. */
 const FIXED_STEP_ROOM = 1.05;
 
-/** The series of a chaser that has not begun to chase. */
+/** The series of a chaser that has not begun to chase, and of what no chaser follows. */
 const NO_SERIES = new Float64Array(0);
 
 /** Whether a list of objects is so long that it has an index. */
@@ -244,7 +244,7 @@ export class Motion {
   /** The direction of the box's x axis: cosine and sine. */
   readonly facing: Float64Array = new Float64Array(2);
   readonly steps: Int32Array = new Int32Array(1);
-  /** Her place relative to the origin, which chasers follow. */
+  /** Her place relative to the origin, which chasers follow; empty if there are none. */
   readonly wx: Float64Array;
   readonly wy: Float64Array;
 
@@ -277,11 +277,20 @@ export class Motion {
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
     const { level, targets, aliens, minerals, novae, repulsors } = scene;
     this.recoils = level.recoil && targets.count > 0;
-    this.crowded = [targets, novae, minerals, repulsors, ...Object.values(scene.own)].some(hasIndex);
+    this.crowded =
+      targets.spatial !== null ||
+      novae.spatial !== null ||
+      minerals.spatial !== null ||
+      repulsors.spatial !== null ||
+      Object.values(scene.own).some(hasIndex);
     this.originX = level.astronaut.x;
     this.originY = level.astronaut.y;
-    this.targetX = targets.x.map((x) => x - this.originX);
-    this.targetY = targets.y.map((y) => y - this.originY);
+    this.targetX = new Float64Array(targets.count);
+    this.targetY = new Float64Array(targets.count);
+    for (let i = 0; i < targets.count; i++) {
+      this.targetX[i] = targets.x[i] - this.originX;
+      this.targetY[i] = targets.y[i] - this.originY;
+    }
     // an asteroid that she holds while in a field is dragged along like an alien: one more chaser
     const chasers = aliens.count + (this.recoils ? 1 : 0);
     const length = this.integrator.degree + 1;
@@ -310,8 +319,8 @@ export class Motion {
       this.chaserX.push(NO_SERIES);
       this.chaserY.push(NO_SERIES);
     }
-    this.wx = new Float64Array(length);
-    this.wy = new Float64Array(length);
+    this.wx = chasers === 0 ? NO_SERIES : new Float64Array(length);
+    this.wy = chasers === 0 ? NO_SERIES : new Float64Array(length);
   }
 
   /** Whether asteroids move: from the first press on if the level has recoil. */

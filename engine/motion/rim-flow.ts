@@ -12,6 +12,7 @@ const outX = new Float64Array(N + 1);
 const outY = new Float64Array(N + 1);
 const share = new Float64Array(N + 1);
 const denominator = new Float64Array(N + 1);
+const pressure = new Float64Array(N - 1);
 
 /**
  * Sliding along the rim of a field, in a frame about the field's centre. On either side of the rim a force drives her towards
@@ -45,8 +46,8 @@ export class RimFlow {
    */
   pressesIn = 0;
   pressesOut = 0;
-  /** After `series`, while both axes are free: coefficients of pressesIn over time. */
-  readonly pressure: Float64Array = new Float64Array(N - 1);
+  /** After `series`, while both axes are free: coefficients of pressesIn over time. All flows share this memory. */
+  readonly pressure: Float64Array = pressure;
 
   /** Finds what acts at place u and velocity v if the centre of the force outside is at u - w. */
   weigh(x: number, y: number, vx: number, vy: number, wx: number, wy: number): void {

@@ -3,6 +3,8 @@ import type { IndexedCircles } from '../../indexed-circles.ts';
 /** This many followers in the list are examined before the index is used: dense heaps are done sooner that way. */
 const NEXT_IN_LIST = 32;
 
+const NOBODY = new Int32Array(0);
+
 /**
  * Finds the aliens that overlap at their places in the level. They explode at time 0, two by two: the first in the list that
  * overlaps another one, with the first of those, and so on.
@@ -12,6 +14,7 @@ const NEXT_IN_LIST = 32;
  */
 export function explosionsAtStart(aliens: IndexedCircles, originX: number, originY: number): Int32Array {
   const { count, x, y, r, spatial } = aliens;
+  if (count < 2) return NOBODY;
   const gone = new Uint8Array(count);
   const pairs: number[] = [];
   const overlap = (i: number, j: number): boolean => {
