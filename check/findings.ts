@@ -105,7 +105,7 @@ export const unproved: MoreFindings = {
  * @param more what else was found; missing properties are taken from {@link unproved}
  * @returns all findings
  */
-export const findingsOf = (runs: RunFindings, more: Partial<MoreFindings>): Findings => ({ ...runs, ...unproved, ...more });
+export const findingsOf = (runs: RunFindings, more: Partial<MoreFindings>): Findings => Object.assign({}, runs, unproved, more);
 
 /** Whether one of the level's own runs completes it. */
 export const completesItself = ({ ends }: Pick<RunFindings, 'ends'>): boolean =>

@@ -55,9 +55,13 @@ export function rulesOf({ rules }: { readonly rules?: OwnRules | undefined }): R
  * @returns what a level has as its `rules`; nothing when no rule differs
  */
 export function ownRules(rules: OwnRules, folder: OwnRules): { readonly rules?: OwnRules } {
-  const own = RULE_NAMES.flatMap((name) => {
+  const own: Partial<Record<RuleName, number>> = {};
+  let count = 0;
+  for (const name of RULE_NAMES) {
     const value = rules[name] ?? folder[name];
-    return value === undefined || value === DEFAULT_RULES[name] ? [] : [[name, value]];
-  });
-  return own.length === 0 ? {} : { rules: Object.fromEntries(own) };
+    if (value === undefined || value === DEFAULT_RULES[name]) continue;
+    own[name] = value;
+    count++;
+  }
+  return count === 0 ? {} : { rules: own };
 }

@@ -3,8 +3,8 @@ import { HEAD, SLOTS } from './state.ts';
 
 const { DEGREE } = SLOTS;
 
-/** Numbers in the first block. Each block has twice as many as the one before, up to the largest. */
-const FIRST_BLOCK = 1024;
+/** Numbers in the first block, enough for most runs. Each block has as many as all before it, up to the largest. */
+const FIRST_BLOCK = 2048;
 const LARGEST_BLOCK = 65_536;
 
 /**
@@ -15,6 +15,8 @@ export class PackedPieces {
   private readonly blocks: Float64Array[] = [];
   /** How many numbers of the last block are in use. */
   private used = 0;
+  /** How many numbers all blocks have. */
+  private room = 0;
   /** For each piece, the index of its block, and of its first number in that. */
   private readonly blockOf: number[] = [];
   private readonly from: number[] = [];
@@ -61,9 +63,9 @@ export class PackedPieces {
     const { blocks } = this;
     const last = blocks.at(-1);
     if (last !== undefined && this.used + size <= last.length) return last;
-    const next = last === undefined ? FIRST_BLOCK : Math.min(LARGEST_BLOCK, 2 * last.length);
-    const block = new Float64Array(Math.max(size, next));
+    const block = new Float64Array(Math.max(size, this.room === 0 ? FIRST_BLOCK : Math.min(LARGEST_BLOCK, this.room)));
     blocks.push(block);
+    this.room += block.length;
     this.used = 0;
     return block;
   }
