@@ -1,7 +1,6 @@
 import type { CheckSettings } from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { Failure } from '../../failure.ts';
-import { doWhole, jobOf } from '../../fleet/index.ts';
 import { packFormat } from '../../packs/index.ts';
 import { createStatusLine } from '../../progress.ts';
 import type { Destination } from '../../reporters/index.ts';
@@ -40,6 +39,8 @@ export async function checkPacks(
   destinations: readonly Destination[],
   { jobs, quiet, linkTo }: { readonly jobs: number; readonly quiet?: boolean; readonly linkTo: EditorLink | null },
 ): Promise<CommandResult> {
+  // most checks have no packs
+  const { doWhole, jobOf } = await import('../../fleet/index.ts');
   const line = createStatusLine();
   const { records, remove, signal } = await doWhole('check', settings, files, {
     jobs,

@@ -23,12 +23,12 @@ import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config
 import { type Configuration, noConfiguration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
 import { unreadableFolders } from '../../files.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions, shardOfPlan } from '../../fleet/index.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { addSearchOptions } from '../../search-options.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
@@ -126,7 +126,11 @@ Examples:
     )
     .action(async (paths: string[], options: CheckOptions) => {
       refuseBesidesPlan(command, paths, options);
-      if (options.plan !== undefined) return finish(await shardOfPlan('check', options, options.jobs));
+      if (options.plan !== undefined) {
+        // a plan is read with the schema, which a check leaves to its workers
+        const { shardOfPlan } = await import('../../fleet/index.ts');
+        return finish(await shardOfPlan('check', options, options.jobs));
+      }
       refuseUnused(command, [{ option: '--seed', isUsed: options.solve === true, needs: '--solve' }]);
       finish(await (options.watch ? watchLevels(paths, options) : check(paths, options, checkFiles)));
     });

@@ -1,4 +1,5 @@
 import type { CheckedLevel } from '../../../cli/check/checked-level.ts';
+import { totalsOf } from '../../../cli/check/index.ts';
 import { PLAIN } from '../../../cli/colors.ts';
 import type { ReportContext, Results } from '../../../cli/reporters/reporter.ts';
 import type { ShownProblem } from '../../../cli/shown-problem.ts';
@@ -18,6 +19,7 @@ export const CONTEXT: ReportContext = {
 /** The results of a check that was not interrupted. */
 export const resultsOf = (levels: readonly CheckedLevel[], rest: Partial<Results> = {}): Results => ({
   levels,
+  totals: totalsOf(levels),
   unchecked: [],
   interrupted: false,
   ...rest,

@@ -135,7 +135,7 @@ describe('the summary of a step', () => {
     for (const before of [0, 1000, MIB - 5000, MIB - 10, MIB + 5]) {
       writeFileSync(at('full.md'), 'x'.repeat(before));
       const { files: added, messages } = stepSummary(at('full.md'), resultsOf(levels), CONTEXT);
-      for (const { path, content } of added) appendFileSync(path, content);
+      for (const { path, content } of added) appendFileSync(path, String(content));
       const text = readFileSync(at('full.md'));
       expect(text.length).toBeLessThanOrEqual(Math.max(before, MIB));
       if (before < MIB - 1000) expect(text.toString()).toContain('Left out, as it did not fit: ');
