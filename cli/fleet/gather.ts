@@ -1,12 +1,13 @@
 import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
 import { namedPath } from '../shown-path.ts';
 import { hearSignals } from '../signals.ts';
 import { entryHash, ShardDigest } from './digest.ts';
+import type { Json } from './job.ts';
 import { LineReader } from './line-reader.ts';
 import type { Plan } from './plan.ts';
-import { headerOf, inspect, RESULT_FILE, recordOfLine } from './result.ts';
+import { headerOf, inspect, RESULT_FILE, recordOfLine, resultName } from './result.ts';
 
 /** The results of a plan that were found. */
 export interface Gathered {
@@ -33,7 +34,7 @@ export async function gather(plan: Plan, folders: readonly string[]): Promise<Ga
   const conflicts: string[] = [];
   const foreign: string[] = [];
   for (const path of resultsIn(folders)) {
-    const shard = Number(RESULT_FILE.exec(path.split(/[/\\]/).at(-1)!)![1]);
+    const shard = shardOfName(basename(path));
     if (shard >= plan.shards.length) {
       foreign.push(`${namedPath(path)}: the plan has shards 0 to ${plan.shards.length - 1} only`);
       continue;
@@ -61,14 +62,15 @@ export async function gather(plan: Plan, folders: readonly string[]): Promise<Ga
   return { results, missing, notes, conflicts, seed: sums.sort().join('\n') };
 }
 
+/** The shard in the name of a result. */
+const shardOfName = (name: string): number => Number(RESULT_FILE.exec(name)![1]);
+
 function resultsIn(folders: readonly string[]): string[] {
   return folders.flatMap((folder) => {
-    const names = tryTo(folder, () => readdirSync(folder));
+    const names = tryTo(folder, () => readdirSync(folder)).filter((name) => RESULT_FILE.test(name));
     // a result before those that differ from it
-    return names
-      .filter((name) => RESULT_FILE.test(name))
-      .sort()
-      .map((name) => join(folder, name));
+    const rank = (name: string): string => `${name === resultName(shardOfName(name)) ? 0 : 1} ${name}`;
+    return names.sort((a, b) => (rank(a) < rank(b) ? -1 : 1)).map((name) => join(folder, name));
   });
 }
 
@@ -83,20 +85,32 @@ function addTo(digest: ShardDigest, line: Buffer): void {
 
 /** Says which level two results judge differently. */
 function firstDifference(a: string, b: string): string {
-  const [one, other] = [new LineReader(a), new LineReader(b)];
-  one.next();
-  other.next();
-  for (let [x, y] = [one.next(), other.next()]; x !== null && y !== null; [x, y] = [one.next(), other.next()]) {
+  const readers = [new LineReader(a), new LineReader(b)];
+  const next = () => readers.map((reader) => reader.next());
+  next();
+  for (let [x, y] = next(); x !== null && y !== null; [x, y] = next()) {
     const [left, right] = [recordOfLine(x), recordOfLine(y)];
     if (left.result === undefined || right.result === undefined) break;
     if (JSON.stringify(left.result) === JSON.stringify(right.result)) continue;
-    const key = Object.keys({ ...left.result, ...right.result }).find(
-      (name) => JSON.stringify(left.result[name]) !== JSON.stringify(right.result[name]),
-    )!;
-    const short = (value: unknown): string => (JSON.stringify(value) ?? 'nothing').slice(0, 80);
-    return `${namedPath(a)} and ${namedPath(b)} differ at ${namedPath(left.file)}: ${key} is ${short(left.result[key])} in one, ${short(right.result[key])} in the other`;
+    const { place, one, other } = differenceOf('', left.result, right.result);
+    return `${namedPath(a)} and ${namedPath(b)} differ at ${namedPath(left.file)}: ${place} is ${one} in one, ${other} in the other`;
   }
   return `${namedPath(a)} and ${namedPath(b)} differ`;
+}
+
+/** The first place at which two values differ, and what is there. */
+function differenceOf(
+  place: string,
+  a: unknown,
+  b: unknown,
+): { readonly place: string; readonly one: string; readonly other: string } {
+  const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null;
+  if (isObject(a) && isObject(b)) {
+    const key = Object.keys({ ...a, ...b }).find((name) => JSON.stringify(a[name]) !== JSON.stringify(b[name]));
+    if (key !== undefined) return differenceOf(place === '' ? key : `${place}.${key}`, a[key], b[key]);
+  }
+  const short = (value: unknown): string => (JSON.stringify(value) ?? 'missing').slice(0, 80);
+  return { place, one: short(a), other: short(b) };
 }
 
 function tryTo<T>(path: string, work: () => T): T {

@@ -38,12 +38,16 @@ export interface Done {
   readonly refuted: ReadonlyMap<number, string>;
 }
 
-let work: Promise<Work> | null = null;
+let opened: { readonly job: string; readonly settings: Uint8Array; readonly work: Promise<Work> } | null = null;
 
-/** A process does one job only. */
+/** Opened once: all tasks of a thread have the same job, as a rule. */
 function workOf({ job, settings }: Common): Promise<Work> {
-  work ??= jobOf(job).openWork(JSON.parse(Buffer.from(settings).toString()));
-  return work;
+  const bytes = Buffer.from(settings);
+  if (opened === null || opened.job !== job || !bytes.equals(opened.settings)) {
+    const text = bytes.toString();
+    opened = { job, settings: Buffer.from(text), work: jobOf(job).openWork(JSON.parse(text)) };
+  }
+  return opened.work;
 }
 
 /** Runs in a worker thread: works on the entries of a batch that are of its shard. */

@@ -167,6 +167,8 @@ async function check(
   const configuration = await configurationFor(options);
   const configured = configuration.reporters?.map(({ name, file }) => (file === null ? name : `${name}=${file}`));
   const asked = chooseReports({ ...options, configured });
+  const named = firstPack(paths);
+  if (named !== undefined) refuseForPacks(named, { ...options, lock: null });
   const { files, unreadable, input, message } = await chooseFiles(
     paths,
     { ...options, lock: options.lock || undefined, comparedLock: (options.lock ?? configuration.lock) || null },

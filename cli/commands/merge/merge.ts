@@ -24,7 +24,7 @@ interface Options {
   readonly plan: string;
   readonly missing?: (typeof LISTS)[number];
   /** The share of the levels, 0 to 1. */
-  readonly replay: number;
+  readonly replay?: number;
   readonly format?: string;
   readonly reporter?: readonly string[];
   readonly output?: string;
@@ -38,7 +38,11 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .argument('<dir...>', 'directories with results')
     .requiredOption('--plan <file>', 'the plan, as gq plan has written it')
     .addOption(new Option('--missing <form>', 'print only the shards whose results are missing').choices(LISTS))
-    .option('--replay <share>', 'how many of the good results to repeat: a percentage, all or none', parseShare, 0.01)
+    .option(
+      '--replay <share>',
+      'how many of the good results to repeat: a percentage, all or none (default: 1 %, and about 20 of a small set)',
+      parseShare,
+    )
     .addOption(reportFormatOption())
     .addOption(reporterOption())
     .option('-o, --output <file>', 'write the report into a file in place of stdout')
@@ -64,6 +68,10 @@ Examples:
     .action(async (folders: string[], options: Options) => finish(await merge(folders, options)));
 }
 
+/** The share of the good results that are repeated, and of a small set how many. */
+const USUAL_SHARE = 0.01;
+const FEW = 20;
+
 function parseShare(text: string): number {
   if (text === 'all') return 1;
   if (text === 'none') return 0;
@@ -88,9 +96,10 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
     };
   }
   if (gathered.missing.length > 0) return { messages: notes + missingInWords(gathered, options), exitCode: 2 };
+  const rate = options.replay ?? Math.min(1, Math.max(USUAL_SHARE, FEW / plan.levels));
   const results = gathered.results.map((path) => path!);
   const { done: replayed, signal } = await stoppable((stopping) =>
-    replaySample(plan, results, { rate: options.replay, seed: gathered.seed, jobs: options.jobs, stopping }),
+    replaySample(plan, results, { rate, seed: gathered.seed, jobs: options.jobs, stopping }),
   );
   if (signal !== null) return { exitCode: exitCodeAfter(signal) };
   if (replayed.refuted.length > 0) {
@@ -106,8 +115,7 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
     for (const line of mergedRecords(results)) yield recordOfLine(line);
   }
   const report = await jobOf(plan.job).report(records, plan.report, asked, { quiet: options.quiet, withTimes: false });
-  const sample =
-    options.replay === 0 ? 'no result was repeated' : `${plural(replayed.replayed, 'good result')} repeated: as recorded`;
+  const sample = rate === 0 ? 'no result was repeated' : `${plural(replayed.replayed, 'good result')} repeated: as recorded`;
   const whole = `${plural(plan.shards.length, 'shard')}, ${plural(plan.levels, contentsOf(plan.job) === 'plays' ? 'play' : 'level')}: each exactly once; ${sample}\n`;
   return { ...report, messages: notes + whole + (report.messages ?? '') };
 }

@@ -1,4 +1,4 @@
-import { accessSync, constants, mkdirSync, readFileSync, realpathSync } from 'node:fs';
+import { accessSync, constants, existsSync, mkdirSync, realpathSync } from 'node:fs';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Argument, type Command } from 'commander';
@@ -6,10 +6,13 @@ import type { CommandResult } from '../../command.ts';
 import { Failure, systemReason } from '../../failure.ts';
 import {
   arrayJob,
+  gather,
   logsOf,
   maxArraySize,
   mergeJob,
+  type Plan,
   rangesOf,
+  readPlan,
   readRanges,
   reportOf,
   type SlurmOrder,
@@ -75,8 +78,14 @@ async function submit(options: Options): Promise<CommandResult> {
     if (value === '') throw new Failure(`${option} "": expected a name, found nothing`);
   }
   if (only !== undefined && missing) throw new Failure('--only and --missing each choose the shards: expected one of them');
-  const { shards: total, command } = readHead(plan);
-  const shards = missing ? missingShards(out, total) : only === undefined ? all(total) : readRanges(only, '--only', total);
+  const planned = readPlan(plan);
+  const total = planned.shards.length;
+  const command = planned.job;
+  const shards = missing
+    ? await missingShards(planned, out)
+    : only === undefined
+      ? all(total)
+      : readRanges(only, '--only', total);
   if (shards.length === 0) {
     return {
       output: `nothing is missing: ${namedPath(out)} has the results of all ${total} shards of ${namedPath(plan)}\n`,
@@ -97,6 +106,10 @@ async function submit(options: Options): Promise<CommandResult> {
     exitCode: 0,
   };
 }
+
+/** The shards without a good result. Without the directory, that is all of them. */
+const missingShards = async (plan: Plan, out: string): Promise<readonly number[]> =>
+  existsSync(out) ? (await gather(plan, [out])).missing : all(plan.shards.length);
 
 const all = (total: number): number[] => Array.from({ length: total }, (_, i) => i);
 
@@ -156,14 +169,4 @@ function submitMerge(order: SlurmOrder, array: string): string {
       `${error.message}\njob ${array} with the shards is submitted all the same: once it has ended, run ${byHand}; or cancel it with scancel ${array}`,
     );
   }
-}
-
-/** What a submission needs of a plan. */
-function readHead(file: string): { readonly shards: number; readonly command: string } {
-  const { shards, for: command } = JSON.parse(readFileSync(file, 'utf8'));
-  return { shards, command };
-}
-
-function missingShards(_out: string, _total: number): number[] {
-  throw new Failure('--missing is not there yet');
 }

@@ -1,0 +1,202 @@
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import fc from 'fast-check';
+import { create, Header } from 'tar';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { unwrap } from '../../cli/packs/unwrap.ts';
+import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
+
+let place: ReturnType<typeof makeFiles>;
+beforeAll(() => {
+  place = makeFiles({});
+});
+afterAll(() => place.remove());
+
+const put = (name: string, content: string | Uint8Array): void => writeFileSync(join(place.directory, name), content);
+
+/** The verdicts on the levels of a pack, by name. */
+async function verdicts(...paths: readonly string[]): Promise<Record<string, string>> {
+  const { stdout, stderr } = await gq(['check', ...paths, '--format', 'json'], { cwd: place.directory });
+  if (stdout === '') throw new Error(stderr);
+  return Object.fromEntries(JSON.parse(stdout).levels.map(({ file, verdict }: Record<string, string>) => [file, verdict]));
+}
+
+const refusal = async (path: string): Promise<string> => {
+  const { code, stdout, stderr } = await gq(['check', path], { cwd: place.directory });
+  expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+  return stderr;
+};
+
+const LEVEL = fallThrough();
+
+describe('a pack of lines', () => {
+  it('has a level in each line that is not blank, named by its number', async () => {
+    put('a.ndjson', `${LEVEL}\r\n\n  \t\n{"version": 1}\n\u00ff\n${fallThrough({ runs: [] })}`);
+    expect(await verdicts('a.ndjson')).toEqual({
+      'a.ndjson#1': 'completable',
+      'a.ndjson#4': 'invalid',
+      'a.ndjson#5': 'invalid',
+      'a.ndjson#6': 'unproven',
+    });
+  });
+
+  it('takes ids in either order, and anything else for a level', async () => {
+    const lines = [
+      `{"id": "one", "level": ${LEVEL}}`,
+      `{"level":${LEVEL},"id":2}`,
+      `{"level": ${LEVEL} }`,
+      `  { "id" : "caf\\u00e9 \\"x\\"" , "level" : ${LEVEL} }  `,
+      `{"id": "one", "level": ${LEVEL}, "more": 1}`,
+      `{"id": {}, "level": ${LEVEL}}`,
+      `{"id": "a", "level": ${LEVEL}, "id": "b"}`,
+    ];
+    put('ids.ndjson', lines.join('\n'));
+    expect(await verdicts('ids.ndjson')).toEqual({
+      'ids.ndjson#one': 'invalid',
+      'ids.ndjson#2': 'completable',
+      'ids.ndjson#3': 'completable',
+      'ids.ndjson#café "x"': 'completable',
+      'ids.ndjson#6': 'invalid',
+      'ids.ndjson#7': 'invalid',
+    });
+  });
+
+  it('unwraps just what a JSON reader finds', () => {
+    const id = fc.oneof(fc.string({ maxLength: 30 }), fc.integer());
+    const level = fc.jsonValue({ maxDepth: 3 }).map((value) => ({ level: value, id: 'inner', name: '"},{' }));
+    const space = fc.constantFrom('', ' ', '\t ');
+    fc.assert(
+      fc.property(id, level, space, fc.boolean(), (name, inside, gap, isFirst) => {
+        const text = JSON.stringify(inside);
+        const own = `"id"${gap}:${gap}${JSON.stringify(name)}`;
+        const body = `"level"${gap}:${gap}${text}`;
+        const line = `${gap}{${gap}${isFirst ? own : body}${gap},${gap}${isFirst ? body : own}${gap}}${gap}`;
+        const { id: found, content } = unwrap(Buffer.from(line));
+        expect(found).toBe(String(name));
+        expect(Buffer.from(content).toString().trimEnd()).toBe(text);
+      }),
+    );
+  });
+
+  it('reads lines that are longer than any level without keeping them', async () => {
+    put('long.ndjson', `${LEVEL}\n${'['.repeat(6_000_000)}\n${' '.repeat(3_000_000)}\n${LEVEL}\n`);
+    const found = await verdicts('long.ndjson');
+    expect(found['long.ndjson#1']).toBe('completable');
+    expect(found['long.ndjson#2']).toBe('invalid');
+    expect(found['long.ndjson#4']).toBe('completable');
+  });
+
+  it('reads compressed ones, also of several parts', async () => {
+    put('z.ndjson.gz', Buffer.concat([gzipSync(`${LEVEL}\n`), gzipSync(`${LEVEL}\n`)]));
+    expect(await verdicts('z.ndjson.gz')).toEqual({ 'z.ndjson.gz#1': 'completable', 'z.ndjson.gz#2': 'completable' });
+  });
+
+  it('is refused when it is empty, cut off, or packed in another way than its name says', async () => {
+    put('empty.ndjson', '\n \n');
+    expect(await refusal('empty.ndjson')).toBe('error: empty.ndjson: it contains no level: expected a level a line\n');
+    put('cut.ndjson.gz', gzipSync(`${LEVEL}\n`.repeat(50)).subarray(0, -12));
+    expect(await refusal('cut.ndjson.gz')).toContain("cut.ndjson.gz: can't be unpacked (gzip): unexpected end of file");
+    put('plain.ndjson.gz', LEVEL);
+    expect(await refusal('plain.ndjson.gz')).toContain("plain.ndjson.gz: can't be unpacked (gzip): incorrect header check");
+    put('z.ndjson.zst', LEVEL);
+    expect(await refusal('z.ndjson.zst')).toContain('zstd');
+  });
+});
+
+describe('an archive', () => {
+  const long = `${'deep/'.repeat(40)}ünïcode ${'x'.repeat(60)}.level.json`;
+
+  it('has the level files in it, whatever their names', async () => {
+    const inside = makeFiles({ 'a.level.json': LEVEL, [long]: fallThrough({ runs: [] }), 'README.md': 'x', 'b.json': LEVEL });
+    try {
+      for (const [name, options] of [
+        ['t.tar', {}],
+        ['t.tgz', { gzip: true }],
+        ['t.tar.gz', { gzip: true }],
+      ] as const) {
+        await create({ cwd: inside.directory, file: join(place.directory, name), ...options }, ['.']);
+        const found = await verdicts(name);
+        expect(Object.values(found).sort()).toEqual(['completable', 'unproven']);
+        expect(Object.keys(found).some((key) => key.endsWith(long))).toBe(true);
+      }
+    } finally {
+      inside.remove();
+    }
+  });
+
+  it('is refused when it is cut off, damaged, or has no level', async () => {
+    const inside = makeFiles({ 'a.level.json': LEVEL.padEnd(3000), 'b.txt': 'x' });
+    try {
+      const file = join(place.directory, 'whole.tar');
+      await create({ cwd: inside.directory, file }, ['a.level.json']);
+      const { readFileSync } = await import('node:fs');
+      const bytes = readFileSync(file);
+      put('cut.tar', bytes.subarray(0, 2000));
+      expect(await refusal('cut.tar')).toContain('cut.tar: it is no tar archive, or it is cut off or damaged');
+      put('garbage.tar', Buffer.alloc(4096, 'garbage '));
+      expect(await refusal('garbage.tar')).toContain('garbage.tar: it is no tar archive');
+      await create({ cwd: inside.directory, file: join(place.directory, 'none.tar') }, ['b.txt']);
+      expect(await refusal('none.tar')).toContain('none.tar: it contains no level: expected *.level.json in it');
+      put('empty.tar', '');
+      expect((await refusal('empty.tar')).length).toBeGreaterThan(10);
+    } finally {
+      inside.remove();
+    }
+  });
+
+  it('shows names that could change the terminal', async () => {
+    const header = new Header({
+      path: 'a\u001b[31m\n.level.json',
+      size: LEVEL.length,
+      mode: 0o644,
+      type: 'File',
+      mtime: new Date(0),
+    });
+    const block = Buffer.alloc(512);
+    header.encode(block, 0);
+    put('odd.tar', Buffer.concat([block, Buffer.from(LEVEL.padEnd(512)), Buffer.alloc(1024)]));
+    const { stdout, code } = await gq(['check', 'odd.tar'], { cwd: place.directory });
+    expect(code).toBe(0);
+    expect(stdout).not.toContain('\u001b');
+    expect(stdout.split('\n')[0]).toContain('.level.json');
+  });
+});
+
+describe('an entry of a pack', () => {
+  it('is a level for every command, by the name that it has in reports', async () => {
+    put('e.ndjson', `${LEVEL}\n{"id": "x", "level": ${fallThrough({ name: 'Second' })}}\n`);
+    const simulate = (name: string) => gq(['simulate', name], { cwd: place.directory });
+    expect((await simulate('e.ndjson#1')).stdout).toContain('Straight through');
+    expect((await simulate('e.ndjson#x')).stdout).toContain('Second');
+    expect((await simulate('e.ndjson#2')).stdout).toContain('Second');
+    expect(await simulate('e.ndjson#3')).toMatchObject({
+      code: 2,
+      stderr: 'error: e.ndjson#3: the pack has no such line or id\n',
+    });
+    expect((await simulate('gone.ndjson#3')).stderr).toContain('no such file or directory');
+    // a file whose name looks like one is a file
+    put('e.ndjson#9', fallThrough({ name: 'A file' }));
+    expect((await simulate('e.ndjson#9')).stdout).toContain('A file');
+  });
+});
+
+describe('options for files', () => {
+  it.each([
+    [['--changed'], '--changed is for level files'],
+    [['--bail', '1'], '--bail is for level files'],
+    [['--update-lock'], '--update-lock is for level files'],
+    [['--watch'], '--watch is for level files'],
+    [['--lock', 'l.json'], 'the lock l.json is for level files'],
+    [['--shard', '1'], '--shard is for a shard of a plan'],
+    [['--out', 'o'], '--out is for a shard of a plan'],
+    [['--plan', 'p.json'], '--plan: expected --shard with it'],
+    [['--plan', 'p.json', '--shard', '0'], '--plan: expected --out DIR with it'],
+    [['--plan', 'p.json', '--shard', '0', '--out', 'o'], 'the plan has the paths: expected none with --plan, found'],
+  ])('%j is refused with a pack', async (options, message) => {
+    put('o.ndjson', LEVEL);
+    const { code, stderr } = await gq(['check', 'o.ndjson', ...options], { cwd: place.directory });
+    expect(code).toBe(2);
+    expect(stderr).toContain(message);
+  });
+});
