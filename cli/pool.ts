@@ -1,14 +1,22 @@
+import type { ResourceLimits } from 'node:worker_threads';
 import type { Tinypool } from 'tinypool';
 import { catchSignals } from './signals.ts';
 
 /**
  * Starts worker threads.
  * @param filename URL of a module whose default export does one task
+ * @param resourceLimits of the memory of each
  */
-export async function openPool(filename: URL, threads: number): Promise<Tinypool> {
+export async function openPool(filename: URL, threads: number, resourceLimits?: ResourceLimits): Promise<Tinypool> {
   const { Tinypool } = await import('tinypool');
   catchSignals();
-  return new Tinypool({ filename: filename.href, minThreads: threads, maxThreads: threads, isolateWorkers: false });
+  return new Tinypool({
+    filename: filename.href,
+    minThreads: threads,
+    maxThreads: threads,
+    isolateWorkers: false,
+    resourceLimits,
+  });
 }
 
 /**

@@ -135,8 +135,8 @@ describe('README.md', () => {
 
   it('says of no command that it is missing when it is there', () => {
     const section = /^## Not there yet\n([\s\S]*?)(?=^## |(?![\s\S]))/m.exec(prose)?.[1] ?? '';
+    expect(section).toContain('\n- ');
     const named = [...section.matchAll(/`gq ([a-z-]+)/g)].map(([, name]) => name);
-    expect(named.length).toBeGreaterThan(2);
     expect(named.filter((name) => commands.names.has(name))).toEqual([]);
     const options = [...section.matchAll(/`(--[a-z-]+)`/g)].map(([, flag]) => flag);
     expect(options.filter((flag) => commands.allOptions.has(flag))).toEqual([]);
@@ -220,7 +220,7 @@ describe('pictures', () => {
   const drawn = new Map(
     makers.map(([, level, picture, rest]) => [picture, ['gq', 'render', level, '-o', '-', ...rest.trim().split(' ')]]),
   );
-  const measured = ['docs/accuracy.svg', 'docs/tunnelling.svg'];
+  const measured = ['docs/accuracy.svg', 'docs/packs.svg', 'docs/tunnelling.svg'];
 
   it('are all made by a command that a page names', () => {
     const all = readdirSync(join(PROJECT, 'docs')).filter((name) => name.endsWith('.svg'));

@@ -12,5 +12,5 @@ export { recordOfLine } from './result.ts';
 export { maxArraySize, submitJob, USUAL_ARRAY_SIZE } from './sbatch.ts';
 export { ignoreFor } from './set-paths.ts';
 export { shardOfPlan } from './shard-command.ts';
-export { chooseShard, type Environment, type ShardChoice } from './shard-number.ts';
+export { chooseShard, type Environment } from './shard-number.ts';
 export { arrayJob, logsOf, mergeJob, reportOf, type SlurmOrder, submission } from './slurm.ts';

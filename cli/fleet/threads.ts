@@ -7,6 +7,12 @@ import { jobOf } from './jobs/index.ts';
 import { shardOf } from './rule.ts';
 import type { Done, Task } from './worker.ts';
 
+/**
+ * MB of each thread. V8 is sparing in a small heap: without limits, the garbage of two threads makes up half the memory of the
+ * process. A level may need hundreds of MB, so the larger limit is far above what most need.
+ */
+const MEMORY = { maxYoungGenerationSizeMb: 16, maxOldGenerationSizeMb: 1024 };
+
 /** Batches that are under way for each thread: one is worked on while others wait. */
 const AHEAD = 3;
 
@@ -36,7 +42,7 @@ export async function workInThreads<Tag>(
   stopping: AbortSignal,
   take: (done: Done, asked: Asked<Tag>) => void,
 ): Promise<void> {
-  const pool = await openPool(new URL('./worker.js', import.meta.url), jobs);
+  const pool = await openPool(new URL('./worker.js', import.meta.url), jobs, MEMORY);
   const stop = (): void => void pool.destroy();
   stopping.addEventListener('abort', stop);
   const underWay: { readonly asked: Asked<Tag>; readonly done: Promise<Done> }[] = [];

@@ -1,4 +1,4 @@
-export { type Batch, type BatchLimits, type Contents, sizeOf } from './batch.ts';
+export { type Batch, type Contents, sizeOf } from './batch.ts';
 export { type Entry, entriesOf } from './entries.ts';
 export { packFormat } from './formats.ts';
 export { entryName, readEntry } from './read-entry.ts';

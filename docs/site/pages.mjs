@@ -14,6 +14,12 @@ export const GROUPS = [
     text: 'In CI and review',
     pages: [
       { file: 'docs/ci.md', name: 'ci', text: 'CI' },
+      { file: 'docs/scale.md', name: 'scale', text: 'Large sets' },
+      { file: 'docs/slurm.md', name: 'slurm', text: 'Shards on Slurm' },
+      { file: 'docs/kubernetes.md', name: 'kubernetes', text: 'Shards on Kubernetes' },
+      { file: 'docs/aws-batch.md', name: 'aws-batch', text: 'Shards on AWS Batch' },
+      { file: 'docs/matrix.md', name: 'matrix', text: 'Shards on GitHub and GitLab' },
+      { file: 'docs/gnu-parallel.md', name: 'gnu-parallel', text: 'Shards with GNU parallel' },
       { file: 'docs/ready-made.md', name: 'ready-made', text: 'Ready-made files' },
       { file: 'docs/configuration.md', name: 'configuration', text: 'Configuration' },
       { file: 'docs/reports.md', name: 'reports', text: 'Reports' },

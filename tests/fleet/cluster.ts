@@ -19,8 +19,11 @@ export const missingPrograms = (): string[] =>
 /** ms between two looks at the cluster */
 const PAUSE = 100;
 
-/** s after which a node that does not answer is taken for lost, and after which its tasks may begin again */
+/** s after which a node that does not answer is taken for lost */
 const NODE_TIMEOUT = 4;
+
+/** s of a credential; the tasks of a lost node begin again only when theirs have ended */
+const LIFETIME = 5;
 
 /** A Slurm cluster of two nodes with two processors each, all on this machine. */
 export interface Cluster {
@@ -69,7 +72,7 @@ SlurmctldPort=${control}
 SlurmUser=${user}
 SlurmdUser=${user}
 AuthType=auth/munge
-AuthInfo=socket=${at('munge.socket')},cred_expire=${NODE_TIMEOUT}
+AuthInfo=socket=${at('munge.socket')},cred_expire=${LIFETIME}
 StateSaveLocation=${at('state')}
 SlurmdSpoolDir=${at('spool-%n')}
 SlurmctldPidFile=${at('slurmctld.pid')}

@@ -1,0 +1,1 @@
+export { drawPacks } from './draw-packs.ts';

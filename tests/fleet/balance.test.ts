@@ -1,0 +1,98 @@
+import { createHash } from 'node:crypto';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import fc from 'fast-check';
+import { expect, it } from 'vitest';
+import { balance } from '../../cli/fleet/balance.ts';
+import { keyOfHash } from '../../cli/fleet/rule.ts';
+import { gq } from '../cli/gq.ts';
+import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
+
+const hashOf = (text: string): Buffer => createHash('sha256').update(text).digest();
+const keyText = (text: string): string => keyOfHash(hashOf(text)).toString(16).padStart(12, '0');
+
+async function* entries(texts: readonly string[]) {
+  for (const [i, text] of texts.entries()) yield { name: `${i}`, content: Buffer.from(text) };
+}
+
+it('spreads levels by cost: each once, no shard beyond 4/3 of the best that is possible', async () => {
+  const cost = fc.oneof(fc.double({ min: 0.1, max: 5, noNaN: true }), fc.double({ min: 100, max: 5000, noNaN: true }));
+  await fc.assert(
+    fc.asyncProperty(fc.array(cost, { minLength: 1, maxLength: 200 }), fc.integer({ min: 1, max: 12 }), async (costs, shards) => {
+      const texts = costs.map((_, i) => `level ${i}`);
+      const { assigned, expected, known } = await balance(entries(texts), new Map(costs.map((ms, i) => [`${i}`, ms])), shards);
+      expect(known).toBe(costs.length);
+      expect(assigned.flat().sort()).toEqual(texts.map(keyText).sort());
+      const loads = assigned.map((keys) =>
+        texts.reduce((sum, text, i) => sum + (keys.includes(keyText(text)) ? costs[i] : 0), 0),
+      );
+      for (const [i, load] of loads.entries()) expect(load).toBeCloseTo(expected[i], 6);
+      const total = costs.reduce((sum, ms) => sum + ms, 0);
+      const sorted = [...costs].sort((a, b) => b - a);
+      // no schedule is faster than any of these
+      const least = Math.max(total / shards, sorted[0], (sorted[shards - 1] ?? 0) + (sorted[shards] ?? 0));
+      expect(Math.max(...loads)).toBeLessThanOrEqual((4 / 3) * least + 1e-9);
+    }),
+  );
+});
+
+it('counts levels without a known cost as the mean, and levels of the same bytes once for a shard', async () => {
+  const texts = ['a', 'b', 'b', 'c'];
+  const { assigned, expected, known } = await balance(
+    entries(texts),
+    new Map([
+      ['0', 3],
+      ['1', 1],
+    ]),
+    2,
+  );
+  expect(known).toBe(2);
+  expect(expected.reduce((sum, ms) => sum + ms, 0)).toBe(3 + 1 + 2 + 2);
+  expect(assigned.flat().filter((key) => key === keyText('b'))).toHaveLength(1);
+});
+
+it('gq plan --costs takes results and reports, and the merged report stays the same', async () => {
+  const set = await makeSet(levelTexts(30));
+  try {
+    await planSet(set, 2);
+    for (const shard of [0, 1]) expect((await runShard(set, shard)).code).toBe(0);
+    const before = await merge(set, '--format', 'json');
+    // costs that differ a thousandfold
+    mkdirSync(join(set.directory, 'costs'));
+    for (const shard of [0, 1]) {
+      const lines = resultLines(set, shard).map((line) =>
+        line.replace(
+          /"n":(\d+),(.*?)"ms":[-+.e\d]+,"result"/,
+          (_, n, head) => `"n":${n},${head}"ms":${Number(n) % 10 === 0 ? 1000 + Number(n) : 1},"result"`,
+        ),
+      );
+      writeFileSync(join(set.directory, 'costs', `shard-${shard}.ndjson`), lines.map((line) => `${line}\n`).join(''));
+    }
+    const planned = await gq(['plan', ...set.paths, '--shards', '3', '--force', '--costs', 'costs'], { cwd: set.directory });
+    expect(planned.stderr).toMatch(
+      /by what 30 of them have cost, the slowest shard takes 1\.0 s in one thread, \d\.\d % more than the mean/,
+    );
+    const plan = JSON.parse(readFileSync(join(set.directory, 'plan.json'), 'utf8'));
+    // one long level for each of the three
+    for (const { assigned } of plan.shards) {
+      const long = [0, 10, 20].filter((n) => assigned.includes(keyText(set.texts[n])));
+      expect(long).toHaveLength(1);
+    }
+    rmSync(join(set.directory, 'out'), { recursive: true });
+    for (const shard of [2, 0, 1]) expect((await runShard(set, shard)).code).toBe(0);
+    const after = await merge(set, '--format', 'json');
+    expect(after.stdout).toBe(before.stdout);
+    // the times of a report
+    const direct = await gq(['check', ...set.paths, '--reporter', 'json=report.json'], { cwd: set.directory });
+    expect(direct.code).toBe(1);
+    const again = await gq(['plan', ...set.paths, '--shards', '3', '--force', '--costs', 'report.json'], { cwd: set.directory });
+    expect(again.stderr).toContain('by what 30 of them have cost');
+    // a merged report has none
+    writeFileSync(join(set.directory, 'merged.json'), after.stdout);
+    const none = await gq(['plan', ...set.paths, '--shards', '3', '--force', '--costs', 'merged.json'], { cwd: set.directory });
+    expect(none).toMatchObject({ code: 2 });
+    expect(none.stderr).toContain('it has no times');
+  } finally {
+    set.remove();
+  }
+});
