@@ -14,15 +14,17 @@ if [ ! -e "$run/plan.json" ]; then
   shards=${1:?expected the number of shards: $run has no plan yet}
   shift
   mkdir -p "$run"
-  echo "$shards" >"$run/shards"
   "$gq" plan "$@" --shards "$shards" -o "$run/plan.json"
 fi
+mkdir -p "$run/out"
 
-options=(--quote --joblog "$run/shards.log" --resume-failed --retries 3 --timeout 3600)
+options=(--quote --joblog "$run/shards.log" --retries 3 --timeout 3600)
 if [ -n "${JOBS:-}" ]; then options+=(--jobs "$JOBS"); fi
 if [ -n "${HOSTS:-}" ]; then options+=(--sshlogin "$HOSTS" --workdir "$PWD"); fi
 
+# the shards that have no result yet, such as 2,5-7
+missing=$("$gq" merge "$run/out" --plan "$run/plan.json" --missing list) || [ -n "$missing" ]
 # a shard that fails does not end the others; merge names it
-seq 0 "$(($(cat "$run/shards") - 1))" |
+tr , '\n' <<<"$missing" | while IFS=- read -r first last; do [ -z "$first" ] || seq "$first" "${last:-$first}"; done |
   parallel "${options[@]}" "$gq" check --plan "$run/plan.json" --shard {} --out "$run/out" --jobs 1 || true
 "$gq" merge "$run/out" --plan "$run/plan.json"

@@ -1,0 +1,53 @@
+import { spawnSync } from 'node:child_process';
+import { readdirSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { MAIN } from '../cli/gq.ts';
+import { declareMissing } from '../missing.ts';
+import { levelTexts, makeSet, type TestSet } from './sets.ts';
+
+const SCRIPT = fileURLToPath(new URL('../../templates/fleet/gnu-parallel.sh', import.meta.url));
+const isThere = spawnSync('parallel', ['--version'], { encoding: 'utf8' }).stdout?.startsWith('GNU parallel') ?? false;
+
+if (!isThere) declareMissing('gq with GNU parallel', 'GNU parallel is needed (apt-get install parallel)');
+else {
+  describe('the script for GNU parallel', () => {
+    let set: TestSet;
+    beforeAll(async () => {
+      set = await makeSet(levelTexts(30));
+    });
+    afterAll(() => set.remove());
+
+    const script = (...args: readonly string[]) =>
+      spawnSync(SCRIPT, args, {
+        cwd: set.directory,
+        encoding: 'utf8',
+        env: { ...process.env, GQ: MAIN, JOBS: '2' },
+      });
+    const results = () => readdirSync(join(set.directory, 'run/out')).sort();
+
+    it('does all shards, and later those that are missing', () => {
+      const first = script('run', '11', ...set.paths);
+      expect(first.stderr).toContain('11 shards, 30 levels: each exactly once');
+      const all = results();
+      expect(all).toHaveLength(11);
+      for (const name of ['shard-1.ndjson', 'shard-9.ndjson', 'shard-10.ndjson']) rmSync(join(set.directory, 'run/out', name));
+      const second = script('run');
+      expect(second.stderr.match(/written/g)).toHaveLength(3);
+      expect([second.status, second.stdout]).toEqual([first.status, first.stdout]);
+      expect(results()).toEqual(all);
+      const third = script('run');
+      expect(third.stderr).not.toContain('written');
+      expect([third.status, third.stdout]).toEqual([first.status, first.stdout]);
+    });
+
+    it('says what it expects', () => {
+      expect(script('none')).toMatchObject({ status: 1, stderr: expect.stringContaining('expected the number of shards') });
+      const nothing = script('none', '4', 'nothing.ndjson');
+      expect(nothing.status).toBe(2);
+      expect(nothing.stderr).toContain('nothing.ndjson');
+    });
+  });
+}
