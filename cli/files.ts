@@ -2,6 +2,7 @@ import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'no
 import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
 import type { Ignore } from './ignore.ts';
+import { entryName } from './packs/index.ts';
 import { namedPath } from './shown-path.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
@@ -63,6 +64,8 @@ async function expand(
     const { isNearlyLevelName, nearLevelsHint } = await import('./near-levels.ts');
     return `the directory contains no *.level.json${nearLevelsHint(walk(path, isNearlyLevelName, []))}`;
   }
+  const entry = entryName(path);
+  if (entry !== null && !(statOrError(entry.pack) instanceof Error)) return [path];
   if (!/[*?]/.test(path)) {
     // imported only if needed: it loads the schema, which a check leaves to its workers
     const { siblingHint } = await import('./sibling-hint.ts');

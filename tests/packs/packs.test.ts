@@ -4,6 +4,8 @@ import { gzipSync } from 'node:zlib';
 import fc from 'fast-check';
 import { create, Header } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { BatchMaker, sizeOf } from '../../cli/packs/batch.ts';
+import { readTar } from '../../cli/packs/read-tar.ts';
 import { unwrap } from '../../cli/packs/unwrap.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 
@@ -145,6 +147,63 @@ describe('an archive', () => {
     }
   });
 
+  const block = (type: 'File' | 'Link' | 'SymbolicLink', path: string, content = ''): Buffer => {
+    const head = Buffer.alloc(512);
+    new Header({
+      path,
+      size: content.length,
+      mode: 0o644,
+      type,
+      linkpath: type === 'File' ? '' : 'a.level.json',
+      mtime: new Date(0),
+    }).encode(head, 0);
+    return Buffer.concat([head, Buffer.alloc(512 * Math.ceil(content.length / 512)).fill(content, 0, content.length)]);
+  };
+  const END = Buffer.alloc(1024);
+
+  it.each([
+    ['Link', 'a hard link: pack it with tar --hard-dereference'],
+    ['SymbolicLink', 'a symbolic link: pack it with tar --dereference'],
+  ] as const)('is refused when a level in it is a %s: it would be left out unnoticed', async (type, message) => {
+    put('links.tar', Buffer.concat([block('File', 'a.level.json', LEVEL), block(type, 'b.level.json'), END]));
+    expect(await refusal('links.tar')).toContain(`expected only files of that name, found b.level.json, which is ${message}`);
+    // of other names it does not matter
+    put('links.tar', Buffer.concat([block('File', 'a.level.json', LEVEL), block(type, 'latest'), END]));
+    expect(Object.values(await verdicts('links.tar'))).toEqual(['completable']);
+  });
+
+  it('is refused when another is joined to it, wherever the pieces in which it is read end', async () => {
+    const one = Buffer.concat([block('File', 'a.level.json', LEVEL), END]);
+    await fc.assert(
+      fc.asyncProperty(
+        fc.array(fc.integer({ min: 1, max: 2 * one.length }), { maxLength: 8 }),
+        fc.boolean(),
+        async (cuts, isTwo) => {
+          const bytes = isTwo ? Buffer.concat([one, one]) : Buffer.concat([one, Buffer.alloc(one.length)]);
+          const places = [0, ...[...new Set(cuts)].sort((a, b) => a - b).filter((at) => at < bytes.length), bytes.length];
+          async function* pieces() {
+            for (let i = 1; i < places.length; i++) yield bytes.subarray(places[i - 1], places[i]);
+          }
+          const maker = new BatchMaker('x.tar', 'tar', 0, { entries: 100, bytes: 1e6 });
+          const read = async (): Promise<number> => {
+            let count = 0;
+            for await (const batch of readTar('x.tar', pieces(), maker, () => true)) count += sizeOf(batch);
+            return count;
+          };
+          if (isTwo) await expect(read()).rejects.toThrow('there is more after the end of the archive');
+          else expect(await read()).toBe(1);
+        },
+      ),
+    );
+  });
+
+  it('is refused when it is packed with gzip, and its name does not say so', async () => {
+    put('packed.tar', gzipSync(Buffer.concat([block('File', 'a.level.json', LEVEL), END])));
+    expect(await refusal('packed.tar')).toContain(
+      'packed.tar: it is packed with gzip: expected a name that ends in .tgz or .tar.gz',
+    );
+  });
+
   it('shows names that could change the terminal', async () => {
     const header = new Header({
       path: 'a\u001b[31m\n.level.json',
@@ -173,6 +232,11 @@ describe('an entry of a pack', () => {
     expect(await simulate('e.ndjson#3')).toMatchObject({
       code: 2,
       stderr: 'error: e.ndjson#3: the pack has no such line or id\n',
+    });
+    for (const name of ['e.ndjson#1', 'e.ndjson#x']) expect(await verdicts(name)).toEqual({ [name]: 'completable' });
+    expect(await gq(['check', 'e.ndjson#3'], { cwd: place.directory })).toMatchObject({
+      code: 2,
+      stdout: expect.stringContaining('the pack has no such line or id'),
     });
     expect((await simulate('gone.ndjson#3')).stderr).toContain('no such file or directory');
     // a file whose name looks like one is a file
