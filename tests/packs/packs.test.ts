@@ -1,4 +1,4 @@
-import { writeFileSync } from 'node:fs';
+import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import fc from 'fast-check';
@@ -239,6 +239,13 @@ describe('an entry of a pack', () => {
       stdout: expect.stringContaining('the pack has no such line or id'),
     });
     expect((await simulate('gone.ndjson#3')).stderr).toContain('no such file or directory');
+    // packs are read only
+    for (const write of [['fmt'], ['solve', '--write', '--effort', '1']]) {
+      const { code, stderr } = await gq([...write, 'e.ndjson#x'], { cwd: place.directory });
+      expect(code).toBe(2);
+      expect(stderr).toContain('it is in the pack e.ndjson: take it out first');
+    }
+    expect(existsSync(join(place.directory, 'e.ndjson#x'))).toBe(false);
     // a file whose name looks like one is a file
     put('e.ndjson#9', fallThrough({ name: 'A file' }));
     expect((await simulate('e.ndjson#9')).stdout).toContain('A file');

@@ -12,9 +12,11 @@ import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { placesOf } from '../../reporters/index.ts';
+import { namedPath } from '../../shown-path.ts';
 import { hearSignals } from '../../signals.ts';
 import { readStdin, stdinName } from '../../stdin.ts';
 import { visible, visibleLine } from '../../visible.ts';
+import { whyNotWritable } from '../../writable.ts';
 import { writeWhole } from '../../write-file.ts';
 import { type FormattedFile, fmtGithub, fmtJson, fmtPretty } from './report.ts';
 
@@ -103,6 +105,10 @@ async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFi
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
   const text = formatLevel(withIds(read.document.file));
   if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };
-  if (!onlyCheck) await writeWhole(file, text);
+  if (!onlyCheck) {
+    const why = whyNotWritable(file);
+    if (why !== null) throw new Failure(`${namedPath(file)}: can't be written: ${why}`);
+    await writeWhole(file, text);
+  }
   return { file, status: onlyCheck ? 'would change' : 'formatted', problems: [] };
 }
