@@ -67,8 +67,9 @@ function dearestLevels({ costs, drawn }: DrawnSet, most: number): number[] {
   for (const cost of drawn) places[cost + 1]++;
   for (let cost = 1; cost <= costs.length; cost++) places[cost] += places[cost - 1];
   const dearest: number[] = new Array(Math.min(most, drawn.length)).fill(0);
-  for (const [level, cost] of drawn.entries()) {
-    const place = places[cost]++;
+  // not entries(): of ten million, they take seconds
+  for (let level = 0; level < drawn.length; level++) {
+    const place = places[drawn[level]]++;
     if (place < dearest.length) dearest[place] = level;
   }
   return dearest;

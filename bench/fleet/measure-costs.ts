@@ -7,11 +7,9 @@ import { spread } from '../harness.ts';
 import { randomLevel } from '../random-set/index.ts';
 import type { LevelCosts, Measured } from './assumptions.ts';
 
-/** Levels of the sets whose difference is what a level costs. */
-const FEW = 1000;
-const MANY = 10_000;
-/** Scanning is fast, so it needs more of them. */
-const VERY_MANY = 50_000;
+/** Levels of the sets whose difference is what a level costs: in both, the code is warm. */
+const FEW = 5000;
+const MANY = 40_000;
 const ROUNDS = 3;
 /** Levels of the random set that are searched, and most ticks for each. */
 const SEARCHED = 200;
@@ -43,29 +41,24 @@ export function measureCosts(): Measured {
     return ms.map((one) => (one / sum) * processor).sort((a, b) => b - a);
   };
   try {
-    const levels = copiedLevels(VERY_MANY);
-    for (const size of [1, FEW, MANY, VERY_MANY]) write(`${size}.ndjson`, levels.slice(0, size));
+    const levels = copiedLevels(MANY);
+    for (const size of [1, FEW, MANY]) write(`${size}.ndjson`, levels.slice(0, size));
     write(
       'searched.ndjson',
       Array.from({ length: SEARCHED }, (_, seed) => randomLevel(seed)),
     );
     plan('1.ndjson', 1);
     const start = median(() => shard('one'));
-
-    // one shard of everything, then its merge
     const [few, many] = [FEW, MANY].map((size) => {
+      const planned = median(() => plan(`${size}.ndjson`, MOST_SHARDS));
+      const scanned = median(() => shard('none'));
       plan(`${size}.ndjson`, 1);
-      const checked = median(() => shard('all'));
+      const checked = shard('all');
       const merged = median(() => gq([0], 'merge', 'all', '--plan', 'plan.json', '--format', 'json', '-o', 'merged.json'));
-      return { checked, merged };
+      return { planned, scanned, checked, merged };
     });
-    const replay = levelCosts('all', ((many.checked - few.checked) / (MANY - FEW)) * MANY);
-
-    const [scanFew, scanMany] = [FEW, VERY_MANY].map((size) => ({
-      planned: median(() => plan(`${size}.ndjson`, MOST_SHARDS)),
-      scanned: median(() => shard('none')),
-    }));
-    const more = VERY_MANY - FEW;
+    const aLevel = (of: keyof typeof few): number => (many[of] - few[of]) / (MANY - FEW);
+    const replay = levelCosts('all', aLevel('checked') * MANY);
 
     plan('searched.ndjson', 1, '--solve', '--effort', `${EFFORT}`);
     const search = levelCosts('searched', shard('searched') - start);
@@ -74,9 +67,9 @@ export function measureCosts(): Measured {
       search,
       effort: EFFORT,
       start,
-      scan: (scanMany.scanned - scanFew.scanned) / more,
-      plan: (scanMany.planned - scanFew.planned) / more,
-      merge: (many.merged - few.merged) / (MANY - FEW),
+      scan: aLevel('scanned'),
+      plan: aLevel('planned'),
+      merge: aLevel('merged'),
     };
   } finally {
     rmSync(folder, { recursive: true, force: true });
