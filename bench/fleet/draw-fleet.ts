@@ -18,7 +18,8 @@ const WIDTH = 960;
 const HEIGHT = 430;
 const TOP = 100;
 const BOTTOM = 350;
-const PANEL = { width: 330, gap: 140, left: 70 };
+const PANEL = { width: 370, gap: 90, left: 70 };
+const LEGEND = { y: 404, step: 200 };
 
 const STYLE = `svg{--ground:#fff;--ink:#1d2733;--faint:#8b97a6;--bar:#2f6f9f}
 @media (prefers-color-scheme:dark){svg{--ground:#10161d;--ink:#e4eaf1;--faint:#7d8a99;--bar:#6fb3e0}}
@@ -36,8 +37,23 @@ export function drawFleet(panels: readonly Panel[], machines: string): string {
 <text class="title" x="24" y="34">A simulated fleet: hours over the number of shards</text>
 <text class="faint" x="24" y="56">${machines}; both scales are logarithmic</text>
 ${panels.map((panel, i) => drawPanel(panel, PANEL.left + i * (PANEL.width + PANEL.gap))).join('\n')}
+${drawLegend(panels[0].lines)}
 </svg>
 `;
+}
+
+/** Names the lines, which are the same in all panels. */
+function drawLegend(lines: readonly Line[]): string {
+  const keys = [
+    ...lines.map(({ name, dashes }) => ({ name, look: `class="line" stroke-dasharray="${dashes}"` })),
+    { name: 'ideal: all work over all cores', look: 'class="axis"' },
+  ];
+  return keys
+    .map(({ name, look }, i) => {
+      const x = PANEL.left + i * LEGEND.step;
+      return `<path ${look} d="M${x} ${LEGEND.y}h36"/><text x="${x + 44}" y="${LEGEND.y + 4}">${name}</text>`;
+    })
+    .join('\n');
 }
 
 function drawPanel({ title, lines, ideal }: Panel, left: number): string {
@@ -60,12 +76,6 @@ function drawPanel({ title, lines, ideal }: Panel, left: number): string {
     const places = points.map((point) => `${x(point.shards).toFixed(1)},${y(point.hours).toFixed(1)}`).join(' ');
     return `<polyline class="line" points="${places}" stroke-dasharray="${dashes}"/>`;
   });
-  const ends = [
-    ...lines.map(({ name, points }) => ({ name, at: y(points[points.length - 1].hours) })),
-    { name: 'ideal', at: y(ideal) },
-  ].sort((a, b) => a.at - b.at);
-  for (let i = 1; i < ends.length; i++) ends[i].at = Math.max(ends[i].at, ends[i - 1].at + 16);
-  const labels = ends.map(({ name, at }) => `<text x="${right + 8}" y="${(at + 4).toFixed(1)}">${name}</text>`);
   return [
     `<text x="${left}" y="${TOP - 16}">${title}</text>`,
     ...hours,
@@ -73,6 +83,5 @@ function drawPanel({ title, lines, ideal }: Panel, left: number): string {
     `<text class="faint" x="${right}" y="${BOTTOM + 40}" text-anchor="end">shards</text>`,
     `<path class="axis" d="M${left} ${y(ideal).toFixed(1)}H${right}"/>`,
     ...drawn,
-    ...labels,
   ].join('\n');
 }
