@@ -203,6 +203,16 @@ describe('a task that runs slowly', () => {
     expect([makespan, slow, lost, attempts]).toEqual([35, 0, 35, 4]);
   });
 
+  it('gets one copy only, however many cores are free', () => {
+    const outcome = simulateFleet(
+      shardsOf([10, 10]),
+      fleetOf(1, 4, { stragglers: 0.5, slowdown: 10 }),
+      { rerun: 'at once', patience: 2 },
+      scripted([0], 0.9),
+    );
+    expect(outcome).toMatchObject({ makespan: 30, lost: 30, attempts: 3 });
+  });
+
   it('counts itself where its copy is even slower', () => {
     const outcome = simulateFleet(
       shardsOf([10, 10]),
