@@ -12,7 +12,7 @@ export interface ShardCosts {
 /** What is done about failures and stragglers. */
 export interface Policy {
   /**
-   * When a shard that has died waits for a slot again: as soon as that is noticed, as Slurm and Kubernetes do; or when all others
+   * When a shard that has died waits for a slot again: as soon as that is noticed, by whatever runs the shards; or when all others
    * have ended, as who runs what `gq merge --missing` prints.
    */
   readonly rerun: 'at once' | 'after the round';
