@@ -1,14 +1,12 @@
-import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { copiedLevels } from './copied-levels.ts';
+import { runGq, type Usage } from './gq-process.ts';
 import { atLeast, atMost, optionValue, publish, spread } from './harness.ts';
 import { drawPacks } from './packs/index.ts';
 
-const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
-const USAGE = new URL('../../bench/usage.mjs', import.meta.url).href;
 const PICTURE = fileURLToPath(new URL('../../docs/packs.svg', import.meta.url));
 
 /** Levels of the sets: their memory is compared. */
@@ -17,31 +15,9 @@ const SIZES = [1000, 20_000, 100_000];
 const [FEW, MANY] = [20_000, 100_000];
 const ROUNDS = 3;
 
-/** What a process has used. */
-interface Usage {
-  /** s of wall time and of processor time */
-  readonly seconds: number;
-  readonly processor: number;
-  /** MB */
-  readonly memory: number;
-}
-
 const folder = mkdtempSync(join(tmpdir(), 'gq-bench-packs-'));
 const at = (name: string): string => join(folder, name);
-
-function gq(codes: readonly number[], ...args: readonly string[]): Usage {
-  const start = performance.now();
-  const { status, stderr } = spawnSync(process.execPath, ['--import', USAGE, GQ, ...args], {
-    cwd: folder,
-    encoding: 'utf8',
-    env: { ...process.env, GQ_USAGE: at('usage.json') },
-    maxBuffer: 2 ** 30,
-  });
-  const seconds = (performance.now() - start) / 1000;
-  if (status === null || !codes.includes(status)) throw new Error(`gq ${args.join(' ')}: exit code ${status}: ${stderr}`);
-  const { maxRSS, userCPUTime, systemCPUTime } = JSON.parse(readFileSync(at('usage.json'), 'utf8'));
-  return { seconds, processor: (userCPUTime + systemCPUTime) / 1e6, memory: maxRSS / 1024 };
-}
+const gq = (codes: readonly number[], ...args: readonly string[]): Usage => runGq(folder, codes, args);
 
 /** The median of a figure over several processes. */
 const median = (uses: readonly Usage[], of: (usage: Usage) => number): number => spread(uses.map(of)).median;

@@ -6,7 +6,7 @@ import { keyOfHash, shardByHash } from './rule.ts';
 export type Costs = ReadonlyMap<string, number>;
 
 /** Levels that a plan assigns at most; the rule spreads the others, which cost less. */
-const MOST_ASSIGNED = 65_536;
+export const MOST_ASSIGNED = 65_536;
 
 /** How levels are spread by what they have cost. */
 export interface Balanced {
@@ -43,15 +43,29 @@ export async function balance(
   const longestFirst = [...byKey].sort(([a, x], [b, y]) => y - x || a - b);
   const loads = new Float64Array(shards);
   for (const [key, ms] of longestFirst.slice(MOST_ASSIGNED)) loads[ruled.get(key)!] += ms;
-  const least = new FlatQueue<number>();
-  for (const [shard, load] of loads.entries()) least.push(shard, load);
+  const longest = longestFirst.slice(0, MOST_ASSIGNED);
+  const takers = addToLeast(
+    longest.map(([, ms]) => ms),
+    loads,
+  );
   const assigned: string[][] = Array.from({ length: shards }, () => []);
-  for (const [key, ms] of longestFirst.slice(0, MOST_ASSIGNED)) {
-    const shard = least.pop()!;
-    loads[shard] += ms;
-    least.push(shard, loads[shard]);
-    // the rule may be right already, but a plan without exceptions is no shorter to explain
-    assigned[shard].push(key.toString(16).padStart(12, '0'));
-  }
+  // the rule may be right already, but a plan without exceptions is no shorter to explain
+  for (const [i, [key]] of longest.entries()) assigned[takers[i]].push(key.toString(16).padStart(12, '0'));
   return { assigned: assigned.map((keys) => keys.sort()), expected: [...loads], known };
+}
+
+/**
+ * Adds costs to loads in their order, each to the load that is least at that time.
+ * @param loads are changed
+ * @returns for each cost, the index of its load
+ */
+export function addToLeast(costs: readonly number[], loads: Float64Array): number[] {
+  const least = new FlatQueue<number>();
+  for (const [i, load] of loads.entries()) least.push(i, load);
+  return costs.map((cost) => {
+    const i = least.pop()!;
+    loads[i] += cost;
+    least.push(i, loads[i]);
+    return i;
+  });
 }

@@ -1,3 +1,4 @@
+export { addToLeast, MOST_ASSIGNED } from './balance.ts';
 export { doWhole } from './do-whole.ts';
 export { type Gathered, gather } from './gather.ts';
 export { contentsOf, JOBS, type JobName } from './job-names.ts';
