@@ -8,6 +8,9 @@ import { numberOption, seedOption, wholeNumberOption } from './options.ts';
 /** s of wall time; applies if neither time nor effort is given */
 export const DEFAULT_BUDGET = 10;
 
+/** Ticks of a search that is to give the same on every machine, unless others are given. */
+export const USUAL_EFFORT = 5_000_000;
+
 /** s; the longest budget is one day */
 const LONGEST_BUDGET = 86_400;
 

@@ -16,6 +16,7 @@ import {
   generateReportSchema,
   simulateReportSchema,
   solveReportSchema,
+  solveSetReportSchema,
 } from './report.ts';
 import { tuneReportSchema } from './tune-report.ts';
 import { verifyReportSchema } from './verify-report.ts';
@@ -24,7 +25,7 @@ import { verifyReportSchema } from './verify-report.ts';
 export const REPORT_SCHEMAS = {
   check: checkReportSchema,
   simulate: simulateReportSchema,
-  solve: solveReportSchema,
+  solve: z.union([solveReportSchema, solveSetReportSchema]),
   difficulty: difficultyReportSchema,
   tune: tuneReportSchema,
   generate: generateReportSchema,

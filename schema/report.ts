@@ -143,7 +143,27 @@ export const solveReportSchema = z.strictObject({
   solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
 });
 
-/** What `gq solve` prints as JSON. */
+/** The zod schema of what `gq solve` prints as JSON for several levels or a pack. */
+export const solveSetReportSchema = z.strictObject({
+  version,
+  levels: z.array(
+    z.strictObject({
+      file: z.string(),
+      name: z.string(),
+      verdict: z.enum(['found', 'impossible', 'not-found', 'invalid', 'crashed']),
+      solved: solveReportSchema.nullable().describe('As for a single level; null if nothing was tried.'),
+      why: z.string().nullable().describe('Why nothing was tried.'),
+      problems: z.array(problem),
+      ms: z.number().min(0).describe('Wall time; 0 in a report of gq merge.'),
+    }),
+  ),
+  summary: z.record(z.string(), z.int().min(0)).describe('The number of levels for each verdict.'),
+});
+
+/** What `gq solve` prints as JSON for several levels or a pack. */
+export type SolveSetReport = z.infer<typeof solveSetReportSchema>;
+
+/** What `gq solve` prints as JSON for one level. */
 export type SolveReport = z.infer<typeof solveReportSchema>;
 
 /** One run that `gq solve` found, or what it found out instead. */

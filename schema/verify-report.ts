@@ -12,8 +12,8 @@ const claim = z.strictObject({
 export const verifyReportSchema = z
   .strictObject({
     version,
-    file: z.string().nullable().describe('The file; null for a play from standard input.'),
-    line: z.int().min(1).nullable().describe('The line of standard input; null for a file.'),
+    file: z.string().nullable().describe('The file or pack; null for a play from standard input.'),
+    line: z.int().min(1).nullable().describe('The line of standard input or of a pack; null for a file.'),
     id: z.union([z.string(), z.number()]).nullable().describe('What the line of standard input calls the play.'),
     verdict: playVerdict,
     message: z.string().describe('The verdict in words.'),

@@ -1,4 +1,3 @@
-import { basename } from 'node:path';
 import { proveGoalImpossible } from '../../check/index.ts';
 import { collectStatistics, compareWithModel } from '../../check/plays/index.ts';
 import { effortInWords } from '../../check/words/index.ts';
@@ -9,7 +8,14 @@ import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
 import { closestRunInWords } from '../report-parts/index.ts';
-import type { MeasuredLevel, MeasureSettings, MeasureTask, Players } from './measured-level.ts';
+import {
+  type MeasuredLevel,
+  type MeasureSettings,
+  type MeasureTask,
+  nothingOf,
+  type Players,
+  unreadable,
+} from './measured-level.ts';
 import type { LevelPlays } from './plays/index.ts';
 
 /** ms; the noises at which a curve is sampled. Success at 0 is certain. */
@@ -22,20 +28,30 @@ const ONE_PRESS_STRIDE = 4;
 
 /** Measures the difficulty of one level file. Throws only if gq itself fails. */
 export function measureLevel({ file, settings, plays }: MeasureTask): MeasuredLevel {
-  const fileName = basename(file).replace(/(\.level)?\.json$/, '');
-  const nothing = { file, name: fileName, runName: null, difficulty: null, curve: [], players: null, problems: [] } as const;
   let bytes: Uint8Array;
   try {
     bytes = readBytes(file);
   } catch (error) {
-    if (error instanceof Failure) return { ...nothing, why: error.message, code: 2 };
+    if (error instanceof Failure) return unreadable(file, error);
     throw error;
   }
+  return measureContent(file, bytes, settings, plays);
+}
+
+/** Measures the difficulty of a level. @param file its file, or where else it is from */
+export function measureContent(
+  file: string,
+  bytes: Uint8Array,
+  settings: MeasureSettings,
+  plays: LevelPlays | null = null,
+): MeasuredLevel {
   const read = readLevel(bytes, settings);
-  if (!read.ok) return { ...nothing, why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
+  if (!read.ok) {
+    return { ...nothingOf(file), why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
+  }
   const measured = measure(read.level, settings);
   const players = plays === null ? null : playersOf(read.level, measured, plays, settings);
-  return { ...nothing, name: read.level.name, ...measured, players };
+  return { ...nothingOf(file), name: read.level.name, ...measured, players };
 }
 
 function playersOf(
@@ -50,6 +66,16 @@ function playersOf(
   if (statistics.attempts === 0) return { statistics, model: null, names };
   const maxTicks = Math.round(maxTime * TICK_RATE);
   return { statistics, model: compareWithModel(compile(level, accuracy), holds, statistics, goal, { seed, maxTicks }), names };
+}
+
+/**
+ * Measures a level again. A search is not repeated: its run is taken from what was measured before.
+ * @param before what is claimed of it, not known to be true
+ */
+export function measureAgain(before: MeasuredLevel, bytes: Uint8Array, settings: MeasureSettings): MeasuredLevel {
+  const { file, runName, difficulty } = before;
+  const isFound = runName === null && difficulty !== null;
+  return measureContent(file, bytes, isFound ? { ...settings, found: difficulty.run.holds } : settings);
 }
 
 type Measured = Pick<MeasuredLevel, 'runName' | 'difficulty' | 'curve' | 'why' | 'code'>;
@@ -81,7 +107,8 @@ function measure(level: Level, settings: MeasureSettings): Measured {
 type Chosen = { readonly name: string | null; readonly holds: readonly (readonly [number, number])[] } | { readonly why: string };
 
 /** The run to measure: the selected one, else the level's first run that meets the goal, else one that a search finds. */
-function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: MeasureSettings, maxTicks: number): Chosen {
+function chooseRun(scene: Scene, settings: MeasureSettings, maxTicks: number): Chosen {
+  const { goal, run, search, effort, seed, accuracy, found } = settings;
   const { level } = scene;
   if (run !== null) {
     const named = level.runs.find(({ name }) => name === run);
@@ -91,6 +118,11 @@ function chooseRun(scene: Scene, { goal, run, search, effort, seed, accuracy }: 
   }
   const scripted = search ? undefined : level.runs.find(({ holds }) => verifyRun(scene, holds, goal, maxTicks) !== null);
   if (scripted !== undefined) return scripted;
+  if (found !== undefined) {
+    return verifyRun(scene, found, goal, maxTicks) === null
+      ? { why: 'its run does not complete it' }
+      : { name: null, holds: found };
+  }
   const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
   if (proof !== null) return { why: `proved impossible: ${proof.reason}` };
   const known = level.runs.map(({ holds }) => holds);

@@ -1,7 +1,9 @@
+import { basename } from 'node:path';
 import type { ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
 import type { Accuracy } from '../../engine/index.ts';
-import type { OwnRules } from '../../schema/index.ts';
+import type { Hold, OwnRules } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
+import type { Failure } from '../failure.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { LevelPlays } from './plays/index.ts';
 
@@ -25,6 +27,21 @@ export interface MeasuredLevel {
   readonly code: 0 | 1 | 2;
 }
 
+/** Nothing is measured yet. */
+export const nothingOf = (file: string) =>
+  ({
+    file,
+    name: basename(file).replace(/(\.level)?\.json$/, ''),
+    runName: null,
+    difficulty: null,
+    curve: [],
+    players: null,
+    problems: [],
+  }) as const;
+
+/** A file that can't be read. */
+export const unreadable = (file: string, { message }: Failure): MeasuredLevel => ({ ...nothingOf(file), why: message, code: 2 });
+
 /** What players teach about a level, beside what the model says. */
 export interface Players {
   readonly statistics: PlayStatistics;
@@ -44,6 +61,8 @@ export interface MeasureSettings {
   readonly run: string | null;
   /** Whether to measure the most robust run that a search finds, even if the level has runs. */
   readonly search: boolean;
+  /** The run that a search has found before: there is no other search. */
+  readonly found?: readonly Hold[];
   /** The effort to find a run, ticks. */
   readonly effort: number;
   readonly seed: number;

@@ -1,5 +1,4 @@
 export { addToLeast, MOST_ASSIGNED } from './balance.ts';
-export { doWhole } from './do-whole.ts';
 export { type Gathered, gather } from './gather.ts';
 export { contentsOf, JOBS, type JobName } from './job-names.ts';
 export { jobOf } from './jobs/index.ts';
@@ -9,6 +8,7 @@ export { MOST_SHARDS, type Plan, planText, readPlan } from './plan.ts';
 export { rangesOf, readRanges } from './ranges.ts';
 export { readCosts } from './read-costs.ts';
 export { replaySample } from './replay.ts';
+export { reportWhole } from './report-whole.ts';
 export { recordOfLine } from './result.ts';
 export { maxArraySize, submitJob, USUAL_ARRAY_SIZE } from './sbatch.ts';
 export { ignoreFor } from './set-paths.ts';

@@ -1,7 +1,7 @@
 import type { Contents } from '../packs/index.ts';
 
 /** What can be done with a large set; each is the command of that name. */
-export const JOBS = ['check'] as const;
+export const JOBS = ['check', 'solve', 'difficulty', 'verify'] as const;
 
 export type JobName = (typeof JOBS)[number];
 

@@ -38,6 +38,7 @@ export async function replaySample(
 ): Promise<Replayed> {
   if (rate === 0) return { replayed: 0, refuted: [] };
   const { job } = plan;
+  await jobOf(job).expectInputs?.(plan.settings);
   const contents = contentsOf(job);
   const paths = await setPaths(plan.paths, plan.ignore, contents);
   const common: Common = { job, contents, settings: sharedText(plan.settings), rule: null, shard: 0 };

@@ -5,6 +5,7 @@ import { readBytes } from '../read-bytes.ts';
 import { namedPath } from '../shown-path.ts';
 import { DIGEST, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf } from './job-names.ts';
+import { jobOf } from './jobs/index.ts';
 import type { Plan } from './plan.ts';
 import { type Header, headerOf, inspect, ResultWriter, resultPath } from './result.ts';
 import { assignedOf } from './rule.ts';
@@ -52,6 +53,7 @@ export async function runShard(
   const before = whatIsThere(path, header);
   if (before?.state === 'complete') return { status: 'already there', path, levels: before.levels };
   const { job } = plan;
+  await jobOf(job).expectInputs?.(plan.settings);
   const contents = contentsOf(job);
   const paths = await setPaths(plan.paths, plan.ignore, contents);
   const common: Common = {

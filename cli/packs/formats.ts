@@ -19,3 +19,6 @@ export function packFormat(path: string): PackFormat | null {
     compression: compression === undefined ? null : compressions[compression.toLowerCase() as keyof typeof compressions],
   };
 }
+
+/** The first of the files that is a pack; undefined if none is. */
+export const firstPack = (files: readonly string[]): string | undefined => files.find((file) => packFormat(file) !== null);

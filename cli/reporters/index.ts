@@ -2,5 +2,5 @@ export { chooseReports, type Destination, expectReportFiles, reporterOption, rep
 export { pathInWorkspace } from './paths.ts';
 export { placesOf } from './places.ts';
 export { reportCheck } from './report-check.ts';
-export { type Places, REPORTER_NAMES } from './reporter.ts';
+export { type Places, REPORTER_NAMES, type ReporterName } from './reporter.ts';
 export { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';

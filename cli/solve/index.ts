@@ -1,4 +1,5 @@
 export { addRuns, expectWritable } from './add-runs.ts';
 export { progressText } from './progress-text.ts';
-export type { SolveSettings } from './settings.ts';
-export { type Solved, type SolvedRun, solveLevel } from './solve-level.ts';
+export { type AskedRuns, type SolveSettings, settingsFor } from './settings.ts';
+export { replayRuns, type Solved, type SolvedRun, solveHere, solveLevel } from './solve-level.ts';
+export { solveReport } from './solve-report.ts';

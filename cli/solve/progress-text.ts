@@ -1,4 +1,4 @@
-import type { Found } from './worker-pool.ts';
+import type { Found } from './rounds.ts';
 
 /** The progress of a search in one line. */
 export function progressText({ solutions, effort, closest }: Found, seconds: number): string {

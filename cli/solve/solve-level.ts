@@ -1,11 +1,13 @@
 import { proveGoalImpossible } from '../../check/index.ts';
 import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { Closest, Effort, Proof, Robustness } from '../../solver/index.ts';
+import { type Closest, type Effort, type Proof, type Robustness, verifyRun } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
+import { openLanes } from './lanes.ts';
+import { type Found, LANES, searchInRounds } from './rounds.ts';
 import type { SolveSettings } from './settings.ts';
-import { type Found, startWorkerPool } from './worker-pool.ts';
+import { startWorkerPool } from './worker-pool.ts';
 
 /** A run that was found and replayed, with its robustness. */
 export interface SolvedRun {
@@ -35,25 +37,8 @@ export interface SolveOptions {
 }
 
 /** Tries to prove that there is no run, then searches for one in worker threads. */
-export async function solveLevel(settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> {
-  const start = performance.now();
-  const since = (): number => (performance.now() - start) / 1000;
-  const { level, accuracy, goal, maxTicks } = settings;
-  const impossible = proveGoalImpossible(level, accuracy, goal, maxTicks);
-  if (impossible !== null) return { runs: [], effort: { runs: 0, ticks: 0 }, seconds: since(), closest: null, impossible };
-
-  const { solutions, effort, closest, measured } = await searchInThreads();
-  const scene = compile(level, accuracy);
-  const runs = solutions.map(({ holds }, i): SolvedRun => {
-    // the report describes a replay from the start
-    const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
-    if (run.outcome !== 'completed')
-      throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
-    return { holds, run, robustness: measured[i] };
-  });
-  return { runs, effort, seconds: since(), closest: runs.length > 0 ? null : closest, impossible: null };
-
-  async function searchInThreads(): Promise<Found & { readonly measured: readonly Robustness[] }> {
+export const solveLevel = (settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> =>
+  solveBy(settings, async () => {
     catchSignals();
     const pool = startWorkerPool(settings, jobs);
     try {
@@ -64,5 +49,57 @@ export async function solveLevel(settings: SolveSettings, { limits, jobs, onRoun
       // replays may take long and block the loop: from here on a signal must end the process at once
       await leaveSignals();
     }
+  });
+
+const ALL_LANES = Array.from({ length: LANES }, (_, lane) => lane);
+
+/** The same in this thread, which it blocks; by effort, the result is the same. */
+export const solveHere = (settings: SolveSettings, { budget, effort }: Limits): Promise<Solved> =>
+  solveBy(settings, async () => {
+    const end = budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * budget;
+    const isStopped = (): boolean => performance.now() >= end;
+    const lanes = openLanes(settings, ALL_LANES, isStopped);
+    const found = await searchInRounds(lanes.advance(1), lanes.advance, {
+      effort,
+      count: settings.count,
+      isStopped,
+      onRound: () => {},
+    });
+    return { ...found, measured: found.solutions.map(({ holds }) => lanes.measure(holds)) };
+  });
+
+/**
+ * Replays runs that were found before, and measures them.
+ * @returns null if one of them does not reach the goal
+ */
+export function replayRuns(settings: SolveSettings, found: readonly (readonly Hold[])[]): readonly SolvedRun[] | null {
+  const { level, accuracy, goal, maxTicks } = settings;
+  const scene = compile(level, accuracy);
+  const { measure } = openLanes(settings, [], () => false);
+  const runs: SolvedRun[] = [];
+  for (const holds of found) {
+    if (verifyRun(scene, holds, goal, maxTicks) === null) return null;
+    runs.push({ holds, run: simulate(scene, holds, { maxTime: maxTicks * TICK }), robustness: measure(holds) });
   }
+  return runs;
+}
+
+async function solveBy(
+  { level, accuracy, goal, maxTicks }: SolveSettings,
+  search: () => Promise<Found & { readonly measured: readonly Robustness[] }>,
+): Promise<Solved> {
+  const start = performance.now();
+  const since = (): number => (performance.now() - start) / 1000;
+  const impossible = proveGoalImpossible(level, accuracy, goal, maxTicks);
+  if (impossible !== null) return { runs: [], effort: { runs: 0, ticks: 0 }, seconds: since(), closest: null, impossible };
+  const { solutions, effort, closest, measured } = await search();
+  const scene = compile(level, accuracy);
+  const runs = solutions.map(({ holds }, i): SolvedRun => {
+    // the report describes a replay from the start
+    const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
+    if (run.outcome !== 'completed')
+      throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
+    return { holds, run, robustness: measured[i] };
+  });
+  return { runs, effort, seconds: since(), closest: runs.length > 0 ? null : closest, impossible: null };
 }

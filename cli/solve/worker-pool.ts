@@ -1,17 +1,10 @@
 import type { Hold } from '../../schema/index.ts';
-import { type Closest, type Effort, mergeSolutions, type Robustness, type Solution } from '../../solver/index.ts';
+import type { Robustness } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { LaneState } from './messages.ts';
-import { LANES, rounds, type SolveSettings } from './settings.ts';
+import { type Found, LANES, searchInRounds } from './rounds.ts';
+import type { SolveSettings } from './settings.ts';
 import { startThread } from './thread.ts';
-
-/** The combined results of all lanes. */
-export interface Found {
-  readonly effort: Effort;
-  readonly closest: Closest | null;
-  /** Really different runs, best first. */
-  readonly solutions: readonly Solution[];
-}
 
 /** Threads that share a search. */
 export interface WorkerPool {
@@ -50,16 +43,10 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
 
   async function search({ budget, effort }: Limits, onRound: (found: Found) => void): Promise<Found> {
     // before the clock starts: threads take a while to start, and known runs are evaluated even with a very short budget
-    let states = await advance(1);
+    const states = await advance(1);
     const clock = budget === null ? undefined : setTimeout(halt, 1000 * budget);
     try {
-      for (const to of rounds(effort)) {
-        states = await advance(to);
-        onRound(together(states, settings.count));
-        // the lanes wait for each other after each round, so that the result does not depend on the number of threads
-        if (isStopped() || states.some((state) => state.finished)) break;
-      }
-      return together(states, settings.count);
+      return await searchInRounds(states, advance, { effort, count: settings.count, isStopped, onRound });
     } finally {
       clearTimeout(clock);
     }
@@ -74,20 +61,5 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
     async close() {
       await Promise.all(workers.map((worker) => worker.end()));
     },
-  };
-}
-
-function together(states: readonly LaneState[], count: number): Found {
-  const closest = states.flatMap((state) => state.closest ?? []);
-  return {
-    effort: {
-      runs: states.reduce((sum, { effort }) => sum + effort.runs, 0),
-      ticks: states.reduce((sum, { effort }) => sum + effort.ticks, 0),
-    },
-    closest: closest.reduce<Closest | null>((best, c) => (best === null || c.distance < best.distance ? c : best), null),
-    solutions: mergeSolutions(
-      states.map((state) => state.solutions),
-      { count },
-    ),
   };
 }

@@ -1,7 +1,7 @@
 import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
 
 /** Bytes of the longest line that is read: a play of the largest size as text, and room for its name. */
-const MOST_BYTES = 2 * PLAY_LIMITS.bytes;
+export const MOST_BYTES = 2 * PLAY_LIMITS.bytes;
 
 const NEWLINE = 0x0a;
 

@@ -25,6 +25,7 @@ import { Failure } from '../../failure.ts';
 import { unreadableFolders } from '../../files.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { firstPack } from '../../packs/index.ts';
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { addSearchOptions } from '../../search-options.ts';
@@ -33,8 +34,8 @@ import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
 import { refuseUnused } from '../../unused-options.ts';
-import { checkPacks, firstPack, refuseForPacks } from './check-packs.ts';
 import { chooseFiles } from './choose-files.ts';
+import { refuseForPacks } from './refuse-for-packs.ts';
 
 const MOST_WARNINGS = 1_000_000;
 
@@ -203,7 +204,11 @@ async function check(
   if (pack !== undefined) {
     if (unreadable.length > 0) throw unreadableFolders(unreadable);
     const reporting = { accuracy: accuracy.name, severity: configuration.severity, maxWarnings };
-    return checkPacks(files, { ...settings, proveMinerals: options.solve === true }, reporting, asked, { ...options, linkTo });
+    const { jobs, quiet } = options;
+    // most checks have no packs
+    const { reportWhole } = await import('../../fleet/index.ts');
+    const asSet = { ...settings, proveMinerals: options.solve === true };
+    return reportWhole('check', asSet, files, asked, 'checked', { jobs, reporting, quiet, linkTo });
   }
   const folder = cacheFolder(chosenCache(options, configuration.cache));
   const cache = folder === null ? null : openLevelCache(folder, settings);

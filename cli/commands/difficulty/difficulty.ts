@@ -11,28 +11,30 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import {
   type CollectedPlays,
   collectPlays,
+  difficultyJson,
+  difficultyPretty,
   type MeasuredLevel,
   type MeasureSettings,
   measureLevels,
+  refusedPlays,
 } from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
+import { unreadableFolders } from '../../files.ts';
+import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
 import { collect, formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
+import { firstPack } from '../../packs/index.ts';
 import { createProgress, createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { mineralsOption } from '../../search-options.ts';
+import { mineralsOption, USUAL_EFFORT } from '../../search-options.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
+import { namedPath } from '../../shown-path.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { drawPlayers } from './draw-players.ts';
-import { difficultyJson } from './json.ts';
-import { refusedPlays } from './players-pretty.ts';
-import { difficultyPretty } from './pretty.ts';
 
-/** The default effort to find a run, ticks. */
-const DEFAULT_EFFORT = 5_000_000;
-
-interface Options extends ConfigOptions, AccuracyOptions {
+interface Options extends ConfigOptions, AccuracyOptions, ShardOptions {
   readonly run?: string;
   readonly search?: true;
   readonly minerals: Goal['minerals'];
@@ -48,7 +50,7 @@ interface Options extends ConfigOptions, AccuracyOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(addAccuracyOptions(command))
+  addShardOptions(addConfigOptions(addAccuracyOptions(command)))
     .description('Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
     .argument('[path...]', PATHS)
     .option('--run <name>', 'the run to measure (default: the first that completes the level, or one that a search finds)')
@@ -58,7 +60,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       '--effort <ticks>',
       'ticks of 1/60 s to simulate when a search for a run is needed',
       wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
-      DEFAULT_EFFORT,
+      USUAL_EFFORT,
     )
     .addOption(seedOption())
     .option(
@@ -105,6 +107,8 @@ Examples:
 }
 
 async function measure(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
+  refuseBesidesPlan(command, paths, options);
+  if (options.plan !== undefined) return shardOfPlan('difficulty', options, options.jobs);
   const { svg, picture, theme, format, jobs } = options;
   for (const [option, file] of Object.entries({ svg, picture })) {
     if (file !== undefined && !/\.svg$/i.test(file)) throw new Failure(`--${option} ${file}: expected a name that ends in .svg`);
@@ -133,6 +137,13 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     inFull: files.length === 1,
     withCurve: svg !== undefined,
   };
+  const pack = firstPack(files);
+  if (pack !== undefined) {
+    refuseForPacks(pack, options);
+    if (unreadable.length > 0) throw unreadableFolders(unreadable);
+    const asSet = { ...settings, inFull: false };
+    return reportWhole('difficulty', asSet, files, [{ name: format, file: null }], 'measured', { jobs });
+  }
   const plays = options.plays === undefined ? null : await readPlays(options.plays, files, settings, jobs);
   const progress = createProgress('measured', files.length);
   const levels = await measureLevels(files, settings, plays?.levels ?? null, jobs, progress.update);
@@ -159,6 +170,13 @@ async function measure(paths: readonly string[], options: Options, command: Comm
       ? difficultyJson(levels, plays)
       : difficultyPretty(levels, plays, colorsFor(process.stdout), widthOf(process.stdout));
   return { output, messages: messages.join(''), exitCode: code };
+}
+
+/** @throws Failure if an option is given that follows single files */
+function refuseForPacks(pack: string, { plays, picture, svg }: Options): void {
+  const given = plays !== undefined ? '--plays' : picture !== undefined ? '--picture' : svg !== undefined ? '--svg' : null;
+  if (given !== null)
+    throw new Failure(`${namedPath(pack)} is a pack, and ${given} is for level files: leave it out, or unpack the levels`);
 }
 
 /** Reads and simulates plays of level files. */

@@ -2,10 +2,9 @@ import { plural } from '../../../check/words/index.ts';
 import { type Accuracy, compile, simulate } from '../../../engine/index.ts';
 import { renderSvg } from '../../../picture/index.ts';
 import { type OwnRules, readLevel } from '../../../schema/index.ts';
-import type { MeasuredLevel } from '../../difficulty/index.ts';
+import { causeInWords, type MeasuredLevel } from '../../difficulty/index.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { percent } from '../../report-parts/index.ts';
-import { causeInWords } from './players-pretty.ts';
 
 /** More rings than this hide the level. */
 const MOST_RINGS = 6;

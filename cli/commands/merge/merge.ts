@@ -2,10 +2,12 @@ import { availableParallelism } from 'node:os';
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import type { CommandResult } from '../../command.ts';
+import { Failure } from '../../failure.ts';
 import {
   contentsOf,
   type Gathered,
   gather,
+  type JobName,
   jobOf,
   mergedRecords,
   rangesOf,
@@ -14,7 +16,7 @@ import {
   replaySample,
 } from '../../fleet/index.ts';
 import { jobsOption } from '../../options.ts';
-import { chooseReports, expectReportFiles, reporterOption, reportFormatOption } from '../../reporters/index.ts';
+import { chooseReports, type Destination, expectReportFiles, reporterOption, reportFormatOption } from '../../reporters/index.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
 import { exitCodeAfter, stoppable } from '../../signals.ts';
 
@@ -85,6 +87,7 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
   const asked = chooseReports(options).map((one) =>
     one.file === null && options.output !== undefined ? { ...one, file: options.output } : one,
   );
+  expectFormats(plan.job, asked);
   expectReportFiles(asked, [], { 'the plan': options.plan });
   const gathered = await gather(plan, folders);
   const notes = [...gathered.notes, ...gathered.conflicts].map((note) => `${note}\n`).join('');
@@ -95,7 +98,7 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
       exitCode: 3,
     };
   }
-  if (gathered.missing.length > 0) return { messages: notes + missingInWords(gathered, options), exitCode: 2 };
+  if (gathered.missing.length > 0) return { messages: notes + missingInWords(plan.job, gathered, options), exitCode: 2 };
   const rate = options.replay ?? Math.min(1, Math.max(USUAL_SHARE, FEW / plan.levels));
   const results = gathered.results.map((path) => path!);
   const { done: replayed, signal } = await stoppable((stopping) =>
@@ -120,13 +123,21 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
   return { ...report, messages: notes + whole + (report.messages ?? '') };
 }
 
+/** @throws Failure if a report is asked for that the command has not */
+function expectFormats(job: JobName, asked: readonly Destination[]): void {
+  const { formats } = jobOf(job);
+  const other = asked.find(({ name }) => !formats.includes(name));
+  if (other !== undefined)
+    throw new Failure(`the plan is for gq ${job}, which has no report ${other.name}: expected ${formats.join(' or ')}`);
+}
+
 function listMissing(form: (typeof LISTS)[number], { missing }: Gathered): CommandResult {
   if (missing.length === 0) return { exitCode: 0 };
   return { output: form === 'list' ? missing.map((shard) => `${shard}\n`).join('') : `${rangesOf(missing)}\n`, exitCode: 2 };
 }
 
-function missingInWords({ missing, results }: Gathered, { plan }: Options): string {
+function missingInWords(job: JobName, { missing, results }: Gathered, { plan }: Options): string {
   const ranges = rangesOf(missing);
   const which = missing.length === 1 ? `shard ${ranges} is` : `shards ${ranges} are`;
-  return `error: ${missing.length} of ${plural(results.length, 'result')} missing: ${which} not there; do ${missing.length === 1 ? 'it' : 'them'} again: gq check --plan ${shellPath(plan)} --shard ${missing[0]} --out ...\n`;
+  return `error: ${missing.length} of ${plural(results.length, 'result')} missing: ${which} not there; do ${missing.length === 1 ? 'it' : 'them'} again: gq ${job} --plan ${shellPath(plan)} --shard ${missing[0]} --out ...\n`;
 }

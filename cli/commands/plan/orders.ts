@@ -1,40 +1,95 @@
 import type { Command } from 'commander';
+import { TICK_RATE } from '../../../engine/basics/index.ts';
+import type { Goal, Objective } from '../../../solver/index.ts';
 import { type AccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch, settingsFor } from '../../check/index.ts';
 import type { ConfigOptions } from '../../config-file.ts';
 import type { Configuration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
+import { unreadableFolders } from '../../files.ts';
 import type { JobName } from '../../fleet/index.ts';
+import { limitsOf, USUAL_EFFORT } from '../../search-options.ts';
 import { refuseUnused } from '../../unused-options.ts';
 
 /** Options of the commands that shards run. */
 export interface PlanOptions extends AccuracyOptions, ConfigOptions, AskedOptions {
   readonly maxWarnings?: number;
   readonly brief?: true;
+  readonly minerals: Goal['minerals'];
+  readonly objective: Objective;
+  readonly count: number;
+  readonly run?: string;
+  readonly search?: true;
+  readonly levels?: readonly string[];
+  readonly engines?: string;
+  readonly challengeKey?: string;
+  readonly now?: number;
+  readonly maxTicks: number;
 }
 
 /** What a plan says about its job. */
 export interface JobOrder {
-  readonly settings: Record<string, unknown>;
+  readonly settings: object;
   readonly report: Record<string, unknown>;
+  /** What the user should know, for stderr. */
+  readonly messages?: string;
 }
 
-/** Ticks of a search, unless others are given. */
-const DEFAULT_EFFORT = 5_000_000;
+type MakeOrder = (options: PlanOptions, configuration: Configuration, command: Command) => JobOrder | Promise<JobOrder>;
 
 /** What each command makes of the options. */
-export const ORDERS: Readonly<
-  Record<JobName, (options: PlanOptions, configuration: Configuration, command: Command) => JobOrder>
-> = {
+export const ORDERS: Readonly<Record<JobName, MakeOrder>> = {
   check: checkOrder,
+  solve: solveOrder,
+  difficulty: difficultyOrder,
+  verify: verifyOrder,
 };
+
+const ACCURACY = ['--accuracy', '--integrator', '--rate', '--tolerance', '--contact'];
+const SEARCH = ['--budget', '--effort', '--seed'];
+
+/** The options that are for some of the commands only. */
+const OPTIONS_OF: Readonly<Record<JobName, readonly string[]>> = {
+  check: [
+    ...ACCURACY,
+    ...SEARCH,
+    '--solve',
+    '--require-slack',
+    '--no-require-slack',
+    '--max-warnings',
+    '--brief',
+    '--max-time',
+    '--max-work',
+  ],
+  solve: [...ACCURACY, ...SEARCH, '--minerals', '--objective', '--count', '--max-time'],
+  difficulty: [...ACCURACY, ...SEARCH, '--run', '--search', '--minerals', '--max-time'],
+  verify: ['--levels', '--engines', '--challenge-key', '--now', '--max-ticks', '--max-work'],
+};
+
+/** @throws Failure if an option is given that the command of the shards does not have */
+export function refuseOfOthers(job: JobName, command: Command): void {
+  const own = OPTIONS_OF[job];
+  const others = new Set(Object.values(OPTIONS_OF).flat());
+  for (const option of command.options) {
+    const { long } = option;
+    if (long == null || !others.has(long) || own.includes(long)) continue;
+    // an option and its negation have one value
+    if (own.some((name) => command.options.some((one) => one.long === name && one.attributeName() === option.attributeName())))
+      continue;
+    if (command.getOptionValueSource(option.attributeName()) !== 'cli') continue;
+    const users = (Object.keys(OPTIONS_OF) as JobName[]).filter((name) => OPTIONS_OF[name].includes(long));
+    throw new Failure(
+      `${long} has no effect on gq ${job}: leave it out, or plan another command: --for ${users.join(' or --for ')}`,
+    );
+  }
+}
 
 function checkOrder(options: PlanOptions, configuration: Configuration, command: Command): JobOrder {
   refuseLimitsWithoutSearch(options);
   refuseTime(options);
   refuseUnused(command, [{ option: '--seed', isUsed: options.solve === true, needs: '--solve' }]);
   const accuracy = chooseAccuracy(options, configuration);
-  const effort = options.solve ? (options.effort ?? DEFAULT_EFFORT) : undefined;
+  const effort = options.solve ? (options.effort ?? USUAL_EFFORT) : undefined;
   const { severity } = configuration;
   return {
     // what is tried must not depend on how many levels there are
@@ -47,10 +102,57 @@ function checkOrder(options: PlanOptions, configuration: Configuration, command:
   };
 }
 
+function solveOrder(options: PlanOptions, configuration: Configuration): JobOrder {
+  refuseTime(options);
+  const { minerals, objective, count, seed, maxTime, effort = USUAL_EFFORT } = options;
+  return {
+    settings: {
+      rules: configuration.rules,
+      accuracy: chooseAccuracy(options, configuration),
+      goal: { minerals },
+      objective,
+      count,
+      seed,
+      maxTicks: Math.round(maxTime * TICK_RATE),
+      limits: limitsOf({ effort, seed }),
+    },
+    report: {},
+  };
+}
+
+function difficultyOrder(options: PlanOptions, configuration: Configuration): JobOrder {
+  refuseTime(options);
+  const { minerals, run, search, seed, maxTime, effort = USUAL_EFFORT } = options;
+  if (run !== undefined && search) throw new Failure('--run and --search cannot be combined: give one of the two');
+  return {
+    settings: {
+      rules: configuration.rules,
+      accuracy: chooseAccuracy(options, configuration),
+      goal: { minerals },
+      run: run ?? null,
+      search: search === true,
+      effort,
+      seed,
+      maxTime,
+      inFull: false,
+      withCurve: false,
+    },
+    report: {},
+  };
+}
+
+async function verifyOrder(options: PlanOptions, configuration: Configuration, command: Command): Promise<JobOrder> {
+  refuseUnused(command, [{ option: '--now', isUsed: options.challengeKey !== undefined, needs: '--challenge-key' }]);
+  const { playSettings, unusableLevels } = await import('../../verify/index.ts');
+  const { settings, unreadable } = await playSettings(options, configuration);
+  if (unreadable.length > 0) throw unreadableFolders(unreadable);
+  return { settings, report: {}, messages: unusableLevels(settings) };
+}
+
 /** @throws Failure if a search is to end by the clock */
-export function refuseTime({ budget }: Pick<PlanOptions, 'budget'>): void {
+function refuseTime({ budget }: Pick<PlanOptions, 'budget'>): void {
   if (budget === undefined) return;
   throw new Failure(
-    `--budget ${budget}: by the clock, each machine would get other results: expected --effort TICKS, which is the same on all (default: ${DEFAULT_EFFORT})`,
+    `--budget ${budget}: by the clock, each machine would get other results: expected --effort TICKS, which is the same on all (default: ${USUAL_EFFORT})`,
   );
 }

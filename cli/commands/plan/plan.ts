@@ -12,10 +12,11 @@ import { maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.t
 import { createStatusLine } from '../../progress.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { addSearchOptions } from '../../search-options.ts';
+import { addSearchOptions, mineralsOption, objectiveOption } from '../../search-options.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
+import { addPlayOptions } from '../../verify/index.ts';
 import { writeWhole } from '../../write-file.ts';
-import { ORDERS, type PlanOptions } from './orders.ts';
+import { ORDERS, type PlanOptions, refuseOfOthers } from './orders.ts';
 
 interface Options extends PlanOptions {
   readonly shards: number;
@@ -27,8 +28,11 @@ interface Options extends PlanOptions {
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level')
-    .description('Split a large set of levels into shards that any number of machines can do.')
-    .argument('[path...]', `${PATHS}; packs: .ndjson with a level a line, .tar of level files, also as .gz or .zst`)
+    .description('Split a large set of levels or plays into shards that any number of machines can do.')
+    .argument(
+      '[path...]',
+      `${PATHS}; packs: .ndjson with a level a line, .tar of level files, also as .gz or .zst; with --for verify, plays`,
+    )
     .requiredOption(
       '--shards <n>',
       'how many parts; a few for each processor, so that a slow one does not keep all waiting',
@@ -47,8 +51,14 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--no-require-slack', 'check: require no slack, whatever the configuration says')
     .option('--max-warnings <n>', 'check: fail when there are more warnings', wholeNumberOption('a number of warnings', 0, 1e9))
     .option('--brief', 'check: leave runs out of the report, which makes it much smaller')
-    .addOption(maxTimeOption())
-    .addOption(maxWorkOption())
+    .addOption(prefixed('solve, difficulty', mineralsOption()))
+    .addOption(prefixed('solve', objectiveOption()))
+    .option('--count <n>', 'solve: how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
+    .option('--run <name>', 'difficulty: the run to measure (default: the first that completes a level, or one that is found)')
+    .option('--search', "difficulty: measure the run that forgives most, among a level's own and those that a search finds")
+    .addOption(prefixed('all but verify', maxTimeOption()))
+    .addOption(prefixed('check, verify', maxWorkOption()));
+  addPlayOptions(command, 'verify: ')
     .addHelpText(
       'after',
       `
@@ -59,20 +69,33 @@ spread by what they have cost, the longest first. Limits count work and not time
 Each shard: gq check --plan plan.json --shard 3 --out results, from the directory in which the plan was made. Shards count from 0;
 --shard 4/8 counts from 1, and --shard auto takes the number from the system that runs it. Then: gq merge results --plan plan.json.
 
+--for solve, difficulty or verify plans that command instead: gq solve --plan plan.json --shard 3 --out results. Paths of verify are
+plays: .gqr, directories of them, .ndjson with a play a line, .tar of .gqr; their levels and a challenge key must stay as they are.
+
 Exit code: 0 when the plan was written; 2 when it was not.
 
 Examples:
   $ gq plan levels --shards 8
   $ gq plan 'packs/*.ndjson.gz' --shards 200 --solve --effort 5000000 -o plan.json
-  $ gq plan packs/all.tar --shards 200 --solve --effort 5000000 --costs last-week/results`,
+  $ gq plan packs/all.tar --shards 200 --solve --effort 5000000 --costs last-week/results
+  $ gq plan plays.ndjson.gz --shards 50 --for verify --levels levels`,
     )
     .action(async (paths: string[], options: Options) => finish(await plan(paths, options, command)));
 }
 
+/** Says in the help of an option which commands have it. */
+function prefixed(commands: string, option: Option): Option {
+  option.description = `${commands}: ${option.description}`;
+  return option;
+}
+
 async function plan(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
   const { output, force = false, shards } = options;
+  refuseOfOthers(options.for, command);
   const configuration = readConfiguration(options);
-  const { settings, report } = ORDERS[options.for](options, configuration, command);
+  if (options.for === 'verify' && paths.length === 0)
+    throw new Failure('expected the paths of plays: .gqr files, directories of them, or packs');
+  const { settings, report, messages = '' } = await ORDERS[options.for](options, configuration, command);
   const costs = options.costs === undefined ? null : readCosts(options.costs);
   const line = createStatusLine();
   let made: Awaited<ReturnType<typeof makePlan>>;
@@ -82,12 +105,12 @@ async function plan(paths: readonly string[], options: Options, command: Command
         job: options.for,
         paths: [...pathsOr(paths, configuration)],
         ignore: ignoreFor(configuration),
-        settings,
+        settings: settings as Record<string, unknown>,
         report,
         shards,
         costs,
       },
-      (levels) => line.show(`read ${levels} levels`),
+      (levels) => line.show(`read ${levels} ${contentsOf(options.for)}`),
     );
   } finally {
     line.clear();
@@ -100,7 +123,7 @@ async function plan(paths: readonly string[], options: Options, command: Command
     );
   }
   await writeWhole(output, text);
-  return { messages: inWords(output, options, made), exitCode: 0 };
+  return { messages: messages + inWords(output, options, made), exitCode: 0 };
 }
 
 function inWords(output: string, options: Options, { plan, balanced }: Awaited<ReturnType<typeof makePlan>>): string {

@@ -8,9 +8,14 @@ import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import type { Configuration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
+import { statOrError, unreadableFolders } from '../../files.ts';
+import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
+import { findConfigured } from '../../level-paths.ts';
 import { type OpenedFile, openLevel } from '../../level-source.ts';
 import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../../options.ts';
+import { entryName, packFormat } from '../../packs/index.ts';
 import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import {
@@ -21,14 +26,23 @@ import {
   objectiveOption,
   type SearchOptions,
 } from '../../search-options.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { uncut } from '../../signals.ts';
-import type { SolveSettings } from '../../solve/index.ts';
-import { addRuns, expectWritable, progressText, type Solved, solveLevel } from '../../solve/index.ts';
+import {
+  type AskedRuns,
+  addRuns,
+  expectWritable,
+  progressText,
+  type Solved,
+  type SolveSettings,
+  settingsFor,
+  solveLevel,
+  solveReport,
+} from '../../solve/index.ts';
 import { visibleLine } from '../../visible.ts';
-import { solveJson } from './json.ts';
 import { solvePretty } from './pretty.ts';
 
-interface Options extends ConfigOptions, AccuracyOptions, SearchOptions {
+interface Options extends ConfigOptions, AccuracyOptions, SearchOptions, ShardOptions {
   readonly minerals: Goal['minerals'];
   readonly objective: Objective;
   readonly count: number;
@@ -40,11 +54,11 @@ interface Options extends ConfigOptions, AccuracyOptions, SearchOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addConfigOptions(addAccuracyOptions(command)))
+  addShardOptions(addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level'))
     .description(
       'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
     )
-    .argument('<level>', 'a level file')
+    .argument('[level...]', 'a level file; several, directories or packs (.ndjson, .tar, also as .gz or .zst) make a table')
     .addOption(mineralsOption())
     .addOption(objectiveOption())
     .option('--count <n>', 'how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
@@ -60,40 +74,71 @@ The search starts from the level's own runs that reach the goal. Every run is re
 gq simulate --holds gives the same hash. The search ends early when no better run is possible, and at the end of --budget with
 the best run so far. Ctrl-C ends it without a report, and nothing is written.
 
-Exit code: 0 when a run was found; 1 when none was found, when it is proved that there is none, or when the level is invalid;
+Several levels are solved one in each thread, and make a table, or JSON with all of them.
+
+Exit code: 0 when a run was found, of several for each; 1 when none was found, when it is proved that there is none, or when the level is invalid;
 2 when the level could not be read or written; 130 and 143 after SIGINT and SIGTERM.
 
 Examples:
   $ gq solve levels/16-firewalk.level.json
   $ gq solve levels/16-firewalk.level.json --minerals all --budget 30 --write
   $ gq solve levels/16-firewalk.level.json --objective first --format json | jq .holds
-  $ gq solve levels/16-firewalk.level.json --effort 5000000 --seed 7   the same answer on every machine`,
+  $ gq solve levels/16-firewalk.level.json --effort 5000000 --seed 7   the same answer on every machine
+  $ gq solve levels.ndjson.gz --effort 5000000 --format json`,
     )
-    .action(async (file: string, options: Options) => finish(await solve(file, options)));
+    .action(async (paths: string[], options: Options) => finish(await solve(paths, options, command)));
 }
 
-async function solve(file: string, options: Options): Promise<CommandResult> {
+async function solve(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
+  refuseBesidesPlan(command, paths, options);
+  if (options.plan !== undefined) return shardOfPlan('solve', options, options.jobs);
+  if (paths.length === 0) throw new Failure('expected the path of a level file, found none');
+  const [file] = paths;
+  return paths.length > 1 || isOfMany(file) ? solveMany(paths, options) : solveOne(file, options);
+}
+
+/** Whether a path stands for any number of levels. */
+function isOfMany(path: string): boolean {
+  const stats = statOrError(path);
+  return stats instanceof Error
+    ? /[*?]/.test(path) && entryName(path) === null
+    : stats.isDirectory() || packFormat(path) !== null;
+}
+
+async function solveMany(paths: readonly string[], options: Options): Promise<CommandResult> {
+  const given = options.write ? '--write' : options.run !== undefined ? '--run' : null;
+  if (given !== null) throw new Failure(`${given} is for a single level file: leave it out, or solve the levels one at a time`);
   const configuration = readConfiguration(options);
-  const accuracy = chooseAccuracy(options, configuration);
+  const settings = { ...askedOf(options, configuration), rules: configuration.rules, limits: limitsOf(options) };
+  const { files, unreadable } = await findConfigured(paths, configuration);
+  if (unreadable.length > 0) throw unreadableFolders(unreadable);
+  return reportWhole('solve', settings, files, [{ name: options.format, file: null }], 'solved', { jobs: options.jobs });
+}
+
+const askedOf = (options: Options, configuration: Configuration): AskedRuns => ({
+  accuracy: chooseAccuracy(options, configuration),
+  goal: { minerals: options.minerals },
+  objective: options.objective,
+  seed: options.seed,
+  maxTicks: Math.round(options.maxTime * TICK_RATE),
+  count: options.count,
+});
+
+async function solveOne(file: string, options: Options): Promise<CommandResult> {
+  const configuration = readConfiguration(options);
+  const asked = askedOf(options, configuration);
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const { level } = opened;
   expectRunName(file, level, options);
   expectMinerals(file, level, options.minerals);
   if (options.write) expectWritable(file);
-  const settings: SolveSettings = {
-    level: { ...level, runs: [] },
-    accuracy,
-    goal: { minerals: options.minerals },
-    objective: options.objective,
-    seed: options.seed,
-    maxTicks: Math.round(options.maxTime * TICK_RATE),
-    count: options.count,
-    known: level.runs.map(({ holds }) => holds),
-  };
+  const settings = settingsFor(level, asked);
   const solved = await search(settings, options);
   const report =
-    options.format === 'json' ? solveJson(settings, solved) : solvePretty(settings, solved, colorsFor(process.stdout));
+    options.format === 'json'
+      ? `${JSON.stringify(solveReport(settings, solved))}\n`
+      : solvePretty(settings, solved, colorsFor(process.stdout));
   const found = solved.runs.length > 0;
   const exitCode = found ? 0 : 1;
   const count = solved.runs.length;

@@ -8,21 +8,36 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure, systemReason } from '../../failure.ts';
-import { once, statOrError, walk } from '../../files.ts';
-import { findConfigured } from '../../level-paths.ts';
-import { collect, jobsOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { once, statOrError, unreadableFolders, walk } from '../../files.ts';
+import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
+import { jobsOption, maxWorkOption } from '../../options.ts';
+import { firstPack } from '../../packs/index.ts';
 import { print } from '../../print.ts';
-import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { readRegularFile } from '../../regular-file.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
 import { siblingHint } from '../../sibling-hint.ts';
 import { hearSignals } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
 import { refuseUnused } from '../../unused-options.ts';
-import { linesOf, PlayDesk, type PlayItem, readLine, startThreads, verifyInOrder } from '../../verify/index.ts';
-import { visible, visibleLine } from '../../visible.ts';
-import { countsPretty, playPretty } from './pretty.ts';
+import {
+  addPlayOptions,
+  countsPretty,
+  deskSettings,
+  linesOf,
+  PlayDesk,
+  type PlayItem,
+  type PlayOptions,
+  playPretty,
+  playSettings,
+  readLine,
+  startThreads,
+  unusableInWords,
+  unusableLevels,
+  verifyInOrder,
+} from '../../verify/index.ts';
+import { visibleLine } from '../../visible.ts';
 
 /** Plays in files that are read together. */
 const TOGETHER = 32;
@@ -32,39 +47,20 @@ const PLAY_FILE = /\.gqr$/;
 /** So many stale plays of files are tried on the levels that there are. */
 const CANDIDATES = 20;
 
-/** Bytes that a challenge key has at least. */
-const SHORTEST_KEY = 16;
-const LONGEST_KEY = 4096;
-
-interface Options extends ConfigOptions {
-  readonly levels?: readonly string[];
-  readonly engines?: string;
-  readonly challengeKey?: string;
-  readonly now?: number;
-  readonly maxTicks: number;
+interface Options extends ConfigOptions, PlayOptions, ShardOptions {
   readonly maxWork: number;
   readonly jobs: number;
   readonly format?: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(command)
+  addShardOptions(addPlayOptions(addConfigOptions(command)))
     .description(
       'Verify recorded plays: repeat the inputs of each on its level, and compare what comes of them with what it claims. Levels are found by the hash in the play.',
     )
-    .argument('<file...>', 'plays (.gqr), directories of them, or -: NDJSON on standard input')
-    .option(
-      '--levels <path>',
-      'level files or directories that plays may be of (default: "levels" of gq.config.json, else levels); can be given several times',
-      collect,
-    )
-    .option('--engines <dir>', 'older engines, to verify plays that were made with them: DIR/IDENTITY has the package')
-    .option('--challenge-key <file>', 'every play must contain a challenge made with the key in this file, still valid')
-    .option('--now <seconds>', 'the time for challenges, seconds since 1970 (default: the clock)', secondsOption)
-    .addOption(
-      new Option('--max-ticks <n>', 'most ticks of 1/60 s that a play may have')
-        .argParser(wholeNumberOption('a number of ticks', 1, PLAY_LIMITS.ticks))
-        .default(PLAY_LIMITS.ticks),
+    .argument(
+      '[file...]',
+      'plays (.gqr), directories of them, packs (.ndjson with a play a line, .tar, also as .gz or .zst), or -: NDJSON on standard input',
     )
     .addOption(maxWorkOption())
     .addOption(jobsOption(availableParallelism()))
@@ -88,37 +84,31 @@ Examples:
     .action(async (paths: string[], options: Options) => finish(await verify(paths, options, command)));
 }
 
-const secondsOption = wholeNumberOption('seconds since 1970', 0, 0xffff_ffff);
-
 async function verify(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
+  refuseBesidesPlan(command, paths, options);
+  if (options.plan !== undefined) return shardOfPlan('verify', options, options.jobs);
+  if (paths.length === 0)
+    throw new Failure('nothing was verified: expected a .gqr file, a directory of them, a pack, or - for standard input');
   const isStdin = paths.includes(STDIN);
   if (isStdin && paths.length > 1) {
     throw new Failure('the path - reads plays from standard input: expected no other path with it (./- is a file of that name)');
   }
   refuseUnused(command, [{ option: '--now', isUsed: options.challengeKey !== undefined, needs: '--challenge-key' }]);
   const configuration = readConfiguration(options);
-  const challengeKey = options.challengeKey === undefined ? undefined : readKey(options.challengeKey);
   const found = isStdin ? null : findPlays(paths);
-  const { files, unreadable } = await findConfigured(options.levels ?? [], configuration);
+  const { settings, unreadable } = await playSettings(options, configuration);
+  if (found !== null && firstPack(found.files) !== undefined) {
+    const all = [...unreadable, ...found.unreadable];
+    if (all.length > 0) throw unreadableFolders(all);
+    const destinations = [{ name: options.format ?? 'pretty', file: null }] as const;
+    const reported = await reportWhole('verify', settings, found.files, destinations, 'verified', { jobs: options.jobs });
+    return { ...reported, messages: unusableLevels(settings) + (reported.messages ?? '') };
+  }
   const threads = startThreads(options.jobs);
-  const desk = new PlayDesk(
-    {
-      files,
-      rules: configuration.rules,
-      engines: options.engines ?? null,
-      options: {
-        maxTicks: options.maxTicks,
-        maxWork: options.maxWork,
-        challengeKey,
-        now: challengeKey === undefined ? undefined : (options.now ?? Math.floor(Date.now() / 1000)),
-      },
-      candidates: isStdin ? 0 : CANDIDATES,
-    },
-    threads,
-  );
+  const desk = new PlayDesk(deskSettings(settings, isStdin ? 0 : CANDIDATES), threads);
   const folders = [...unreadable, ...(found?.unreadable ?? [])];
   const errors = folders.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
-  const warnings = desk.catalogue.unusable.map((reason) => `warning: ${visible(reason)}; no play is compared with it\n`);
+  const warnings = unusableInWords(desk.catalogue);
   const format = options.format ?? (isStdin ? 'json' : 'pretty');
   const counts = new Map<string, number>();
   const shown = (reports: readonly VerifyReport[]): string => {
@@ -137,20 +127,9 @@ async function verify(paths: readonly string[], options: Options, command: Comma
   const isClean = [...counts.keys()].every((verdict) => verdict === 'ok');
   return {
     output: format === 'pretty' ? countsPretty(counts) : '',
-    messages: [...warnings, ...errors].join(''),
+    messages: [warnings, ...errors].join(''),
     exitCode: errors.length > 0 ? 2 : isClean ? 0 : 1,
   };
-}
-
-/** The key in a file, without the end of its line. */
-function readKey(path: string): Uint8Array {
-  const bytes = readBytes(path);
-  const end = bytes.at(-1) === 0x0a ? (bytes.at(-2) === 0x0d ? 2 : 1) : 0;
-  const key = bytes.slice(0, bytes.length - end);
-  if (key.length >= SHORTEST_KEY && key.length <= LONGEST_KEY) return key;
-  throw new Failure(
-    `--challenge-key ${namedPath(path)}: expected a key of ${SHORTEST_KEY} to ${LONGEST_KEY} bytes, found ${key.length}; openssl rand -hex 32 makes one`,
-  );
 }
 
 interface FoundPlays {

@@ -1,5 +1,5 @@
 import type { CommandResult } from '../../command.ts';
-import type { Destination } from '../../reporters/index.ts';
+import type { Destination, ReporterName } from '../../reporters/index.ts';
 import type { EditorLink } from '../../show-failure/index.ts';
 import type { Json, ShardRecord, Work } from '../job.ts';
 
@@ -14,10 +14,17 @@ export interface ReportOptions {
 
 /** What can be done with a set. Loads little: what simulates is loaded by `openWork`. */
 export interface JobKind {
+  /** The reports that it can make. */
+  readonly formats: readonly ReporterName[];
   /** Whether an entry may take seconds. */
   isLong(settings: Json): boolean;
   /** Whether a record claims something good, which a replay can refute. */
   isClaim(result: Json): boolean;
+  /**
+   * Looks at what results depend on besides the set.
+   * @throws Failure if it is not as the settings say
+   */
+  expectInputs?(settings: Json): Promise<void>;
   /** What is recorded for an entry on which a thread has died. */
   crashed(name: string, error: unknown): Json;
   /** Loads what a thread does. @param settings as the plan has them */
@@ -32,5 +39,5 @@ export interface JobKind {
     reporting: Json,
     destinations: readonly Destination[],
     options: ReportOptions,
-  ): Promise<CommandResult>;
+  ): CommandResult | Promise<CommandResult>;
 }

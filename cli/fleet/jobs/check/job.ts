@@ -1,10 +1,12 @@
 import { type CheckSettings, crashedLevel } from '../../../check/index.ts';
+import { REPORTER_NAMES } from '../../../reporters/index.ts';
 import type { JobKind } from '../kind.ts';
 import { recordOf } from './record.ts';
 import type { CheckReporting } from './report.ts';
 
 /** `gq check` of each level. */
 export const checkJob: JobKind = {
+  formats: REPORTER_NAMES,
   isLong: ({ search, requireSlack }) => search !== null || requireSlack !== null,
   isClaim: ({ verdict }) => verdict === 'completable',
   crashed: (name, error) => recordOf(crashedLevel(name, error)),

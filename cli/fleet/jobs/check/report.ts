@@ -4,6 +4,7 @@ import type { CommandResult } from '../../../command.ts';
 import { type Destination, reportCheck } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
 import type { ReportOptions } from '../kind.ts';
+import { Listed } from '../listed.ts';
 import { levelOf } from './record.ts';
 
 /** What the report of a check depends on besides the results. */
@@ -12,9 +13,6 @@ export interface CheckReporting {
   readonly severity: SeverityMap;
   readonly maxWarnings: number | null;
 }
-
-/** With more levels than this, reports for people list only those that fail, and only so many of them. */
-const MOST_LISTED = 1000;
 
 /**
  * The reports of a large set. JSON is made in pieces and lists all levels; the others list all levels of a small set, and those
@@ -31,21 +29,18 @@ export async function reportCheckOf(
   function* levels(): Generator<CheckedLevel> {
     for (const { file, ms, result } of records()) yield judge(levelOf(file, withTimes ? ms : 0, result));
   }
-  const first: CheckedLevel[] = [];
-  const failing: CheckedLevel[] = [];
+  const listed = new Listed<CheckedLevel>();
   function* collected(): Generator<CheckedLevel> {
     for (const level of levels()) {
-      if (first.length <= MOST_LISTED) first.push(level);
-      if (failing.length < MOST_LISTED && !isGood(level)) failing.push(level);
+      listed.add(level, isGood(level));
       yield level;
     }
   }
   const totals = totalsOf(collected());
-  const isSmall = totals.levels <= MOST_LISTED;
   const results = {
-    levels: isSmall ? first : failing,
+    levels: listed.items,
     totals,
-    unlisted: isSmall ? 0 : totals.levels - totals.good - failing.length,
+    unlisted: listed.unlisted,
     unchecked: [],
     interrupted: false,
     excess: tooManyWarnings(totals, maxWarnings),

@@ -1,10 +1,11 @@
-import type { SolutionReport, SolveReport } from '../../../schema/index.ts';
-import type { Solution } from '../../../solver/index.ts';
-import { robustnessJson } from '../../report-parts/index.ts';
-import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
+import type { SolutionReport, SolveReport } from '../../schema/index.ts';
+import type { Solution } from '../../solver/index.ts';
+import { robustnessJson } from '../report-parts/index.ts';
+import type { SolveSettings } from './settings.ts';
+import type { Solved, SolvedRun } from './solve-level.ts';
 
-/** The results of `solve` as JSON. */
-export function solveJson({ level, accuracy, seed, count }: SolveSettings, solved: Solved): string {
+/** The results of `solve` as JSON has them. */
+export function solveReport({ level, accuracy, seed, count }: SolveSettings, solved: Solved): SolveReport {
   const { runs, closest, impossible } = solved;
   const effort = { ...solved.effort, seconds: solved.seconds, seed };
   const toReport = (found: SolvedRun | undefined): SolutionReport => ({
@@ -27,7 +28,7 @@ export function solveJson({ level, accuracy, seed, count }: SolveSettings, solve
   });
   const report: SolveReport = { version: 1, ...toReport(runs[0]) };
   if (count > 1) report.solutions = runs.map(toReport);
-  return `${JSON.stringify(report)}\n`;
+  return report;
 }
 
 const holdsOf = ({ holds }: Pick<Solution, 'holds'>): [number, number][] => holds.map(([press, release]) => [press, release]);

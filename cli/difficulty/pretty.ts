@@ -1,22 +1,27 @@
-import { holdsInWords, plural } from '../../../check/words/index.ts';
-import { TICK } from '../../../engine/index.ts';
-import { objectName } from '../../../schema/index.ts';
-import type { Difficulty, GradeWord } from '../../../solver/index.ts';
-import type { Colors } from '../../colors.ts';
-import type { CollectedPlays, MeasuredLevel } from '../../difficulty/index.ts';
-import { alignColumns, percent, robustnessLines, showFileProblems } from '../../report-parts/index.ts';
-import { visible, visibleLine } from '../../visible.ts';
+import { holdsInWords, plural } from '../../check/words/index.ts';
+import { TICK } from '../../engine/index.ts';
+import { objectName } from '../../schema/index.ts';
+import type { Difficulty, GradeWord } from '../../solver/index.ts';
+import type { Colors } from '../colors.ts';
+import { alignColumns, percent, robustnessLines, showFileProblems } from '../report-parts/index.ts';
+import { visible, visibleLine } from '../visible.ts';
+import type { MeasuredLevel } from './measured-level.ts';
 import { playersDetail, playersTable, playsInWords } from './players-pretty.ts';
+import type { CollectedPlays } from './plays/index.ts';
 
-/** The difficulty of levels for people: one level in detail, several as a table with the easiest first. */
+/**
+ * The difficulty of levels for people: one level in detail, several as a table with the easiest first.
+ * @param form a level that was measured as one of many lacks details, so a single one makes a table, too
+ */
 export function difficultyPretty(
   levels: readonly MeasuredLevel[],
   plays: CollectedPlays | null,
   colors: Colors,
   width: number | null = null,
+  form: 'detail' | 'table' = levels.length === 1 ? 'detail' : 'table',
 ): string {
   const measured = levels.filter(hasDifficulty);
-  const text = levels.length === 1 && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors, width);
+  const text = form === 'detail' && measured.length === 1 ? detail(measured[0], colors) : table(measured, colors, width);
   const failures = levels.filter(({ difficulty }) => difficulty === null);
   const reported = failures.map(({ file, why, problems }) =>
     problems.length > 0
@@ -25,7 +30,7 @@ export function difficultyPretty(
   );
   const [only] = levels;
   const taught =
-    levels.length === 1 && only.players !== null
+    form === 'detail' && only.players !== null
       ? playersDetail(only.players, only.difficulty?.robustness.p40.p ?? null, colors, width)
       : playersTable(levels, colors, width);
   const read = plays === null ? '' : playsInWords(plays);

@@ -5,13 +5,14 @@ import {
   type ModelComparison,
   type PlayStatistics,
   type Quartiles,
-} from '../../../check/plays/index.ts';
-import { plural } from '../../../check/words/index.ts';
-import { objectName, touchedName } from '../../../schema/index.ts';
-import type { Colors } from '../../colors.ts';
-import type { CollectedPlays, MeasuredLevel, Players } from '../../difficulty/index.ts';
-import { alignColumns, percent } from '../../report-parts/index.ts';
-import { visibleLine } from '../../visible.ts';
+} from '../../check/plays/index.ts';
+import { plural } from '../../check/words/index.ts';
+import { objectName, touchedName } from '../../schema/index.ts';
+import type { Colors } from '../colors.ts';
+import { alignColumns, percent } from '../report-parts/index.ts';
+import { visibleLine } from '../visible.ts';
+import type { MeasuredLevel, Players } from './measured-level.ts';
+import type { CollectedPlays } from './plays/index.ts';
 
 /** Lists in the report on one level end after so many entries. */
 const MOST_CAUSES = 6;

@@ -1,5 +1,6 @@
-import type { DifficultyReport } from '../../../schema/index.ts';
-import type { CollectedPlays, Players } from '../../difficulty/index.ts';
+import type { DifficultyReport } from '../../schema/index.ts';
+import type { Players } from './measured-level.ts';
+import type { CollectedPlays } from './plays/index.ts';
 
 /** What players teach about a level, as JSON. */
 export function playersJson({ statistics, model, names }: Players): DifficultyReport['levels'][number]['players'] {

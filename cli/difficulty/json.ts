@@ -1,17 +1,19 @@
-import type { DifficultyReport, RunFoundReport } from '../../../schema/index.ts';
-import type { Candidate } from '../../../solver/index.ts';
-import type { CollectedPlays, MeasuredLevel } from '../../difficulty/index.ts';
-import { problemJson, robustnessJson } from '../../report-parts/index.ts';
+import type { DifficultyReport, RunFoundReport } from '../../schema/index.ts';
+import type { Candidate } from '../../solver/index.ts';
+import { problemJson, robustnessJson } from '../report-parts/index.ts';
+import type { MeasuredLevel } from './measured-level.ts';
 import { playersJson, playsJson } from './players-json.ts';
+import type { CollectedPlays } from './plays/index.ts';
 
 /** The difficulty of levels as JSON. */
 export function difficultyJson(levels: readonly MeasuredLevel[], plays: CollectedPlays | null): string {
-  const own = { version: 1 as const, levels: levels.map(levelJson) };
+  const own = { version: 1 as const, levels: levels.map(measuredJson) };
   const report: DifficultyReport = plays === null ? own : { ...own, plays: playsJson(plays) };
   return `${JSON.stringify(report)}\n`;
 }
 
-function levelJson(level: MeasuredLevel): DifficultyReport['levels'][number] {
+/** The difficulty of a level as JSON. */
+export function measuredJson(level: MeasuredLevel): DifficultyReport['levels'][number] {
   const { file, name, runName, difficulty, curve, why, problems, players } = level;
   const shared = { file, name, problems: problems.map(problemJson) };
   const played = players === null ? {} : { players: playersJson(players) };

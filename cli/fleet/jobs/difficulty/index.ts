@@ -1,0 +1,1 @@
+export { difficultyJob } from './job.ts';

@@ -1,0 +1,16 @@
+import { type MeasureSettings, measureAgain, measureContent, unreadable } from '../../../difficulty/index.ts';
+import type { Work } from '../../job.ts';
+import { levelOf, recordOf } from './record.ts';
+
+/** Measures how hard levels are. */
+export const openDifficulty = (settings: MeasureSettings): Work => ({
+  work: ({ name, content }) =>
+    recordOf(content instanceof Uint8Array ? measureContent(name, content, settings) : unreadable(name, content)),
+  replay({ name, content }, result) {
+    if (!(content instanceof Uint8Array)) return 'a file that can no longer be read';
+    // a search is not repeated: the run that it has found is measured again
+    const again = measureAgain(levelOf(name, result), content, settings);
+    if (again.difficulty === null) return `not measured: ${again.why}`;
+    return JSON.stringify(recordOf(again)) === JSON.stringify(result) ? null : 'measured, but not as recorded';
+  },
+});

@@ -1,0 +1,1 @@
+export { solveJob } from './job.ts';

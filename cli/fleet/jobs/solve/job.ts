@@ -1,0 +1,18 @@
+import type { Json } from '../../job.ts';
+import type { JobKind } from '../kind.ts';
+import { PLAIN_FORMATS } from '../plain-report.ts';
+import { type SolveJobSettings, untried } from './record.ts';
+
+/** `gq solve` of each level. */
+export const solveJob: JobKind = {
+  formats: PLAIN_FORMATS,
+  isLong: () => true,
+  isClaim: ({ verdict }) => verdict === 'found',
+  crashed: (name, error) =>
+    untried(name, 'crashed', `solving this level crashed: ${error instanceof Error ? error.message : error}`) as unknown as Json,
+  openWork: async (settings) => (await import('./work.ts')).openSolve(settings as unknown as SolveJobSettings),
+  async report(records, reporting, destinations, options) {
+    const { reportSolved } = await import('./report.ts');
+    return reportSolved(records, reporting, destinations, options);
+  },
+};

@@ -1,0 +1,55 @@
+import { basename } from 'node:path';
+import { plural } from '../../../../check/words/index.ts';
+import { type Level, readLevel } from '../../../../schema/index.ts';
+import { showProblems } from '../../../code-frames.ts';
+import type { Entry } from '../../../packs/index.ts';
+import { replayRuns, settingsFor, solveHere, solveReport } from '../../../solve/index.ts';
+import type { Json, Work } from '../../job.ts';
+import { type SolveJobSettings, type SolveRecord, untried } from './record.ts';
+
+/** Solves levels. */
+export function openSolve(settings: SolveJobSettings): Work {
+  return {
+    work: async (entry) => (await solveEntry(entry, settings)) as unknown as Json,
+    replay: (entry, result) => whyNotAsRecorded(entry, settings, result as unknown as SolveRecord),
+  };
+}
+
+async function solveEntry({ name, content }: Entry, settings: SolveJobSettings): Promise<SolveRecord> {
+  if (!(content instanceof Uint8Array)) return { ...untried(name, 'invalid', content.message), unreadable: true };
+  const read = readLevel(content, { rules: settings.rules });
+  if (!read.ok) {
+    const ofFile = basename(name).replace(/(\.level)?\.json$/, '');
+    return { ...untried(ofFile, 'invalid', 'not a valid level'), problems: showProblems(read.problems, read.text) };
+  }
+  const { level } = read;
+  const few = whyTooFewMinerals(level, settings);
+  if (few !== null) return untried(level.name, 'not-found', few);
+  const asked = settingsFor(level, settings);
+  const solved = await solveHere(asked, settings.limits);
+  const verdict = solved.impossible !== null ? 'impossible' : solved.runs.length > 0 ? 'found' : 'not-found';
+  // time would be another on each machine
+  return { ...untried(level.name, verdict, ''), solved: solveReport(asked, { ...solved, seconds: 0 }), why: null };
+}
+
+function whyTooFewMinerals({ minerals }: Level, { goal }: SolveJobSettings): string | null {
+  if (typeof goal.minerals !== 'number' || goal.minerals <= minerals.length) return null;
+  return `it has only ${plural(minerals.length, 'mineral')} of the ${goal.minerals} required`;
+}
+
+/** A search is not repeated: the runs that it has found are replayed and measured. */
+function whyNotAsRecorded({ content }: Entry, settings: SolveJobSettings, { solved }: SolveRecord): string | null {
+  const read = content instanceof Uint8Array ? readLevel(content, { rules: settings.rules }) : null;
+  if (!read?.ok) return 'not a valid level';
+  if (solved === null) return 'not solved';
+  const asked = settingsFor(read.level, settings);
+  const claimed = solved.solutions ?? [solved];
+  const runs = replayRuns(
+    asked,
+    claimed.map(({ holds }) => holds ?? []),
+  );
+  if (runs === null) return 'a run that does not reach the goal';
+  const { effort } = solved;
+  const truth = solveReport(asked, { runs, effort, seconds: effort.seconds, closest: null, impossible: null });
+  return JSON.stringify(truth) === JSON.stringify(solved) ? null : 'solved, but not as recorded';
+}

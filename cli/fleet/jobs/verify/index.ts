@@ -1,0 +1,1 @@
+export { verifyJob } from './job.ts';
