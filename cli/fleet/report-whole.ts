@@ -5,8 +5,7 @@ import { exitCodeAfter } from '../signals.ts';
 import { doWhole } from './do-whole.ts';
 import type { Json } from './job.ts';
 import type { JobName } from './job-names.ts';
-import { jobOf } from './jobs/index.ts';
-import type { ReportOptions } from './jobs/kind.ts';
+import { jobOf, type ReportOptions } from './jobs/index.ts';
 
 /** What a set is done with. */
 interface WholeOptions extends Omit<ReportOptions, 'withTimes'> {

@@ -7,7 +7,9 @@ import { visibleLine } from '../visible.ts';
 export function playPretty(report: VerifyReport, colors: Colors): string {
   const { verdict, message, level, accuracy, time, signs, challenge } = report;
   const isOk = verdict === 'ok';
-  const place = report.file ?? `line ${report.line}${report.id === null ? '' : ` (${report.id})`}`;
+  const { file, line, id } = report;
+  const where = file === null ? `line ${line}` : line === null ? file : `${file}#${line}`;
+  const place = id === null ? where : `${where} (${id})`;
   const of = level?.name === null || level === null ? '' : `${level.name}, `;
   const end = time === null ? '' : `, after ${time.toFixed(3)} s`;
   const what = isOk ? `${of}${accuracy}: ${message}${end}` : `${of}${message}`;

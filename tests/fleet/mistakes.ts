@@ -8,7 +8,7 @@ export interface Mistake {
 }
 
 /** All places within a value, the value itself left out. */
-function placesIn(value: unknown, path: Path = []): Path[] {
+export function placesIn(value: unknown, path: Path = []): Path[] {
   if (typeof value !== 'object' || value === null) return [];
   const inside: readonly (readonly [string | number, unknown])[] = Array.isArray(value)
     ? [...value.entries()]
@@ -17,7 +17,11 @@ function placesIn(value: unknown, path: Path = []): Path[] {
 }
 
 /** A copy in which `change` has been done to whatever holds the place. */
-function changed(content: unknown, path: Path, change: (holder: Record<string | number, unknown>, key: string | number) => void) {
+export function changed(
+  content: unknown,
+  path: Path,
+  change: (holder: Record<string | number, unknown>, key: string | number) => void,
+) {
   const copy = structuredClone(content);
   let holder = copy as Record<string | number, unknown>;
   for (const key of path.slice(0, -1)) holder = holder[key] as Record<string | number, unknown>;

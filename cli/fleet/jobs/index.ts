@@ -12,5 +12,7 @@ const KINDS: Readonly<Record<JobName, JobKind>> = {
   verify: verifyJob,
 };
 
+export type { ReportOptions } from './kind.ts';
+
 /** @param name of a job, as a plan has it */
 export const jobOf = (name: string): JobKind => KINDS[name as JobName];

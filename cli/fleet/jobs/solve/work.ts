@@ -1,11 +1,11 @@
 import { basename } from 'node:path';
 import { plural } from '../../../../check/words/index.ts';
-import { type Level, readLevel } from '../../../../schema/index.ts';
+import { type Level, readLevel, type SolveReport } from '../../../../schema/index.ts';
 import { showProblems } from '../../../code-frames.ts';
 import type { Entry } from '../../../packs/index.ts';
 import { replayRuns, settingsFor, solveHere, solveReport } from '../../../solve/index.ts';
 import type { Json, Work } from '../../job.ts';
-import { type SolveJobSettings, type SolveRecord, untried } from './record.ts';
+import { type SolveJobSettings, type SolveRecord, type SolveVerdict, untried } from './record.ts';
 
 /** Solves levels. */
 export function openSolve(settings: SolveJobSettings): Work {
@@ -29,8 +29,14 @@ async function solveEntry({ name, content }: Entry, settings: SolveJobSettings):
   const solved = await solveHere(asked, settings.limits);
   const verdict = solved.impossible !== null ? 'impossible' : solved.runs.length > 0 ? 'found' : 'not-found';
   // time would be another on each machine
-  return { ...untried(level.name, verdict, ''), solved: solveReport(asked, { ...solved, seconds: 0 }), why: null };
+  return tried(level, verdict, solveReport(asked, { ...solved, seconds: 0 }));
 }
+
+const tried = ({ name }: Level, verdict: SolveVerdict, solved: SolveReport): SolveRecord => ({
+  ...untried(name, verdict, ''),
+  solved,
+  why: null,
+});
 
 function whyTooFewMinerals({ minerals }: Level, { goal }: SolveJobSettings): string | null {
   if (typeof goal.minerals !== 'number' || goal.minerals <= minerals.length) return null;
@@ -38,9 +44,10 @@ function whyTooFewMinerals({ minerals }: Level, { goal }: SolveJobSettings): str
 }
 
 /** A search is not repeated: the runs that it has found are replayed and measured. */
-function whyNotAsRecorded({ content }: Entry, settings: SolveJobSettings, { solved }: SolveRecord): string | null {
+function whyNotAsRecorded({ content }: Entry, settings: SolveJobSettings, record: SolveRecord): string | null {
   const read = content instanceof Uint8Array ? readLevel(content, { rules: settings.rules }) : null;
   if (!read?.ok) return 'not a valid level';
+  const { solved } = record;
   if (solved === null) return 'not solved';
   const asked = settingsFor(read.level, settings);
   const claimed = solved.solutions ?? [solved];
@@ -50,6 +57,6 @@ function whyNotAsRecorded({ content }: Entry, settings: SolveJobSettings, { solv
   );
   if (runs === null) return 'a run that does not reach the goal';
   const { effort } = solved;
-  const truth = solveReport(asked, { runs, effort, seconds: effort.seconds, closest: null, impossible: null });
-  return JSON.stringify(truth) === JSON.stringify(solved) ? null : 'solved, but not as recorded';
+  const again = solveReport(asked, { runs, effort, seconds: effort.seconds, closest: null, impossible: null });
+  return JSON.stringify(tried(read.level, 'found', again)) === JSON.stringify(record) ? null : 'solved, but not as recorded';
 }
