@@ -157,7 +157,7 @@ function findPlays(paths: readonly string[]): FoundPlays {
   }
   if (unmatched.length === 0) return { files: once(files), unreadable };
   throw new Failure(
-    `nothing was verified: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no play\n${unmatched.map((line) => `  ${line}\n`).join('')}expected a .gqr file, a directory of them, or - for standard input`,
+    `nothing was verified: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no play\n${unmatched.map((line) => `  ${line}\n`).join('')}expected a .gqr file, a directory of them, a pack, or - for standard input`,
   );
 }
 
