@@ -1,5 +1,7 @@
+import { execFileSync } from 'node:child_process';
 import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import process from 'node:process';
 import { gzipSync } from 'node:zlib';
 import fc from 'fast-check';
 import { create, Header } from 'tar';
@@ -220,6 +222,20 @@ describe('an archive', () => {
     expect(stdout).not.toContain('\u001b');
     expect(stdout.split('\n')[0]).toContain('.level.json');
   });
+});
+
+// opening one waits for its writer, and nobody may ever write
+it.skipIf(process.platform === 'win32')('a pack that is a pipe is refused', async () => {
+  execFileSync('mkfifo', [join(place.directory, 'pipe.ndjson')]);
+  for (const args of [
+    ['check', 'pipe.ndjson'],
+    ['plan', 'pipe.ndjson', '--shards', '2'],
+    ['simulate', 'pipe.ndjson#1'],
+  ]) {
+    const { code, stderr } = await gq(args, { cwd: place.directory });
+    expect(code).toBe(2);
+    expect(stderr).toContain("can't be read: it is a named pipe, not a regular file; expected a file");
+  }
 });
 
 describe('an entry of a pack', () => {
