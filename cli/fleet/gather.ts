@@ -63,7 +63,8 @@ export async function gather(plan: Plan, folders: readonly string[]): Promise<Ga
 /** The shard in the name of a result. */
 const shardOfName = (name: string): number => Number(RESULT_FILE.exec(name)![1]);
 
-function resultsIn(folders: readonly string[]): string[] {
+/** The results in folders, good or not. @throws Failure if a folder can't be read */
+export function resultsIn(folders: readonly string[]): string[] {
   return folders.flatMap((folder) => {
     const names = tryTo(folder, () => readdirSync(folder)).filter((name) => RESULT_FILE.test(name));
     // a result before those that differ from it

@@ -3,7 +3,7 @@ import { lstatSync, mkdirSync, readdirSync, readFileSync, rmSync, symlinkSync, w
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
-import { gq } from '../cli/gq.ts';
+import { gq, MAIN } from '../cli/gq.ts';
 import { doAll, levelTexts, makeSet, merge, resultLines, runShard, type TestSet, writeResult } from './sets.ts';
 
 // something else stands where a result, a report or a plan is to be written
@@ -73,5 +73,70 @@ describe('a file where a result belongs', () => {
     const costs = await gq(['plan', ...set.paths, '--shards', '2', '--costs', 'out', '-o', 'other.json'], { cwd: set.directory });
     expect(costs.code).toBe(2);
     expect(costs.stderr).toContain("error: --costs out/shard-0.ndjson: can't be read: it is a named pipe, not a regular file");
+  });
+});
+
+describe('what is read', () => {
+  const inSet = (...args: readonly string[]) => gq(args, { cwd: set.directory });
+  const content = (name: string): Buffer => readFileSync(join(set.directory, name));
+
+  it('is replaced by no report of a merge', async () => {
+    writeFileSync(path(), good);
+    const [level] = set.names;
+    for (const [file, what] of [
+      ['lines.ndjson.gz', 'a level that is checked'],
+      [level, 'a level that is checked'],
+      ['out/shard-0.ndjson', 'a result'],
+      ['plan.json', 'the plan'],
+    ]) {
+      const before = content(file);
+      for (const to of [
+        ['--format', 'json', '-o', file],
+        ['--reporter', `json=${file}`],
+      ]) {
+        const { code, stderr } = await inSet('merge', 'out', '--plan', 'plan.json', ...to);
+        expect(code).toBe(2);
+        expect(stderr).toContain(`the report would replace ${what}`);
+        expect(content(file)).toEqual(before);
+      }
+    }
+    expect((await inSet('merge', 'out', '--plan', 'plan.json', '-o', 'report.txt')).code).toBe(1);
+  });
+
+  it('is replaced by no report of one of its levels', async () => {
+    const before = content('lines.ndjson.gz');
+    const { code, stderr } = await inSet('check', 'lines.ndjson.gz#1', '--reporter', 'json=lines.ndjson.gz');
+    expect(code).toBe(2);
+    expect(stderr).toContain('the report would replace a level that is checked');
+    expect(content('lines.ndjson.gz')).toEqual(before);
+  });
+
+  it('is replaced by no plan, which --force replaces only by another', async () => {
+    const before = content('lines.ndjson.gz');
+    const plan = (...options: readonly string[]) => inSet('plan', 'lines.ndjson.gz', '--shards', '2', ...options);
+    for (const options of [[], ['--force']]) {
+      const { code, stderr } = await plan('-o', 'lines.ndjson.gz', ...options);
+      expect(code).toBe(2);
+      expect(stderr).toContain('another file is there, and nothing was overwritten');
+      expect(content('lines.ndjson.gz')).toEqual(before);
+    }
+    expect((await plan('-o', 'small.json')).code).toBe(0);
+    expect((await plan('-o', 'small.json', '--brief')).stderr).toContain('replace it with --force');
+    expect((await plan('-o', 'small.json', '--brief', '--force')).code).toBe(0);
+    expect((await plan('-o', 'small.json', '--brief')).code).toBe(0);
+  });
+
+  // opening a pipe to compare what is in it would wait for ever
+  it.skipIf(process.platform === 'win32')('is not what a plan is written to, if that is a pipe', async () => {
+    const piped = execFileSync(
+      'sh',
+      ['-c', '"$0" "$@" | cat', process.execPath, MAIN, 'plan', 'levels', '--shards', '2', '-o', '/dev/stdout'],
+      {
+        cwd: set.directory,
+        timeout: 60_000,
+        stdio: ['ignore', 'pipe', 'ignore'],
+      },
+    );
+    expect(JSON.parse(String(piped))).toMatchObject({ gq: 'plan', levels: 4 });
   });
 });
