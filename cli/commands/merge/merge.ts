@@ -97,7 +97,7 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
   if (options.missing !== undefined) return { ...listMissing(options.missing, gathered), messages: notes };
   if (gathered.conflicts.length > 0) {
     return {
-      messages: `${notes}error: results contradict each other; a machine computes otherwise, or a result was changed\n`,
+      messages: `${notes}error: results contradict each other or the plan: a machine computes otherwise, or a result was changed; move the wrong ones away, and do their shards again\n`,
       exitCode: 3,
     };
   }
