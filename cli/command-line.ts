@@ -15,7 +15,7 @@ import { visible } from './visible.ts';
  */
 export async function runCommandLine(args: readonly string[]): Promise<number> {
   beginSignals();
-  watchStreams();
+  const streams = watchStreams();
   try {
     const result = await perform(args);
     // imported only if needed, as it is needed by few commands
@@ -27,7 +27,7 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
     if (said !== '') process.stderr.write(said);
     for (const message of messages) process.stderr.write(`${visible(message)}\n`);
     await writeOutput(result);
-    return failed && result.exitCode < 2 ? 2 : result.exitCode;
+    return (failed || streams.isLost()) && result.exitCode < 2 ? 2 : result.exitCode;
   } catch (error) {
     await leaveSignals();
     return reportError(error);
@@ -107,11 +107,14 @@ function describeError(error: unknown): string {
   return `gq crashed. This is a bug in gq: please report it, with the level and the command line.\n${visible(stack)}\n`;
 }
 
-function watchStreams(): void {
+/** Hears of what can't be written. @returns whether a part of the output is lost so far; later, the exit code changes by itself */
+function watchStreams(): { readonly isLost: () => boolean } {
+  let isLost = false;
   process.stdout.on('error', (error: NodeJS.ErrnoException) => {
     // the reader has closed the pipe (`gq check | head -1`), which is no error
     if (error.code === 'EPIPE') return;
     process.stderr.write(`error: can't write to standard output: ${error.message}\n`);
+    isLost = true;
     process.exitCode = 2;
   });
   // errors of stderr can't be reported anywhere
@@ -120,4 +123,5 @@ function watchStreams(): void {
     process.stderr.write(describeError(error));
     process.exit(2);
   });
+  return { isLost: () => isLost };
 }

@@ -17,18 +17,33 @@ export class NotAFile extends Error {
 }
 
 /**
- * Reads the bytes of a regular file; of one longer than `limit` only slightly more than that. Never blocks and needs no more
- * memory than that, whatever the path leads to.
+ * Opens a regular file for reading. Never blocks, whatever the path leads to.
  * @param flags for opening, such as `constants.O_NOFOLLOW`
  * @throws NotAFile, and system errors
  */
-export function readRegularFile(path: string, limit: number, flags = 0): Uint8Array {
+export function openRegularFile(path: string, flags = 0): number {
   const descriptor = openSync(path, AT_ONCE | flags);
   try {
     const stats = fstatSync(descriptor);
     if (stats.isDirectory()) throw new NotAFile('a folder', 'EISDIR');
     if (stats.isFIFO()) throw new NotAFile('a named pipe');
     if (!stats.isFile()) throw new NotAFile('a device');
+    return descriptor;
+  } catch (error) {
+    closeSync(descriptor);
+    throw error;
+  }
+}
+
+/**
+ * Reads the bytes of a regular file; of one longer than `limit` only slightly more than that. Never blocks and needs no more
+ * memory than that, whatever the path leads to.
+ * @param flags for opening, such as `constants.O_NOFOLLOW`
+ * @throws NotAFile, and system errors
+ */
+export function readRegularFile(path: string, limit: number, flags = 0): Uint8Array {
+  const descriptor = openRegularFile(path, flags);
+  try {
     return readBeyond(descriptor, limit);
   } finally {
     closeSync(descriptor);

@@ -20,16 +20,21 @@ function followed(path: string): string {
   }
 }
 
+/** Whether something is there that is no file. A pipe behind /dev/stdout has no path of its own, so links are not followed by name. */
+function isDevice(path: string): boolean {
+  const stats = tryTo(path, () => statSync(path, { throwIfNoEntry: false }));
+  return stats !== undefined && !stats.isFile();
+}
+
 /**
  * Writes a file completely or not at all, and keeps the mode of an existing file. A device or pipe is written directly.
  * @throws Failure with the reason if it can't be written
  */
 export async function writeWhole(path: string, content: string | Uint8Array): Promise<void> {
   const bytes = typeof content === 'string' ? Buffer.from(content) : content;
-  const target = tryTo(path, () => followed(path));
-  const stats = statSync(target, { throwIfNoEntry: false });
   // writing may wait for a reader, and a signal must be able to end that
-  if (stats !== undefined && !stats.isFile()) return tryTo(path, () => writeFileSync(target, bytes));
+  if (isDevice(path)) return tryTo(path, () => writeFileSync(path, bytes));
+  const target = tryTo(path, () => followed(path));
   await uncut(() => tryTo(path, () => replace(target, bytes)));
 }
 
@@ -38,10 +43,8 @@ export async function writeWhole(path: string, content: string | Uint8Array): Pr
  * @throws Failure with the reason if it can't be written
  */
 export async function writePieces(path: string, pieces: Iterable<string>): Promise<void> {
-  const target = tryTo(path, () => followed(path));
-  const stats = statSync(target, { throwIfNoEntry: false });
-  if (stats !== undefined && !stats.isFile()) {
-    const descriptor = tryTo(path, () => openSync(target, 'w'));
+  if (isDevice(path)) {
+    const descriptor = tryTo(path, () => openSync(path, 'w'));
     try {
       for (const piece of pieces) tryTo(path, () => writeFileSync(descriptor, piece));
     } finally {
@@ -49,7 +52,8 @@ export async function writePieces(path: string, pieces: Iterable<string>): Promi
     }
     return;
   }
-  const why = stats === undefined ? null : whyNotWritable(target);
+  const target = tryTo(path, () => followed(path));
+  const why = existsSync(target) ? whyNotWritable(target) : null;
   if (why !== null) throw new Failure(`${path}: can't be written: ${why}`);
   const out = tryTo(path, () => new LineWriter(target));
   const discard = (): void => out.discard();

@@ -159,13 +159,23 @@ function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): 
   const { accuracy, search, maxTime } = settings;
   const impossible = proveGoalImpossible(scene.level, accuracy, { minerals: 'any' }, ticksOf(settings), budget);
   if (impossible !== null || search === null) return { ...NOT_NEEDED, impossible };
-  const searched = searchLevel(scene, search, settings);
+  const searched = search.claimed === undefined ? searchLevel(scene, search, settings) : unsearched(search.claimed);
   if (searched.found === null) return { ...NOT_NEEDED, searched };
   const holds = searched.found;
   const run = simulate(scene, holds, { maxTime });
+  if (search.claimed !== undefined && run.outcome !== 'completed')
+    return { ...NOT_NEEDED, searched: { ...searched, found: null } };
   if (run.outcome !== 'completed') throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
   return { impossible, searched, found: { name: null, holds, run } };
 }
+
+/** A search that was done elsewhere. */
+const unsearched = (found: readonly Hold[]): LevelSearch => ({
+  found,
+  effort: { runs: 0, ticks: 0 },
+  closest: null,
+  isOutOfTime: false,
+});
 
 const chosen = (runs: readonly ScriptedRun[], played: readonly Run[], index: number): PlayedRun | null =>
   runs.length === 0 ? null : { ...runs[index], run: played[index] };

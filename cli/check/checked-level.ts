@@ -68,4 +68,6 @@ export interface SearchSettings {
   /** The limits for each level. */
   readonly limits: Limits;
   readonly seed: number;
+  /** The run that the search is said to have found: it is played, and nothing is searched. */
+  readonly claimed?: readonly Hold[];
 }

@@ -3,7 +3,6 @@ import { basename, join } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
 import { namedPath } from '../shown-path.ts';
 import { hearSignals } from '../signals.ts';
-import { entryHash, ShardDigest } from './digest.ts';
 import type { Json } from './job.ts';
 import { LineReader } from './line-reader.ts';
 import type { Plan } from './plan.ts';
@@ -39,12 +38,11 @@ export async function gather(plan: Plan, folders: readonly string[]): Promise<Ga
       foreign.push(`${namedPath(path)}: the plan has shards 0 to ${plan.shards.length - 1} only`);
       continue;
     }
-    const digest = new ShardDigest();
-    const found = tryTo(path, () => inspect(path, headerOf(plan, shard), (line) => addTo(digest, line)));
+    const found = tryTo(path, () => inspect(path, headerOf(plan, shard)));
     await hearSignals();
     if (found.state === 'foreign') foreign.push(`${namedPath(path)}: ${found.why}`);
     else if (found.state === 'damaged') notes.push(`${namedPath(path)}: not counted: ${found.why}`);
-    else if (digest.end() !== plan.shards[shard].hash)
+    else if (found.set !== plan.shards[shard].hash)
       conflicts.push(`${namedPath(path)}: it has other levels than shard ${shard} of the plan`);
     else if (results[shard] === null) {
       results[shard] = path;
@@ -65,22 +63,14 @@ export async function gather(plan: Plan, folders: readonly string[]): Promise<Ga
 /** The shard in the name of a result. */
 const shardOfName = (name: string): number => Number(RESULT_FILE.exec(name)![1]);
 
-function resultsIn(folders: readonly string[]): string[] {
+/** The results in folders, good or not. @throws Failure if a folder can't be read */
+export function resultsIn(folders: readonly string[]): string[] {
   return folders.flatMap((folder) => {
     const names = tryTo(folder, () => readdirSync(folder)).filter((name) => RESULT_FILE.test(name));
     // a result before those that differ from it
     const rank = (name: string): string => `${name === resultName(shardOfName(name)) ? 0 : 1} ${name}`;
     return names.sort((a, b) => (rank(a) < rank(b) ? -1 : 1)).map((name) => join(folder, name));
   });
-}
-
-const HEAD = /^\{"n":(\d+),"file":("(?:[^"\\]|\\.)*"),"sha256":"([0-9a-f]{64})",/;
-
-function addTo(digest: ShardDigest, line: Buffer): void {
-  const head = HEAD.exec(line.toString('utf8'));
-  // a line without a head makes the hash of the shard another
-  if (head === null) digest.add(-1, line);
-  else digest.add(Number(head[1]), entryHash(Buffer.from(head[3], 'hex'), JSON.parse(head[2])));
 }
 
 /** Says which level two results judge differently. */

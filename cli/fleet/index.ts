@@ -1,5 +1,5 @@
 export { addToLeast, MOST_ASSIGNED } from './balance.ts';
-export { type Gathered, gather } from './gather.ts';
+export { type Gathered, gather, resultsIn } from './gather.ts';
 export { contentsOf, JOBS, type JobName } from './job-names.ts';
 export { jobOf } from './jobs/index.ts';
 export { makePlan } from './make-plan.ts';
@@ -11,7 +11,7 @@ export { replaySample } from './replay.ts';
 export { reportWhole } from './report-whole.ts';
 export { recordOfLine } from './result.ts';
 export { maxArraySize, submitJob, USUAL_ARRAY_SIZE } from './sbatch.ts';
-export { ignoreFor } from './set-paths.ts';
+export { ignoreFor, setPaths } from './set-paths.ts';
 export { shardOfPlan } from './shard-command.ts';
 export { chooseShard, type Environment } from './shard-number.ts';
 export { arrayJob, logsOf, mergeJob, reportOf, type SlurmOrder, submission } from './slurm.ts';

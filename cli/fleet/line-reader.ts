@@ -1,4 +1,5 @@
-import { closeSync, openSync, readSync } from 'node:fs';
+import { closeSync, readSync } from 'node:fs';
+import { openRegularFile } from '../regular-file.ts';
 
 const NEWLINE = 0x0a;
 
@@ -24,7 +25,7 @@ export class LineReader {
   /**
    * The bytes of the next line without its end, valid until the next call; null at the end of the file. A last line without an end
    * is no line.
-   * @throws system errors
+   * @throws NotAFile, and system errors
    */
   next(): Buffer | null {
     for (;;) {
@@ -39,9 +40,9 @@ export class LineReader {
     }
   }
 
-  /** Whether bytes follow the last line. */
-  get hasRest(): boolean {
-    return this.from < this.rest.length;
+  /** The bytes that follow the last line. */
+  get unended(): Buffer {
+    return this.rest.subarray(this.from);
   }
 
   private fill(): void {
@@ -49,7 +50,7 @@ export class LineReader {
     // doubles with the length of a line, so that a long one is not copied again and again
     const next = Buffer.allocUnsafe(kept + Math.max(this.piece, kept));
     this.rest.copy(next, 0, this.from);
-    const descriptor = openSync(this.path, 'r');
+    const descriptor = openRegularFile(this.path);
     try {
       const count = readSync(descriptor, next, kept, next.length - kept, this.position);
       this.position += count;

@@ -8,6 +8,9 @@ import type { Costs } from './balance.ts';
 import { LineReader } from './line-reader.ts';
 import { RESULT_FILE } from './result.ts';
 
+/** ms of a level at most: about a year. Sums of such times stay exact enough. */
+const LONGEST = 3e10;
+
 /** Bytes of a report at most: larger sets have results of shards. */
 const LARGEST = 256 * 1024 * 1024;
 
@@ -22,6 +25,12 @@ export function readCosts(path: string): Costs {
   const stats = statOrError(path);
   if (stats instanceof Error) throw new Failure(`--costs ${namedPath(path)}: ${systemReason(stats)}`);
   const costs = stats.isDirectory() ? costsOfResults(path) : costsOfReport(path);
+  const odd = [...costs].find(([, ms]) => !(ms >= 0 && ms <= LONGEST));
+  if (odd !== undefined) {
+    throw new Failure(
+      `--costs ${namedPath(path)}: expected times from 0 to ${LONGEST} ms, found ${odd[1]} for ${namedPath(odd[0])}: it was changed by hand`,
+    );
+  }
   if ([...costs.values()].some((ms) => ms > 0)) return costs;
   throw new Failure(
     `--costs ${namedPath(path)}: it has no times: expected a directory with results of shards, or what gq check --format json has printed`,
@@ -32,13 +41,22 @@ function costsOfResults(folder: string): Map<string, number> {
   const costs = new Map<string, number>();
   for (const name of readdirSync(folder).sort()) {
     if (!RESULT_FILE.test(name)) continue;
-    const reader = new LineReader(join(folder, name));
-    for (let line = reader.next(); line !== null; line = reader.next()) {
-      const record = RECORD.exec(line.toString('utf8', 0, 2048));
-      if (record !== null) costs.set(JSON.parse(record[1]), Number(record[2]));
+    const path = join(folder, name);
+    try {
+      addCostsOf(path, costs);
+    } catch (error) {
+      throw new Failure(`--costs ${namedPath(path)}: can't be read: ${systemReason(error)}`);
     }
   }
   return costs;
+}
+
+function addCostsOf(result: string, costs: Map<string, number>): void {
+  const reader = new LineReader(result);
+  for (let line = reader.next(); line !== null; line = reader.next()) {
+    const record = RECORD.exec(line.toString('utf8', 0, 2048));
+    if (record !== null) costs.set(JSON.parse(record[1]), Number(record[2]));
+  }
 }
 
 function costsOfReport(path: string): Map<string, number> {

@@ -1,5 +1,7 @@
 import { createHash } from 'node:crypto';
+import { Failure } from '../failure.ts';
 import { type Batch, readSet, sizeOf } from '../packs/index.ts';
+import { namedPath } from '../shown-path.ts';
 import type { ShardRecord } from './job.ts';
 import { contentsOf } from './job-names.ts';
 import { jobOf } from './jobs/index.ts';
@@ -25,6 +27,7 @@ const MOST_REFUTED = 20;
  * Repeats what a sample of the records claims.
  * @param rate the share of the records in the sample, 0 to 1
  * @param seed chooses the sample; known only when all results are written
+ * @throws Failure if the set is no longer that of the plan
  */
 export async function replaySample(
   plan: Plan,
@@ -44,13 +47,17 @@ export async function replaySample(
   const common: Common = { job, contents, settings: sharedText(plan.settings), rule: null, shard: 0 };
   const records = mergedRecords(results);
   let replayed = 0;
+  let found = 0;
   const refuted: { file: string; truth: string }[] = [];
 
   async function* tasks(): AsyncGenerator<Asked<ReadonlyMap<number, ShardRecord>>> {
     for await (const batch of readSet(paths, contents, limitsFor(false))) {
       const replay = chosen(batch);
+      found += sizeOf(batch);
       if (replay.size > 0) yield { task: { batch, common, replay }, tag: replay };
     }
+    // a level that is gone would be neither repeated nor missed
+    if (found !== plan.levels) throw otherSet(`it has ${found} ${contents}, ${plan.levels} were planned`);
   }
 
   function chosen(batch: Batch): Map<number, ShardRecord> {
@@ -68,8 +75,16 @@ export async function replaySample(
     rate === 1 || createHash('sha256').update(seed).update(`\n${n}`).digest().readUInt32BE(0) < rate * 2 ** 32;
 
   await workInThreads(tasks(), jobs, stopping, (done, { tag }) => {
+    const [first] = done.changed;
+    if (done.unreadable.length > 0) throw otherSet(done.unreadable.join('\n'));
+    if (first !== undefined) throw otherSet(`${namedPath(tag.get(first)!.file)} is not as planned`);
     replayed += tag.size;
     for (const [i, truth] of done.refuted) if (refuted.length < MOST_REFUTED) refuted.push({ file: tag.get(i)!.file, truth });
   });
   return { replayed, refuted };
 }
+
+const otherSet = (why: string): Failure =>
+  new Failure(
+    `no result was repeated, as the set is no longer that of the plan: ${why}: a level has changed, is missing or is new; restore it, or merge with --replay none`,
+  );

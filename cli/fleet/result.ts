@@ -1,7 +1,10 @@
 import { createHash, type Hash } from 'node:crypto';
 import { linkSync, renameSync, statSync } from 'node:fs';
 import { join } from 'node:path';
+import { Failure } from '../failure.ts';
 import { LineWriter } from '../line-writer.ts';
+import { namedPath } from '../shown-path.ts';
+import { entryHash, ShardDigest } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { LineReader } from './line-reader.ts';
 import type { Plan } from './plan.ts';
@@ -127,10 +130,10 @@ export class ResultWriter {
 export type Inspected =
   | {
       readonly state: 'complete';
-      readonly header: Header;
       readonly levels: number;
+      /** The hash over its levels, as a plan has it. */
+      readonly set: string;
       readonly records: string;
-      readonly sha256: string;
     }
   /** A result of another plan, or no result at all: why. */
   | { readonly state: 'foreign'; readonly why: string }
@@ -142,35 +145,48 @@ const isHeader = (value: unknown): value is Header =>
 
 /**
  * Reads a result to its end and checks that it is whole and of a plan.
- * @param onRecord gets each record
- * @throws system errors
+ * @throws NotAFile, and system errors
  */
-export function inspect(path: string, expected: Header, onRecord: (line: Buffer) => void = () => {}): Inspected {
+export function inspect(path: string, expected: Header): Inspected {
   const reader = new LineReader(path);
   const first = reader.next();
   const header = first === null ? null : parsed(first);
-  if (!isHeader(header))
-    return { state: first === null ? 'damaged' : 'foreign', why: 'it does not begin as a result of a shard' };
+  // only what can be the begin of this result is a damaged one; anything else is not to be replaced
+  if (first === null && isBegin(reader.unended, expected)) return { state: 'damaged', why: 'it is cut off in its first line' };
+  if (!isHeader(header)) return { state: 'foreign', why: 'it does not begin as a result of a shard' };
   const foreign = foreignHeader(header, expected);
   if (foreign !== null) return { state: 'foreign', why: foreign };
   const bytes = createHash('sha256').update(first!).update('\n');
   const records = new RecordsHash();
-  let levels = 0;
+  const set = new ShardDigest();
   for (let line = reader.next(); line !== null; line = reader.next()) {
     if (line.length < 400 && line.indexOf('{"gq":"end"') === 0) {
       const trailer = parsed(line) as Trailer | null;
       const hash = bytes.digest('hex');
-      if (reader.next() !== null || reader.hasRest) return { state: 'damaged', why: 'something follows its last line' };
-      if (trailer?.sha256 !== hash || trailer.levels !== levels || trailer.records !== records.end())
+      if (reader.next() !== null || reader.unended.length > 0)
+        return { state: 'damaged', why: 'something follows its last line' };
+      if (trailer?.sha256 !== hash || trailer.levels !== set.entries || trailer.records !== records.end())
         return { state: 'damaged', why: 'its checksum is wrong: it has been changed or damaged' };
-      return { state: 'complete', header, levels, records: trailer.records, sha256: hash };
+      return { state: 'complete', levels: set.entries, set: set.end(), records: trailer.records };
     }
-    levels++;
     bytes.update(line).update('\n');
     records.add(line);
-    onRecord(line);
+    addTo(set, line);
   }
   return { state: 'damaged', why: 'it is cut off: its last line is missing' };
+}
+
+const isBegin = (bytes: Buffer, header: Header): boolean =>
+  Buffer.from(JSON.stringify(header)).subarray(0, bytes.length).equals(bytes);
+
+const RECORD = /^\{"n":(\d+),"file":("(?:[^"\\]|\\.)*"),"sha256":"([0-9a-f]{64})","ms":([-+.e\d]+),"result":(\{.*\})\}$/s;
+
+function addTo(set: ShardDigest, line: Buffer): void {
+  const [, n, quoted, sha256] = RECORD.exec(line.toString('utf8')) ?? [];
+  const file = quoted === undefined ? null : parsed(quoted);
+  // a line that is no record makes the hash of the set another
+  if (typeof file !== 'string') set.add(-1, line);
+  else set.add(Number(n), entryHash(Buffer.from(sha256, 'hex'), file));
 }
 
 function foreignHeader(found: Header, expected: Header): string | null {
@@ -182,7 +198,7 @@ function foreignHeader(found: Header, expected: Header): string | null {
   return found.shard === expected.shard ? null : `expected shard ${expected.shard}, found shard ${found.shard}`;
 }
 
-function parsed(line: Buffer): unknown {
+function parsed(line: Buffer | string): unknown {
   try {
     return JSON.parse(line.toString());
   } catch {
@@ -190,7 +206,21 @@ function parsed(line: Buffer): unknown {
   }
 }
 
-export const recordOfLine = (line: Buffer): ShardRecord => JSON.parse(line.toString()) as ShardRecord;
+/**
+ * Takes a record apart as it was written: a JSON reader would take the last of two values for the same key, and so another level
+ * than the one that was counted.
+ * @throws Failure if it was written by something else
+ */
+export function recordOfLine(line: Buffer): ShardRecord {
+  const [, n, file, sha256, ms, result] = RECORD.exec(line.toString()) ?? [];
+  try {
+    return { n: Number(n), file: JSON.parse(file), sha256, ms: Number(ms), result: JSON.parse(result) };
+  } catch {
+    throw new Failure(
+      `the record of ${namedPath(String(file ?? line.toString('utf8', 0, 80)))} was changed: it is not as gq writes it`,
+    );
+  }
+}
 
 /** Where the result of a shard is. */
 export const resultPath = (folder: string, shard: number): string => join(folder, resultName(shard));

@@ -1,4 +1,4 @@
-import { mkdirSync } from 'node:fs';
+import { lstatSync, mkdirSync } from 'node:fs';
 import { Failure, systemReason } from '../failure.ts';
 import { type Batch, entriesOf, readSet, sizeOf } from '../packs/index.ts';
 import { readBytes } from '../read-bytes.ts';
@@ -7,7 +7,7 @@ import { DIGEST, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf } from './job-names.ts';
 import { jobOf } from './jobs/index.ts';
 import type { Plan } from './plan.ts';
-import { type Header, headerOf, inspect, ResultWriter, resultPath } from './result.ts';
+import { headerOf, inspect, ResultWriter, resultPath } from './result.ts';
 import { assignedOf } from './rule.ts';
 import { setPaths } from './set-paths.ts';
 import { type Asked, sharedText, workInThreads } from './threads.ts';
@@ -47,10 +47,9 @@ export async function runShard(
     readonly onProgress: (done: number) => void;
   },
 ): Promise<ShardOutcome> {
-  const header = headerOf(plan, shard);
   const path = resultPath(folder, shard);
   tryTo(folder, () => mkdirSync(folder, { recursive: true }));
-  const before = whatIsThere(path, header);
+  const before = whatIsThere(path, plan, shard);
   if (before?.state === 'complete') return { status: 'already there', path, levels: before.levels };
   const { job } = plan;
   await jobOf(job).expectInputs?.(plan.settings);
@@ -65,7 +64,7 @@ export async function runShard(
   };
   const comparison = new Comparison(plan);
   const own = new ShardDigest();
-  const out = tryTo(path, () => new ResultWriter(path, header));
+  const out = tryTo(path, () => new ResultWriter(path, headerOf(plan, shard)));
   try {
     const take = (done: Done, { tag: batch }: Asked<Batch>): void => {
       if (done.unreadable.length > 0) throw new Failure(`${done.unreadable.join('\n')}\nthe set is no longer that of the plan`);
@@ -85,8 +84,9 @@ export async function runShard(
       throw new Error(`the rule of the plan gives shard ${shard} other levels than gq plan did`);
     const records = tryTo(path, () => out.end());
     // a damaged one is replaced; a good one that another process has written meanwhile is not
-    if (tryTo(path, () => out.place(path, before?.state === 'damaged'))) return { status: 'written', path, levels };
-    const other = whatIsThere(path, header);
+    const isDamaged = before?.state === 'damaged' && whatIsThere(path, plan, shard)?.state === 'damaged';
+    if (tryTo(path, () => out.place(path, isDamaged))) return { status: 'written', path, levels };
+    const other = whatIsThere(path, plan, shard);
     if (other?.state === 'complete' && other.records === records) return { status: 'already there', path, levels };
     for (let k = 1; k <= MOST_DIFFERING; k++) {
       const kept = path.replace(/\.ndjson$/, `.differs-${k}.ndjson`);
@@ -104,14 +104,21 @@ async function* tasksOf(batches: AsyncIterable<Batch>, common: Common): AsyncGen
   for await (const batch of batches) yield { task: { batch, common }, tag: batch };
 }
 
-/** @throws Failure if something else has the name of the result */
-function whatIsThere(path: string, header: Header) {
+/** @throws Failure if something else has the name of the result, or one that was changed */
+function whatIsThere(path: string, plan: Plan, shard: number) {
   let found: ReturnType<typeof inspect>;
   try {
-    found = inspect(path, header);
+    found = inspect(path, headerOf(plan, shard));
   } catch (error) {
-    if ((error as NodeJS.ErrnoException).code === 'ENOENT') return null;
+    const isAbsent = (error as NodeJS.ErrnoException).code === 'ENOENT';
+    if (isAbsent && lstatSync(path, { throwIfNoEntry: false }) === undefined) return null;
+    if (isAbsent) throw new Failure(`${namedPath(path)}: it is a broken link: expected a result or nothing; move it away`);
     throw new Failure(`${namedPath(path)}: what is there can't be read: ${systemReason(error)}`);
+  }
+  if (found.state === 'complete' && found.set !== plan.shards[shard].hash) {
+    throw new Failure(
+      `${namedPath(path)}: the result that is there has other levels than shard ${shard} of the plan, so it was changed; nothing was overwritten: move it away`,
+    );
   }
   if (found.state !== 'foreign') return found;
   throw new Failure(

@@ -102,6 +102,7 @@ function joined(parts: readonly Done[]): Done {
     own: parts.flatMap(({ own }, i) => own.map(() => i)),
     lines: parts.flatMap(({ lines }) => lines),
     unreadable: parts.flatMap((part) => part.unreadable),
+    changed: parts.flatMap(({ changed }, i) => changed.map(() => i)),
     refuted: new Map(parts.flatMap(({ refuted }, i) => [...refuted.values()].map((truth) => [i, truth] as const))),
   };
 }
@@ -120,5 +121,6 @@ function crashed({ batch, common, replay }: Task, error: unknown): Done {
     lines: isOwn ? [`${JSON.stringify(record)}\n`] : [],
     unreadable: isRead ? [] : [content.message],
     refuted: new Map(replay === undefined ? [] : [[0, 'crashed']]),
+    changed: [],
   };
 }

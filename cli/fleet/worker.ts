@@ -36,6 +36,8 @@ export interface Done {
   readonly unreadable: readonly string[];
   /** Records that a replay has refuted: what is true. */
   readonly refuted: ReadonlyMap<number, string>;
+  /** The indices of entries that have other bytes than their records say. */
+  readonly changed: readonly number[];
 }
 
 let opened: { readonly job: string; readonly settings: Uint8Array; readonly work: Promise<Work> } | null = null;
@@ -59,6 +61,7 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
   const lines: string[] = [];
   const unreadable: string[] = [];
   const refuted = new Map<number, string>();
+  const changed: number[] = [];
   let i = -1;
   for (const entry of entriesOf(batch, contents, readBytes)) {
     i++;
@@ -69,7 +72,9 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
     if (!isRead) unreadable.push(content.message);
     const hash = contentHash(isRead ? content : new Uint8Array());
     if (record !== undefined) {
-      const truth = hash.toString('hex') === record.sha256 ? await replayOne(entry, record.result) : 'of other bytes';
+      const isSame = isRead && hash.toString('hex') === record.sha256;
+      const truth = isSame ? await replayOne(entry, record.result) : null;
+      if (!isSame) changed.push(i);
       if (truth !== null) refuted.set(i, truth);
       continue;
     }
@@ -82,5 +87,5 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
     const done: ShardRecord = { n: batch.first + i, file: name, sha256: hash.toString('hex'), ms, result };
     lines.push(`${JSON.stringify(done)}\n`);
   }
-  return { hashes, own, lines, unreadable, refuted };
+  return { hashes, own, lines, unreadable, refuted, changed };
 }

@@ -2,6 +2,7 @@ import { createReadStream } from 'node:fs';
 import { pipeline, type Transform } from 'node:stream';
 import * as zlib from 'node:zlib';
 import { Failure, systemReason } from '../failure.ts';
+import { NotAFile, openRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import type { PackFormat } from './formats.ts';
 
@@ -16,7 +17,8 @@ const { createZstdDecompress } = zlib as { createZstdDecompress?: (options: obje
  * @throws Failure if it can't be read or unpacked
  */
 export async function* openPack(path: string, { compression }: PackFormat): AsyncGenerator<Buffer> {
-  const file = createReadStream(path, { highWaterMark: PIECE });
+  // a named pipe may never have a writer, and a set is read more than once
+  const file = createReadStream(path, { fd: opened(path), highWaterMark: PIECE });
   let unpacked: AsyncIterable<Buffer> = file;
   if (compression !== null) {
     const unpack = compression === 'gzip' ? zlib.createGunzip({ chunkSize: PIECE }) : zstd(path);
@@ -33,6 +35,15 @@ export async function* openPack(path: string, { compression }: PackFormat): Asyn
     throw new Failure(`${namedPath(path)}: ${what}: ${why}`);
   } finally {
     file.destroy();
+  }
+}
+
+function opened(path: string): number {
+  try {
+    return openRegularFile(path);
+  } catch (error) {
+    const expected = error instanceof NotAFile ? '; expected a file' : '';
+    throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}${expected}`);
   }
 }
 

@@ -4,6 +4,7 @@ import { Failure } from '../failure.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import { packFormat } from './formats.ts';
+import { isBlank, NEWLINE } from './read-lines.ts';
 import { unwrap } from './unwrap.ts';
 
 /** Bytes of a pack from which a single entry is taken at most, packed and unpacked. */
@@ -26,8 +27,14 @@ export function readEntry(pack: string, label: string): Uint8Array {
   if (packed.length > MOST_BYTES) throw new Failure(`${namedPath(pack)}: it is too large to take out a single entry: unpack it`);
   const format = packFormat(pack)!;
   const bytes = format.compression === null ? packed : unpacked(pack, packed, format.compression);
-  const found = format.kind === 'tar' ? fileOf(pack, bytes, label) : lineOf(bytes, label);
-  if (found !== null) return found;
+  const found = format.kind === 'tar' ? filesOf(pack, bytes, label) : linesOf(bytes, label);
+  if (found.length > 1) {
+    const where = format.kind === 'tar' ? `${found.length} files` : `lines ${found.map(({ line }) => line).join(', ')}`;
+    throw new Failure(
+      `${namedPath(`${pack}#${label}`)}: expected one level of that name, found ${where}: give each a name of its own`,
+    );
+  }
+  if (found.length > 0) return found[0].content;
   const what = format.kind === 'tar' ? 'file of that name' : 'such line or id';
   throw new Failure(`${namedPath(`${pack}#${label}`)}: the pack has no ${what}`);
 }
@@ -43,33 +50,43 @@ function unpacked(pack: string, bytes: Uint8Array, compression: 'gzip' | 'zstd')
   }
 }
 
-function lineOf(bytes: Uint8Array, label: string): Uint8Array | null {
-  const wanted = /^\d+$/.test(label) ? Number(label) : null;
-  let byNumber: Uint8Array | null = null;
-  let number = 0;
-  for (let from = 0; from < bytes.length; ) {
-    const end = bytes.indexOf(0x0a, from);
-    const line = bytes.subarray(from, end < 0 ? bytes.length : end);
-    const { id, content } = unwrap(line);
-    if (id === label) return content;
-    if (++number === wanted) byNumber = content;
-    from += line.length + 1;
-  }
-  return byNumber;
+/** An entry that a label may mean. */
+interface Found {
+  readonly content: Uint8Array;
+  /** The number of its line; null in an archive. */
+  readonly line: number | null;
 }
 
-function fileOf(pack: string, bytes: Uint8Array, label: string): Uint8Array | null {
+/** The lines that have a name in reports. Without any, a number also stands for a line that has an id. */
+function linesOf(bytes: Uint8Array, label: string): Found[] {
+  const wanted = /^\d+$/.test(label) ? Number(label) : null;
+  const named: Found[] = [];
+  const numbered: Found[] = [];
+  let line = 0;
+  for (let from = 0; from < bytes.length; ) {
+    const end = bytes.indexOf(NEWLINE, from);
+    const entry = bytes.subarray(from, end < 0 ? bytes.length : end);
+    const { id, content } = unwrap(entry);
+    line++;
+    if (id === label || (id === null && line === wanted && !isBlank([entry]))) named.push({ content, line });
+    else if (line === wanted && id !== null) numbered.push({ content, line });
+    from += entry.length + 1;
+  }
+  return named.length > 0 ? named : numbered;
+}
+
+function filesOf(pack: string, bytes: Uint8Array, label: string): Found[] {
   // loaded here, as it takes time that commands on files need not spend
   const { Parser } = createRequire(import.meta.url)('tar') as typeof import('tar');
-  let found: Uint8Array | null = null;
+  const found: Found[] = [];
   const parser = new Parser({
     strict: true,
     onReadEntry(entry) {
       const pieces: Buffer[] = [];
-      if (entry.path === label && found === null) {
+      if (entry.path === label) {
         entry.on('data', (piece: Buffer) => pieces.push(piece));
         entry.on('end', () => {
-          found = Buffer.concat(pieces);
+          found.push({ content: Buffer.concat(pieces), line: null });
         });
       } else entry.resume();
     },

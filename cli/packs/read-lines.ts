@@ -1,12 +1,13 @@
 import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
 import type { Batch, BatchMaker } from './batch.ts';
 
-const NEWLINE = 0x0a;
+export const NEWLINE = 0x0a;
 
 /** Of a longer line only slightly more than this is kept, which readers then refuse. */
 const MOST_BYTES = MAX_FILE_SIZE + 4096;
 
-const isBlank = (pieces: readonly Uint8Array[]): boolean =>
+/** Whether a line has only white space. */
+export const isBlank = (pieces: readonly Uint8Array[]): boolean =>
   pieces.every((piece) => piece.length < 1024 && piece.every((byte) => byte === 0x20 || byte === 0x09 || byte === 0x0d));
 
 /** The lines of a pack. Lines of white space alone don't count. */

@@ -1,8 +1,9 @@
-import { lstatSync, realpathSync, statSync } from 'node:fs';
+import { existsSync, lstatSync, realpathSync, statSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { Option } from 'commander';
 import { didYouMean } from '../did-you-mean.ts';
 import { Failure, systemReason } from '../failure.ts';
+import { entryName } from '../packs/index.ts';
 import { namedPath } from '../shown-path.ts';
 import { whyNotWritable } from '../writable.ts';
 import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
@@ -79,19 +80,19 @@ function parse(text: string, given: string): Destination {
 /**
  * Checks before the work that the reports can be written.
  * @param levels the level files that are read, which no report may replace
- * @param others files besides that no report may replace, by what they are in words; null: there is none
+ * @param others files besides that no report may replace, by what each of them is in words; null: there is none
  * @throws Failure for each file that can't be written
  */
 export function expectReportFiles(
   reports: readonly Destination[],
   levels: readonly string[],
-  others: Readonly<Record<string, string | null>>,
+  others: Readonly<Record<string, string | readonly string[] | null>>,
 ): void {
   const files = reports.flatMap(({ name, file }) => (file === null ? [] : [{ name, file }]));
   if (files.length === 0) return;
   const seen = new Map<string, string>();
-  const read = new Map(levels.map((level) => [identity(level), 'a level that is checked']));
-  for (const [what, path] of Object.entries(others)) if (path !== null) read.set(identity(path), what);
+  const read = new Map(levels.map((level) => [identity(fileOf(level)), 'a level that is checked']));
+  for (const [what, paths] of Object.entries(others)) for (const path of [paths ?? []].flat()) read.set(identity(path), what);
   const wrong: string[] = [];
   for (const { name, file } of files) {
     const given = `--reporter ${name}=${file}`;
@@ -130,6 +131,12 @@ function whyNoReport(file: string): string | null {
   } catch (error) {
     return systemReason(error);
   }
+}
+
+/** The file of a level: for an entry of a pack, the pack. */
+function fileOf(level: string): string {
+  const entry = existsSync(level) ? null : entryName(level);
+  return entry === null ? level : entry.pack;
 }
 
 /** The same text for paths that lead to the same file. */

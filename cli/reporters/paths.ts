@@ -1,14 +1,17 @@
 import { isAbsolute, relative, resolve, sep } from 'node:path';
+import { entryName } from '../packs/index.ts';
 import type { Places } from './reporter.ts';
 
 const withSlashes = (path: string): string => (sep === '/' ? path : path.split(sep).join('/'));
 
 /** A path relative to the first of some folders that contains it, with slashes; null if none does. */
 function below(folders: readonly string[], file: string, directory: string): string | null {
+  // the name of an entry of a pack is no path: dots in it lead nowhere
+  const { pack, label } = entryName(file) ?? { pack: file, label: null };
   for (const folder of folders) {
-    const path = relative(folder, resolve(directory, file));
+    const path = relative(folder, resolve(directory, pack));
     const isOutside = path === '' || path === '..' || path.startsWith(`..${sep}`) || isAbsolute(path);
-    if (!isOutside) return withSlashes(path);
+    if (!isOutside) return label === null ? withSlashes(path) : `${withSlashes(path)}#${label}`;
   }
   return null;
 }

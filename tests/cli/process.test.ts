@@ -102,7 +102,10 @@ it('writes a large report completely to a slow pipe', async () => {
   expect(report.samples.at(-1)[0]).toBeLessThanOrEqual(report.time);
 });
 
-it.runIf(process.platform === 'linux')('reports a full disk behind stdout, with exit code 2', () => {
+it.runIf(process.platform === 'linux')('reports a full disk behind stdout, with exit code 2, also for a report in pieces', () => {
+  const script = `cat good.level.json | tr -d '\\n' >one.ndjson; "$1" "$2" check one.ndjson --format json 2>&1 >/dev/full; echo $?`;
+  const pieces = execFileSync('bash', ['-c', script, '--', process.execPath, MAIN], { cwd, encoding: 'utf8' });
+  expect(pieces).toMatch(/^error: can't write to standard output: .*ENOSPC.*\n2\n$/);
   const text = execFileSync(
     'bash',
     ['-c', '"$1" "$2" check good.level.json 2>&1 >/dev/full; echo $?', '--', process.execPath, MAIN],

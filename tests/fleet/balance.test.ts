@@ -96,3 +96,21 @@ it('gq plan --costs takes results and reports, and the merged report stays the s
     set.remove();
   }
 });
+
+it.each(['-5', '1e400', '1e300'])('gq plan refuses a cost of %s ms, wherever it is', async (ms) => {
+  const set = await makeSet(levelTexts(3));
+  try {
+    const file = 'levels/0000.level.json';
+    writeFileSync(join(set.directory, 'report.json'), `{"levels": [{"file": "${file}", "ms": ${ms}}]}`);
+    mkdirSync(join(set.directory, 'results'));
+    const record = `{"n":0,"file":"${file}","sha256":"${'0'.repeat(64)}","ms":${ms},"result":{}}\n`;
+    writeFileSync(join(set.directory, 'results/shard-0.ndjson'), record);
+    for (const costs of ['report.json', 'results']) {
+      const { code, stderr } = await gq(['plan', ...set.paths, '--shards', '2', '--costs', costs], { cwd: set.directory });
+      expect(code).toBe(2);
+      expect(stderr).toContain(`--costs ${costs}: expected times from 0 to 30000000000 ms, found ${Number(ms)} for ${file}`);
+    }
+  } finally {
+    set.remove();
+  }
+});

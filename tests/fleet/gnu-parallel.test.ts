@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { readdirSync, rmSync } from 'node:fs';
+import { readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
@@ -41,6 +41,23 @@ else {
       const third = script('run');
       expect(third.stderr).not.toContain('written');
       expect([third.status, third.stdout]).toEqual([first.status, first.stdout]);
+    });
+
+    it('goes on with the plan that it is asked for, and with no other', () => {
+      const again = script('run', '11', ...set.paths);
+      expect(again.stderr).toContain('11 shards, 30 levels: each exactly once');
+      const before = results();
+      const other = script('run', '12', ...set.paths);
+      expect(other).toMatchObject({ status: 2, stdout: '' });
+      expect(other.stderr).toContain('run/plan.json: another file is there, and nothing was overwritten');
+      expect(results()).toEqual(before);
+    });
+
+    it('ends as the merge does when that refuses the results', () => {
+      writeFileSync(join(set.directory, 'run/out/shard-3.ndjson'), 'something else\n');
+      const { status, stdout, stderr } = script('run');
+      expect({ status, stdout }).toEqual({ status: 2, stdout: '' });
+      expect(stderr).toContain('run/out/shard-3.ndjson: it does not begin as a result of a shard');
     });
 
     it('says what it expects', () => {

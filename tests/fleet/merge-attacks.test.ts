@@ -1,13 +1,15 @@
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
+import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { gq } from '../cli/gq.ts';
+import { fallThrough, gq } from '../cli/gq.ts';
 import {
   doAll,
   levelTexts,
   makeSet,
   merge,
+  planSet,
   type RecordLine,
   type Result,
   resultLines,
@@ -247,12 +249,46 @@ describe('a merge', () => {
     const before = readFileSync(file);
     writeFileSync(file, `${before}\n`);
     try {
-      const { stderr } = await attack([3], '--replay', 'all');
-      expect(stderr).toContain('levels/0001.level.json: recorded as good, but it is of other bytes');
+      // no alarm: nobody has computed anything else
+      const { stderr } = await attack([2], '--replay', 'all');
+      expect(stderr).toContain(
+        'no result was repeated, as the set is no longer that of the plan: levels/0001.level.json is not as planned',
+      );
       // without replays, the levels are not needed
       await attack([1], '--replay', 'none');
     } finally {
       writeFileSync(file, before);
+    }
+  });
+
+  it('repeats all or nothing: a level that is gone or new is no level that was repeated', async () => {
+    restore();
+    const file = join(set.directory, 'files.tar');
+    const before = readFileSync(file);
+    const more = join(set.directory, 'levels/9999.level.json');
+    try {
+      // the last ones, so that those before them are as planned
+      rmSync(file);
+      await create({ cwd: set.directory, file }, ['inside/0016.level.json']);
+      expect((await attack([2], '--replay', 'all')).stderr).toContain('it has 17 levels, 24 were planned');
+      writeFileSync(file, before);
+      writeFileSync(more, levelTexts(1)[0]);
+      expect((await attack([2], '--replay', 'all')).stderr).toContain('the set is no longer that of the plan');
+    } finally {
+      rmSync(more, { force: true });
+      writeFileSync(file, before);
+    }
+  });
+
+  it('believes in no record that is written in another way, whatever its checksum', async () => {
+    const [header, first, ...rest] = resultLines(set, 0).slice(0, -1);
+    for (const [end, message] of [
+      [',"file":"levels/9.level.json"}', 'other levels than shard 0'],
+      [',"file":{}}', 'was changed: it is not as gq writes it'],
+    ]) {
+      restore();
+      writeResult(set, 0, [header, `${first.slice(0, -1)}${end}`, ...rest]);
+      expect((await attack([2, 3])).stderr).toContain(message);
     }
   });
 
@@ -262,5 +298,54 @@ describe('a merge', () => {
     expect(code).toBe(0);
     expect(stderr).toMatch(/out\/shard-1\.ndjson: already there: \d+ of 24 levels/);
     expect(readFileSync(path(1))).toEqual(kept.get(1));
+  });
+});
+
+describe('a run that a search has found', () => {
+  let searched: TestSet;
+  beforeAll(async () => {
+    // two levels without a run, and one whose own run does not complete it
+    const texts = [{ runs: [] }, { name: 'Second', runs: [] }, { runs: [{ name: 'short', holds: [[0, 1]] }] }].map((more) =>
+      fallThrough({ blackHole: { x: 300, y: 0 }, ...more }),
+    );
+    searched = await makeSet(texts);
+  });
+  afterAll(() => searched.remove());
+
+  /** Does the plan, changes the results of all levels, and merges with all replays. */
+  async function mergeChanged(
+    change: (result: Record<string, unknown>) => Record<string, unknown>,
+    ...options: readonly string[]
+  ): Promise<Result> {
+    rmSync(join(searched.directory, 'out'), { recursive: true, force: true });
+    await planSet(searched, 1, ...options);
+    expect((await runShard(searched, 0)).code).toBe(0);
+    const [header, ...lines] = resultLines(searched, 0).slice(0, -1);
+    const records = lines.map((line) => JSON.parse(line) as RecordLine);
+    writeResult(searched, 0, [header, ...records.map((record) => JSON.stringify({ ...record, result: change(record.result) }))]);
+    return merge(searched, '--replay', 'all');
+  }
+
+  it('is played, and everything that follows from it is compared', async () => {
+    const solve = ['--solve', '--effort', '200000'];
+    const truth = await mergeChanged((result) => result, ...solve);
+    expect(truth.stderr).toContain('3 good results repeated: as recorded');
+    expect(truth.stdout).toContain('in a run that a search found');
+    const lies: ((result: Record<string, unknown>) => Record<string, unknown>)[] = [
+      (result) => ({ ...result, problems: [] }),
+      (result) => ({ ...result, name: 'Other' }),
+      (result) => ({ ...result, report: { ...(result.report as object), hash: '00' } }),
+      (result) => ({ ...result, allow: { 'found-run': 'fine' } }),
+      (result) => ({ ...result, found: [[0, 1]] }),
+      (result) => ({ ...result, found: 'none' }),
+    ];
+    for (const lie of lies) expect(await mergeChanged(lie, ...solve)).toMatchObject({ code: 3, stdout: '' });
+  });
+
+  it('is a lie in a plan without a search', async () => {
+    const found = { verdict: 'completable', found: [[0, 120]], problems: [] };
+    const { code, stdout, stderr } = await mergeChanged((result) => ({ ...result, ...found }));
+    expect({ code, stdout }).toEqual({ code: 3, stdout: '' });
+    expect(stderr).toMatch(/recorded as good, but it is (unproven|broken)/);
   });
 });

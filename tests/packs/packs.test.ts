@@ -1,8 +1,10 @@
-import { existsSync, writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import process from 'node:process';
 import { gzipSync } from 'node:zlib';
 import fc from 'fast-check';
-import { create, Header } from 'tar';
+import { create, Header, replace } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { BatchMaker, sizeOf } from '../../cli/packs/batch.ts';
 import { readTar } from '../../cli/packs/read-tar.ts';
@@ -222,6 +224,20 @@ describe('an archive', () => {
   });
 });
 
+// opening one waits for its writer, and nobody may ever write
+it.skipIf(process.platform === 'win32')('a pack that is a pipe is refused', async () => {
+  execFileSync('mkfifo', [join(place.directory, 'pipe.ndjson')]);
+  for (const args of [
+    ['check', 'pipe.ndjson'],
+    ['plan', 'pipe.ndjson', '--shards', '2'],
+    ['simulate', 'pipe.ndjson#1'],
+  ]) {
+    const { code, stderr } = await gq(args, { cwd: place.directory });
+    expect(code).toBe(2);
+    expect(stderr).toContain("can't be read: it is a named pipe, not a regular file; expected a file");
+  }
+});
+
 describe('an entry of a pack', () => {
   it('is a level for every command, by the name that it has in reports', async () => {
     put('e.ndjson', `${LEVEL}\n{"id": "x", "level": ${fallThrough({ name: 'Second' })}}\n`);
@@ -250,6 +266,61 @@ describe('an entry of a pack', () => {
     put('e.ndjson#9', fallThrough({ name: 'A file' }));
     expect((await simulate('e.ndjson#9')).stdout).toContain('A file');
   });
+});
+
+describe('names that several levels have', () => {
+  it('are for no single one of them', async () => {
+    const other = fallThrough({ name: 'Second' });
+    put(
+      'd.ndjson',
+      [`{"id": "x", "level": ${LEVEL}}`, `{"id": "x", "level": ${other}}`, `{"id": 4, "level": ${LEVEL}}`, other].join('\n'),
+    );
+    const simulate = (name: string) => gq(['simulate', name], { cwd: place.directory });
+    for (const [name, lines] of [
+      ['d.ndjson#x', '1, 2'],
+      ['d.ndjson#4', '3, 4'],
+    ]) {
+      const { code, stderr } = await simulate(name);
+      expect(code).toBe(2);
+      expect(stderr).toContain(`${name}: expected one level of that name, found lines ${lines}`);
+    }
+    expect((await simulate('d.ndjson#2')).stdout).toContain('Second');
+    // as tar --append does it
+    mkdirSync(join(place.directory, 'twice'), { recursive: true });
+    for (const [i, text] of [LEVEL, other].entries()) {
+      put('twice/a.level.json', text);
+      const archive = { cwd: place.directory, file: join(place.directory, 'd.tar') };
+      await (i === 0 ? create(archive, ['twice/a.level.json']) : replace(archive, ['twice/a.level.json']));
+    }
+    const { code, stderr } = await simulate('d.tar#twice/a.level.json');
+    expect(code).toBe(2);
+    expect(stderr).toContain('expected one level of that name, found 2 files');
+  });
+
+  it('a blank line has none', async () => {
+    put('blank.ndjson', `${LEVEL}\n \r\n${LEVEL}`);
+    const { code, stderr } = await gq(['simulate', 'blank.ndjson#2'], { cwd: place.directory });
+    expect(code).toBe(2);
+    expect(stderr).toContain('the pack has no such line or id');
+  });
+
+  it('lead to no other file, whatever they are', async () => {
+    put('dots.ndjson', `{"id": "/../../other", "level": ${fallThrough({ runs: [] })}}`);
+    for (const format of ['junit', 'sarif']) {
+      const { stdout } = await gq(['check', 'dots.ndjson', '--format', format], { cwd: place.directory });
+      expect(stdout).toMatch(format === 'junit' ? /file="dots.ndjson#\/..\/..\/other"/ : /"dots.ndjson%23\/..\/..\/other"/);
+    }
+  });
+});
+
+it('gq fmt leaves packs as they are', async () => {
+  put('one.ndjson', LEVEL);
+  for (const options of [[], ['--check']]) {
+    const { code, stderr } = await gq(['fmt', 'one.ndjson', ...options], { cwd: place.directory });
+    expect(code).toBe(2);
+    expect(stderr).toContain('one.ndjson: it is a pack: expected level files');
+  }
+  expect(readFileSync(join(place.directory, 'one.ndjson'), 'utf8')).toBe(LEVEL);
 });
 
 describe('options for files', () => {

@@ -8,6 +8,7 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { findConfigured, PATHS, pathsOr } from '../../level-paths.ts';
 import { formatOption } from '../../options.ts';
+import { packFormat } from '../../packs/index.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
@@ -100,6 +101,9 @@ function fmtStdin(name: string, { check, format }: FmtOptions): CommandResult {
 }
 
 async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFile> {
+  // a pack with one level would no longer be one
+  if (packFormat(file) !== null)
+    throw new Failure(`${namedPath(file)}: it is a pack: expected level files; leave it out, or unpack it`);
   const bytes = readBytes(file);
   const read = readLevel(bytes, { byteOrderMark: 'skip' });
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };

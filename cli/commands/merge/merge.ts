@@ -10,10 +10,13 @@ import {
   type JobName,
   jobOf,
   mergedRecords,
+  type Plan,
   rangesOf,
   readPlan,
   recordOfLine,
   replaySample,
+  resultsIn,
+  setPaths,
 } from '../../fleet/index.ts';
 import { jobsOption } from '../../options.ts';
 import { chooseReports, type Destination, expectReportFiles, reporterOption, reportFormatOption } from '../../reporters/index.ts';
@@ -88,13 +91,13 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
     one.file === null && options.output !== undefined ? { ...one, file: options.output } : one,
   );
   expectFormats(plan.job, asked);
-  expectReportFiles(asked, [], { 'the plan': options.plan });
+  expectReportFiles(asked, await levelsOf(plan, asked), { 'the plan': options.plan, 'a result': resultsIn(folders) });
   const gathered = await gather(plan, folders);
   const notes = [...gathered.notes, ...gathered.conflicts].map((note) => `${note}\n`).join('');
   if (options.missing !== undefined) return { ...listMissing(options.missing, gathered), messages: notes };
   if (gathered.conflicts.length > 0) {
     return {
-      messages: `${notes}error: results contradict each other; a machine computes otherwise, or a result was changed\n`,
+      messages: `${notes}error: results contradict each other or the plan: a machine computes otherwise, or a result was changed; move the wrong ones away, and do their shards again\n`,
       exitCode: 3,
     };
   }
@@ -121,6 +124,17 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
   const sample = rate === 0 ? 'no result was repeated' : `${plural(replayed.replayed, 'good result')} repeated: as recorded`;
   const whole = `${plural(plan.shards.length, 'shard')}, ${plural(plan.levels, contentsOf(plan.job) === 'plays' ? 'play' : 'level')}: each exactly once; ${sample}\n`;
   return { ...report, messages: notes + whole + (report.messages ?? '') };
+}
+
+/** The files that no report may replace; none where none is written. The levels need not be where the results are merged. */
+async function levelsOf({ job, paths, ignore }: Plan, asked: readonly Destination[]): Promise<readonly string[]> {
+  if (asked.every(({ file }) => file === null)) return [];
+  try {
+    return await setPaths(paths, ignore, contentsOf(job));
+  } catch (error) {
+    if (error instanceof Failure) return [];
+    throw error;
+  }
 }
 
 /** @throws Failure if a report is asked for that the command has not */

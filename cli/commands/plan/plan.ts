@@ -10,8 +10,8 @@ import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planT
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
 import { createStatusLine } from '../../progress.ts';
-import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
+import { readRegularFile } from '../../regular-file.ts';
 import { addSearchOptions, mineralsOption, objectiveOption } from '../../search-options.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
 import { addPlayOptions } from '../../verify/index.ts';
@@ -116,14 +116,23 @@ async function plan(paths: readonly string[], options: Options, command: Command
     line.clear();
   }
   const text = planText(made.plan);
-  const isThere = !(statOrError(output) instanceof Error);
-  if (isThere && !force && Buffer.from(readBytes(output)).toString() !== text) {
-    throw new Failure(
-      `${namedPath(output)}: another file is there, and nothing was overwritten: choose another -o, or replace it with --force`,
-    );
-  }
+  expectReplaceable(output, text, force);
   await writeWhole(output, text);
   return { messages: messages + inWords(output, options, made), exitCode: 0 };
+}
+
+/** @throws Failure if another file is there that is not to be replaced */
+function expectReplaceable(output: string, text: string, force: boolean): void {
+  const stats = statOrError(output);
+  // a device is written to as it is
+  if (stats instanceof Error || !stats.isFile()) return;
+  const there = Buffer.from(readRegularFile(output, Buffer.byteLength(text))).toString();
+  const isPlan = /^\{\s*"gq":\s*"plan"/.test(there);
+  if (there === text || (force && isPlan)) return;
+  const advice = isPlan
+    ? 'choose another -o, or replace it with --force'
+    : `${force ? '--force replaces only plans, and this is none: ' : ''}choose another -o`;
+  throw new Failure(`${namedPath(output)}: another file is there, and nothing was overwritten: ${advice}`);
 }
 
 function inWords(output: string, options: Options, { plan, balanced }: Awaited<ReturnType<typeof makePlan>>): string {
