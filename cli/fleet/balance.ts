@@ -1,9 +1,32 @@
 import FlatQueue from 'flatqueue';
 import { contentHash } from './digest.ts';
-import { keyOfHash, shardByHash } from './rule.ts';
+import { NumberTable } from './number-table.ts';
+import { keyOfHash, shardByKey } from './rule.ts';
 
-/** What levels have cost, ms by name. */
-export type Costs = ReadonlyMap<string, number>;
+/** What levels have cost, ms by name. Names are known by their hashes alone, as there may be millions. */
+export class Costs {
+  private readonly byName = new NumberTable();
+  private total = 0;
+
+  set(name: string, ms: number): void {
+    const key = keyOfName(name);
+    this.total += ms - (this.byName.get(key) ?? 0);
+    this.byName.set(key, ms);
+  }
+
+  get = (name: string): number | undefined => this.byName.get(keyOfName(name));
+
+  /** Of all levels, ms; 1 if there are none. */
+  get mean(): number {
+    return this.byName.size === 0 ? 1 : this.total / this.byName.size;
+  }
+
+  get areAllZero(): boolean {
+    return this.total === 0;
+  }
+}
+
+const keyOfName = (name: string): number => keyOfHash(contentHash(Buffer.from(name)));
 
 /** Levels that a plan assigns at most; the rule spreads the others, which cost less. */
 export const MOST_ASSIGNED = 65_536;
@@ -27,23 +50,24 @@ export async function balance(
   costs: Costs,
   shards: number,
 ): Promise<Balanced> {
-  const mean = costs.size === 0 ? 1 : [...costs.values()].reduce((sum, ms) => sum + ms, 0) / costs.size;
+  const { mean } = costs;
   // levels of the same bytes go to the same shard
-  const byKey = new Map<number, number>();
-  const ruled = new Map<number, number>();
+  const byKey = new NumberTable();
   let known = 0;
   for await (const { name, content } of entries) {
-    const hash = contentHash(content);
     const cost = costs.get(name);
     if (cost !== undefined) known++;
-    const key = keyOfHash(hash);
+    const key = keyOfHash(contentHash(content));
     byKey.set(key, (byKey.get(key) ?? 0) + (cost ?? mean));
-    ruled.set(key, shardByHash(hash, shards));
   }
-  const longestFirst = [...byKey].sort(([a, x], [b, y]) => y - x || a - b);
+  const least = leastAssigned(byKey);
   const loads = new Float64Array(shards);
-  for (const [key, ms] of longestFirst.slice(MOST_ASSIGNED)) loads[ruled.get(key)!] += ms;
-  const longest = longestFirst.slice(0, MOST_ASSIGNED);
+  const longest: Entry[] = [];
+  for (const entry of byKey.entries()) {
+    if (compare(entry, least) <= 0) longest.push(entry);
+    else loads[shardByKey(entry[0], shards)] += entry[1];
+  }
+  longest.sort(compare);
   const takers = addToLeast(
     longest.map(([, ms]) => ms),
     loads,
@@ -52,6 +76,28 @@ export async function balance(
   // the rule may be right already, but a plan without exceptions is no shorter to explain
   for (const [i, [key]] of longest.entries()) assigned[takers[i]].push(key.toString(16).padStart(12, '0'));
   return { assigned: assigned.map((keys) => keys.sort()), expected: [...loads], known };
+}
+
+type Entry = readonly [key: number, ms: number];
+
+/** The longest first. */
+const compare = ([a, x]: Entry, [b, y]: Entry): number => y - x || a - b;
+
+/** The last of the entries that a plan assigns. */
+function leastAssigned(byKey: NumberTable): Entry {
+  const costs = new Float64Array(byKey.size);
+  let at = 0;
+  for (const [, ms] of byKey.entries()) costs[at++] = ms;
+  costs.sort();
+  const ms = costs[Math.max(0, costs.length - MOST_ASSIGNED)] ?? 0;
+  // of those that cost the same, the first by their keys
+  const longer = costs.reduce((count, cost) => count + (cost > ms ? 1 : 0), 0);
+  const keys = Float64Array.from(
+    (function* () {
+      for (const [key, cost] of byKey.entries()) if (cost === ms) yield key;
+    })(),
+  ).sort();
+  return [keys[Math.min(keys.length, MOST_ASSIGNED - longer) - 1] ?? 0, ms];
 }
 
 /**

@@ -4,7 +4,7 @@ import { Failure, systemReason } from '../failure.ts';
 import { statOrError } from '../files.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
-import type { Costs } from './balance.ts';
+import { Costs } from './balance.ts';
 import { LineReader } from './line-reader.ts';
 import { RESULT_FILE } from './result.ts';
 
@@ -25,41 +25,46 @@ export function readCosts(path: string): Costs {
   const stats = statOrError(path);
   if (stats instanceof Error) throw new Failure(`--costs ${namedPath(path)}: ${systemReason(stats)}`);
   const costs = stats.isDirectory() ? costsOfResults(path) : costsOfReport(path);
-  const odd = [...costs].find(([, ms]) => !(ms >= 0 && ms <= LONGEST));
-  if (odd !== undefined) {
-    throw new Failure(
-      `--costs ${namedPath(path)}: expected times from 0 to ${LONGEST} ms, found ${odd[1]} for ${namedPath(odd[0])}: it was changed by hand`,
-    );
-  }
-  if ([...costs.values()].some((ms) => ms > 0)) return costs;
+  if (!costs.areAllZero) return costs;
   throw new Failure(
     `--costs ${namedPath(path)}: it has no times: expected a directory with results of shards, or what gq check --format json has printed`,
   );
 }
 
-function costsOfResults(folder: string): Map<string, number> {
-  const costs = new Map<string, number>();
+/** @throws Failure if it is no time */
+function add(costs: Costs, file: string, ms: number, path: string): void {
+  if (!(ms >= 0 && ms <= LONGEST)) {
+    throw new Failure(
+      `--costs ${namedPath(path)}: expected times from 0 to ${LONGEST} ms, found ${ms} for ${namedPath(file)}: it was changed by hand`,
+    );
+  }
+  costs.set(file, ms);
+}
+
+function costsOfResults(folder: string): Costs {
+  const costs = new Costs();
   for (const name of readdirSync(folder).sort()) {
     if (!RESULT_FILE.test(name)) continue;
     const path = join(folder, name);
     try {
       addCostsOf(path, costs);
     } catch (error) {
+      if (error instanceof Failure) throw error;
       throw new Failure(`--costs ${namedPath(path)}: can't be read: ${systemReason(error)}`);
     }
   }
   return costs;
 }
 
-function addCostsOf(result: string, costs: Map<string, number>): void {
+function addCostsOf(result: string, costs: Costs): void {
   const reader = new LineReader(result);
   for (let line = reader.next(); line !== null; line = reader.next()) {
     const record = RECORD.exec(line.toString('utf8', 0, 2048));
-    if (record !== null) costs.set(JSON.parse(record[1]), Number(record[2]));
+    if (record !== null) add(costs, JSON.parse(record[1]), Number(record[2]), result);
   }
 }
 
-function costsOfReport(path: string): Map<string, number> {
+function costsOfReport(path: string): Costs {
   let report: unknown;
   try {
     report = JSON.parse(Buffer.from(readRegularFile(path, LARGEST)).toString());
@@ -67,10 +72,10 @@ function costsOfReport(path: string): Map<string, number> {
     throw new Failure(`--costs ${namedPath(path)}: can't be read: ${systemReason(error)}`);
   }
   const { levels } = (report ?? {}) as { readonly levels?: unknown };
-  const costs = new Map<string, number>();
+  const costs = new Costs();
   for (const level of Array.isArray(levels) ? levels : []) {
     const { file, ms } = (level ?? {}) as { readonly file?: unknown; readonly ms?: unknown };
-    if (typeof file === 'string' && typeof ms === 'number') costs.set(file, ms);
+    if (typeof file === 'string' && typeof ms === 'number') add(costs, file, ms, path);
   }
   return costs;
 }

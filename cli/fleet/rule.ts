@@ -8,6 +8,9 @@ export interface Assigned {
   readonly shards: Uint16Array;
 }
 
+/** The same by the key of an entry, which begins with the same bits. */
+export const shardByKey = (key: number, shards: number): number => Math.floor(key / 2 ** 16) % shards;
+
 /** How a set is split. */
 export interface Rule {
   readonly shards: number;

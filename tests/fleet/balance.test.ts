@@ -3,13 +3,21 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { balance } from '../../cli/fleet/balance.ts';
+import { balance, Costs, MOST_ASSIGNED } from '../../cli/fleet/balance.ts';
+import { NumberTable } from '../../cli/fleet/number-table.ts';
 import { keyOfHash } from '../../cli/fleet/rule.ts';
 import { gq } from '../cli/gq.ts';
 import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
 
 const hashOf = (text: string): Buffer => createHash('sha256').update(text).digest();
 const keyText = (text: string): string => keyOfHash(hashOf(text)).toString(16).padStart(12, '0');
+
+/** The first levels have cost these. */
+function costsOf(ms: readonly number[]): Costs {
+  const costs = new Costs();
+  for (const [i, one] of ms.entries()) costs.set(`${i}`, one);
+  return costs;
+}
 
 async function* entries(texts: readonly string[]) {
   for (const [i, text] of texts.entries()) yield { name: `${i}`, content: Buffer.from(text) };
@@ -20,7 +28,7 @@ it('spreads levels by cost: each once, no shard beyond 4/3 of the best that is p
   await fc.assert(
     fc.asyncProperty(fc.array(cost, { minLength: 1, maxLength: 200 }), fc.integer({ min: 1, max: 12 }), async (costs, shards) => {
       const texts = costs.map((_, i) => `level ${i}`);
-      const { assigned, expected, known } = await balance(entries(texts), new Map(costs.map((ms, i) => [`${i}`, ms])), shards);
+      const { assigned, expected, known } = await balance(entries(texts), costsOf(costs), shards);
       expect(known).toBe(costs.length);
       expect(assigned.flat().sort()).toEqual(texts.map(keyText).sort());
       const loads = assigned.map((keys) =>
@@ -38,17 +46,40 @@ it('spreads levels by cost: each once, no shard beyond 4/3 of the best that is p
 
 it('counts levels without a known cost as the mean, and levels of the same bytes once for a shard', async () => {
   const texts = ['a', 'b', 'b', 'c'];
-  const { assigned, expected, known } = await balance(
-    entries(texts),
-    new Map([
-      ['0', 3],
-      ['1', 1],
-    ]),
-    2,
-  );
+  const { assigned, expected, known } = await balance(entries(texts), costsOf([3, 1]), 2);
   expect(known).toBe(2);
   expect(expected.reduce((sum, ms) => sum + ms, 0)).toBe(3 + 1 + 2 + 2);
   expect(assigned.flat().filter((key) => key === keyText('b'))).toHaveLength(1);
+});
+
+it('assigns no more levels than a plan may have, those that cost most, and leaves the others to the rule', async () => {
+  const count = MOST_ASSIGNED + 50;
+  const texts = Array.from({ length: count }, (_, i) => `level ${i}`);
+  // 20 long ones; of the others, which cost the same, some are assigned
+  const costs = texts.map((_, i) => (i % 3000 === 7 ? 1000 + i : 1));
+  const { assigned, expected } = await balance(entries(texts), costsOf(costs), 4);
+  const keys = new Set(assigned.flat());
+  expect(keys.size).toBe(MOST_ASSIGNED);
+  for (const [i, text] of texts.entries()) if (costs[i] > 1) expect(keys).toContain(keyText(text));
+  expect(expected.reduce((sum, ms) => sum + ms, 0)).toBeCloseTo(
+    costs.reduce((sum, ms) => sum + ms, 0),
+    3,
+  );
+});
+
+it('a table of numbers has what a Map has', () => {
+  const key = fc.oneof(fc.nat(50), fc.nat(2 ** 30), fc.constantFrom(1024, 2048, 2 ** 47));
+  fc.assert(
+    fc.property(fc.array(fc.tuple(key, fc.double({ noNaN: true })), { maxLength: 2000, size: 'max' }), (pairs) => {
+      const table = new NumberTable();
+      for (const [at, value] of pairs) table.set(at, value);
+      const map = new Map(pairs);
+      expect(table.size).toBe(map.size);
+      expect(new Map(table.entries())).toEqual(map);
+      for (const [at, value] of map) expect(table.get(at)).toBe(value);
+      expect(table.get(51)).toBe(map.get(51));
+    }),
+  );
 });
 
 it('gq plan --costs takes results and reports, and the merged report stays the same', async () => {
@@ -105,10 +136,13 @@ it.each(['-5', '1e400', '1e300'])('gq plan refuses a cost of %s ms, wherever it 
     mkdirSync(join(set.directory, 'results'));
     const record = `{"n":0,"file":"${file}","sha256":"${'0'.repeat(64)}","ms":${ms},"result":{}}\n`;
     writeFileSync(join(set.directory, 'results/shard-0.ndjson'), record);
-    for (const costs of ['report.json', 'results']) {
+    for (const [costs, where] of [
+      ['report.json', 'report.json'],
+      ['results', 'results/shard-0.ndjson'],
+    ]) {
       const { code, stderr } = await gq(['plan', ...set.paths, '--shards', '2', '--costs', costs], { cwd: set.directory });
       expect(code).toBe(2);
-      expect(stderr).toContain(`--costs ${costs}: expected times from 0 to 30000000000 ms, found ${Number(ms)} for ${file}`);
+      expect(stderr).toContain(`--costs ${where}: expected times from 0 to 30000000000 ms, found ${Number(ms)} for ${file}`);
     }
   } finally {
     set.remove();
