@@ -2,8 +2,8 @@ import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'no
 import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
 import type { Ignore } from './ignore.ts';
-import { entryName } from './packs/index.ts';
-import { namedPath } from './shown-path.ts';
+import { entryName, packFormat } from './packs/index.ts';
+import { namedPath, shellPath } from './shown-path.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
 
@@ -62,7 +62,8 @@ async function expand(
     if (found.length > 0 || unreadable.length > before) return without(found, leftOut);
     // as below, the schema comes with it
     const { isNearlyLevelName, nearLevelsHint } = await import('./near-levels.ts');
-    return `the directory contains no *.level.json${nearLevelsHint(walk(path, isNearlyLevelName, []))}`;
+    const near = nearLevelsHint(walk(path, isNearlyLevelName, []));
+    return `the directory contains no *.level.json${near}${packsHint(path)}`;
   }
   const entry = entryName(path);
   if (entry !== null && !(statOrError(entry.pack) instanceof Error)) return [path];
@@ -155,4 +156,12 @@ export function statOrError(path: string): Stats | Error {
   } catch (error) {
     return error as Error;
   }
+}
+
+/** For a directory without a level file: that packs in it are to be named. */
+function packsHint(directory: string): string {
+  const [pack, ...more] = walk(directory, (name) => packFormat(name) !== null, []);
+  if (pack === undefined) return '';
+  const count = more.length === 0 ? 'a pack' : `${more.length + 1} packs`;
+  return `; it has ${count}, which must be named: ${shellPath(pack)}`;
 }

@@ -1,7 +1,8 @@
-import { appendFileSync, mkdirSync } from 'node:fs';
+import { appendFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 import type { ResultFile } from './command.ts';
 import { Failure, systemReason } from './failure.ts';
+import { makeFolders } from './make-folders.ts';
 import { uncut } from './signals.ts';
 import { writePieces, writeWhole } from './write-file.ts';
 
@@ -42,7 +43,7 @@ async function write({ path, content, mode }: ResultFile): Promise<void> {
 
 function makeFolder(path: string): void {
   try {
-    mkdirSync(dirname(path), { recursive: true });
+    makeFolders(dirname(path));
   } catch (error) {
     throw new Failure(`${path}: its folder can't be made: ${systemReason(error)}`);
   }

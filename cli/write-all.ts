@@ -1,6 +1,7 @@
-import { mkdirSync, rmdirSync, rmSync } from 'node:fs';
+import { rmdirSync, rmSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
+import { makeFolders } from './make-folders.ts';
 import { readRegularFile } from './regular-file.ts';
 import { namedPath } from './shown-path.ts';
 import { allOrNone } from './signals.ts';
@@ -78,7 +79,7 @@ export async function writeAll(files: readonly PlannedFile[], named: (folder: st
 /** @returns the outermost folder that was made, if any */
 function makeFolder(folder: string, named: (folder: string) => string): string | undefined {
   try {
-    return mkdirSync(folder, { recursive: true });
+    return makeFolders(folder);
   } catch (error) {
     const reason = systemReason(error);
     throw new Failure(`${named(folder)}: the directory can't be created: ${reason}; expected a directory that can be written`);

@@ -4,6 +4,7 @@ import { dirname, join, resolve } from 'node:path';
 import { renamePatiently } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { statOrError } from '../files.ts';
+import { makeFolders } from '../make-folders.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import { allOrNone, uncut } from '../signals.ts';
@@ -163,12 +164,12 @@ async function writeNew({ site, shown, files }: SitePlan): Promise<void> {
   let made: string | undefined;
   const steps = [
     () => {
-      made = mkdirSync(above, { recursive: true });
+      made = makeFolders(above);
       mkdirSync(unfinished);
     },
     ...files.map(({ name, content }) => () => {
       const path = join(unfinished, name);
-      mkdirSync(dirname(path), { recursive: true });
+      makeFolders(dirname(path));
       writeFileSync(path, content, { flag: 'wx' });
     }),
     // fails if somebody has put something there meanwhile

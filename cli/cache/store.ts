@@ -1,6 +1,7 @@
-import { mkdirSync, readdirSync, rmdirSync, rmSync, statSync } from 'node:fs';
+import { readdirSync, rmdirSync, rmSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { replaceSpareFile, UNFINISHED } from '../disk.ts';
+import { makeFolders } from '../make-folders.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { uncut } from '../signals.ts';
 import { joinShard, makeRecord, type RecordLine, splitShard, textOf } from './records.ts';
@@ -99,7 +100,7 @@ const MARKS = [
 /** Whether the folder was made; false if it is there already, or can't be made. */
 function makeFolder(folder: string): boolean {
   try {
-    return mkdirSync(folder, { recursive: true }) !== undefined;
+    return makeFolders(folder) !== undefined;
   } catch {
     return false;
   }

@@ -1,8 +1,9 @@
-import { mkdirSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { readdirSync, rmSync, statSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { dirname, isAbsolute, join } from 'node:path';
 import process from 'node:process';
 import { replaceFile } from '../disk.ts';
+import { makeFolders } from '../make-folders.ts';
 import { readRegularFile } from '../regular-file.ts';
 
 /** bytes; a port number is shorter */
@@ -38,7 +39,7 @@ export function lastPort(folder: string): number | null {
 export function keepPort(folder: string, port: number): void {
   try {
     const file = fileOf(folder);
-    mkdirSync(dirname(file), { recursive: true });
+    makeFolders(dirname(file));
     replaceFile(file, Buffer.from(`${port}\n`), () => {});
     forgetOldest(dirname(file));
   } catch {

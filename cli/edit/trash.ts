@@ -2,6 +2,7 @@ import { lstatSync, mkdirSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { TrashEntry } from '../../schema/index.ts';
 import { createFile, isTaken, moveFile } from '../disk.ts';
+import { makeFolders } from '../make-folders.ts';
 import { findLevels, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { Refusal } from './refusal.ts';
 
@@ -31,7 +32,7 @@ export function moveToTrash(root: string, { id, path }: LevelFileFound, now: Dat
   const stamp = makeStampFolder(root, now);
   const { folder, name } = splitId(id);
   const to = pathOfNew(join(root, TRASH, stamp), folder, name);
-  mkdirSync(dirname(to), { recursive: true });
+  makeFolders(dirname(to));
   if (!moveFile(path, to)) throw new Error(`${to} was created in the meantime`);
   return { trash: `${stamp}/${id}`, id, deleted: now.toISOString() };
 }

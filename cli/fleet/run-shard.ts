@@ -1,5 +1,6 @@
-import { lstatSync, mkdirSync } from 'node:fs';
+import { lstatSync } from 'node:fs';
 import { Failure, systemReason } from '../failure.ts';
+import { makeFolders } from '../make-folders.ts';
 import { type Batch, entriesOf, readSet, sizeOf } from '../packs/index.ts';
 import { readBytes } from '../read-bytes.ts';
 import { namedPath } from '../shown-path.ts';
@@ -48,7 +49,7 @@ export async function runShard(
   },
 ): Promise<ShardOutcome> {
   const path = resultPath(folder, shard);
-  tryTo(folder, () => mkdirSync(folder, { recursive: true }));
+  tryTo(folder, () => makeFolders(folder));
   const before = whatIsThere(path, plan, shard);
   if (before?.state === 'complete') return { status: 'already there', path, levels: before.levels };
   const { job } = plan;

@@ -1,9 +1,9 @@
-import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { formatLevel, MAX_FILE_SIZE } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
 import { createFile, tryFolder } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
+import { makeFolders } from '../make-folders.ts';
 import { NotAFile, readRegularFile } from '../regular-file.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { namedPath } from '../shown-path.ts';
@@ -43,7 +43,7 @@ export function makeDirectory(directory: string): void {
     throw new Failure(`--out ${namedPath(directory)}: ${what}: ${reason}; expected a directory that can be written`);
   };
   try {
-    mkdirSync(directory, { recursive: true });
+    makeFolders(directory);
   } catch (error) {
     fail("the directory can't be created", error);
   }

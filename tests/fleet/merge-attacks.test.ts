@@ -4,6 +4,7 @@ import fc from 'fast-check';
 import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { fallThrough, gq } from '../cli/gq.ts';
+import { changed, placesIn } from './mistakes.ts';
 import {
   doAll,
   levelTexts,
@@ -103,6 +104,36 @@ describe('a merge', () => {
       expect(code).toBe(3);
       expect(stderr).toContain('out/shard-0.ndjson: it has other levels than shard 0 of the plan');
     }
+  });
+
+  it('refuses any change of a good result when all are repeated, and gives no report of what it cannot read', async () => {
+    await fc.assert(
+      fc.asyncProperty(fc.nat(SHARDS - 1), fc.nat(), fc.nat(), fc.nat(3), async (shard, which, where, how) => {
+        restore();
+        const records = recordsOf(shard);
+        const at = which % records.length;
+        const { result } = records[at];
+        const places = placesIn(result);
+        const place = places[where % places.length];
+        const lied = changed(result, place, (holder, key) => {
+          const value = holder[key];
+          if (how === 0) delete holder[key];
+          else if (how === 1) holder[key] = { unheardOf: value };
+          else if (how === 2) holder[key] = null;
+          else holder[key] = typeof value === 'number' ? value + 1 : `${value}x`;
+        });
+        if (JSON.stringify(lied) === JSON.stringify(result)) return;
+        lie(shard, () => records.map((record, i) => (i === at ? { ...record, result: lied as typeof result } : record)));
+        const { code, stdout, stderr } = await merge(set, '--format', 'json', '--replay', 'all');
+        expect(stderr).not.toContain('This is a bug in gq');
+        const isGood = result.verdict === 'completable';
+        // a level that fails may be said to fail for another reason
+        expect(isGood ? [3] : [1, 2, 3], `${place.join('.')}: ${stderr}`).toContain(code);
+        if (code === 3) expect(stdout).toBe('');
+        if (stdout !== '') expect(JSON.parse(stdout).summary.completable).toBe(JSON.parse(truth).summary.completable);
+      }),
+      { numRuns: 60 },
+    );
   });
 
   it('turns no red level green when all good results are repeated', async () => {

@@ -120,7 +120,15 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
   function* records() {
     for (const line of mergedRecords(results)) yield recordOfLine(line);
   }
-  const report = await jobOf(plan.job).report(records, plan.report, asked, { quiet: options.quiet, withTimes: false });
+  let report: CommandResult;
+  try {
+    report = await jobOf(plan.job).report(records, plan.report, asked, { quiet: options.quiet, withTimes: false });
+  } catch (error) {
+    if (error instanceof Failure) throw error;
+    // no shard writes a record that can't be read; one without a good result is not repeated
+    const why = `a record is not as gq writes it (${error instanceof Error ? error.message : error})`;
+    return { messages: `${notes}error: ${why}: a result was changed; do the shards again\n`, exitCode: 3 };
+  }
   const sample = rate === 0 ? 'no result was repeated' : `${plural(replayed.replayed, 'good result')} repeated: as recorded`;
   const whole = `${plural(plan.shards.length, 'shard')}, ${plural(plan.levels, contentsOf(plan.job) === 'plays' ? 'play' : 'level')}: each exactly once; ${sample}\n`;
   return { ...report, messages: notes + whole + (report.messages ?? '') };

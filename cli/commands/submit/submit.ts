@@ -1,4 +1,4 @@
-import { accessSync, constants, existsSync, mkdirSync, realpathSync } from 'node:fs';
+import { accessSync, constants, existsSync, realpathSync } from 'node:fs';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Argument, type Command } from 'commander';
@@ -20,6 +20,7 @@ import {
   submitJob,
   USUAL_ARRAY_SIZE,
 } from '../../fleet/index.ts';
+import { makeFolders } from '../../make-folders.ts';
 import { wholeNumberOption } from '../../options.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
 import { hearSignals } from '../../signals.ts';
@@ -150,7 +151,7 @@ function fitOrWarn({ shards }: SlurmOrder, total: number): string {
 function makeFolder(out: string): void {
   const logs = logsOf(out);
   try {
-    mkdirSync(logs, { recursive: true });
+    makeFolders(logs);
     for (const folder of [out, logs]) accessSync(folder, constants.W_OK | constants.X_OK);
   } catch (error) {
     throw new Failure(

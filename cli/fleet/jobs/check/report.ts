@@ -1,8 +1,9 @@
-import type { SeverityMap } from '../../../../schema/index.ts';
+import { type SeverityMap, VERDICTS } from '../../../../schema/index.ts';
 import { type CheckedLevel, exitCodeFor, isGood, judgeOf, tooManyWarnings, totalsOf } from '../../../check/index.ts';
 import type { CommandResult } from '../../../command.ts';
 import { type Destination, reportCheck } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
+import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';
 import { Listed } from '../listed.ts';
 import { levelOf } from './record.ts';
@@ -27,7 +28,10 @@ export async function reportCheckOf(
 ): Promise<CommandResult> {
   const judge = await judgeOf({ severity });
   function* levels(): Generator<CheckedLevel> {
-    for (const { file, ms, result } of records()) yield judge(levelOf(file, withTimes ? ms : 0, result));
+    for (const { file, ms, result } of records()) {
+      expectVerdict(result.verdict, VERDICTS);
+      yield judge(levelOf(file, withTimes ? ms : 0, result));
+    }
   }
   const listed = new Listed<CheckedLevel>();
   function* collected(): Generator<CheckedLevel> {

@@ -4,6 +4,7 @@ import type { CommandResult } from '../../../command.ts';
 import { difficultyPretty, type MeasuredLevel, measuredJson } from '../../../difficulty/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
+import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';
 import { Listed, unlistedInWords } from '../listed.ts';
 import { jsonWithLevels, plainReport } from '../plain-report.ts';
@@ -23,6 +24,7 @@ export function reportMeasured(
   for (const { file, result } of records()) {
     const level = levelOf(file, result);
     const { difficulty } = level;
+    expectVerdict(level.code, difficulty === null ? [1, 2] : [0]);
     total++;
     code = Math.max(code, level.code) as typeof code;
     if (difficulty !== null) {

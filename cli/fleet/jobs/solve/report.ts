@@ -6,6 +6,7 @@ import { alignColumns, percent, problemJson, showFileProblems } from '../../../r
 import type { Destination } from '../../../reporters/index.ts';
 import { visibleLine } from '../../../visible.ts';
 import type { Json, ShardRecord } from '../../job.ts';
+import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';
 import { Listed, unlistedInWords } from '../listed.ts';
 import { jsonWithLevels, plainReport } from '../plain-report.ts';
@@ -34,6 +35,7 @@ export function reportSolved(
   let failed = 0;
   for (const level of levels()) {
     const { verdict, unreadable } = level;
+    expectVerdict(verdict, Object.keys(summary));
     summary[verdict]++;
     if (verdict === 'crashed' || unreadable) failed++;
     if (!quiet || verdict !== 'found') listed.add(level, verdict === 'found');

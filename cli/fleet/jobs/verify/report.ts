@@ -1,9 +1,10 @@
-import type { VerifyReport } from '../../../../schema/index.ts';
+import { type VerifyReport, verifyReportSchema } from '../../../../schema/index.ts';
 import type { CommandResult } from '../../../command.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import { countsPretty, playPretty } from '../../../verify/index.ts';
 import { visibleLine } from '../../../visible.ts';
 import type { ShardRecord } from '../../job.ts';
+import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';
 import { Listed, unlistedInWords } from '../listed.ts';
 import { plainReport } from '../plain-report.ts';
@@ -30,6 +31,7 @@ export function reportVerified(
       continue;
     }
     const { verdict } = report;
+    expectVerdict(verdict, verifyReportSchema.shape.verdict.options);
     counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
     if (!quiet || verdict !== 'ok') listed.add(report, verdict === 'ok');
   }
