@@ -26,10 +26,17 @@ export function unwrap(line: Uint8Array): Unwrapped {
   const tail = Math.max(from, bytes.length - NEAR);
   const end = END.exec(bytes.toString('latin1', tail));
   if (end === null) return whole;
-  const id = begin[1] ?? end[1];
+  const text = begin[1] ?? end[1];
   if (begin[1] !== undefined && end[1] !== undefined) return whole;
-  return {
-    id: id === undefined ? null : String(JSON.parse(Buffer.from(id, 'latin1').toString('utf8'))),
-    content: line.subarray(from, tail + end.index),
-  };
+  const id = text === undefined ? null : idOf(text);
+  return id === undefined ? whole : { id, content: line.subarray(from, tail + end.index) };
+}
+
+/** @param text the id as JSON; undefined if it is none, such as one with a tab or an unknown escape */
+function idOf(text: string): string | undefined {
+  try {
+    return String(JSON.parse(Buffer.from(text, 'latin1').toString('utf8')));
+  } catch {
+    return undefined;
+  }
 }
