@@ -125,42 +125,72 @@ export function createSimulation(scene: Scene, budget: WorkBudget = unlimited(),
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
   const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
   const budget = options.budget ?? unlimited();
-  const { recorder, simulation, stopped } = play(scene, joinHolds(holds), maxTicks, budget, options.record ?? true);
-  const limitTick = stopped === null ? maxTicks : simulation.tick;
+  const keeps = options.record ?? true;
+  const played = play(scene, joinHolds(holds), maxTicks, budget, keeps);
+  const again = keeps ? null : (): Run => budget.lend(() => simulate(scene, holds, { ...options, record: true }));
+  return new SimulatedRun(played, maxTicks, budget, again);
+}
 
-  const ending = simulation.ending;
-  const outcome = ending?.outcome ?? 'timeout';
-  const { events } = recorder;
-  const state = new Float64Array(STATE_SIZE);
-  simulation.readState(state);
-  // some callers need these, and they cost more than the run itself: computed on demand
-  let clearance: Clearance | null | undefined;
-  let hash: string | undefined;
-  const again = (): Run => budget.lend(() => simulate(scene, holds, { ...options, record: true }));
-  const isKept = options.record ?? true;
-  return {
-    outcome,
-    with: ending?.with ?? null,
-    time: ending?.time ?? limitTick * TICK,
-    tick: ending?.tick ?? limitTick,
-    minerals: events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : [])),
-    events,
-    get clearance() {
-      if (clearance === undefined) clearance = isKept ? recorder.clearance() : again().clearance;
-      return clearance;
-    },
-    final: { x: state[0], y: state[1], vx: state[2], vy: state[3], cos: state[4], sin: state[5] },
-    get trajectory() {
-      return isKept ? recorder : again().trajectory;
-    },
-    work: simulation.work,
-    modes: simulation.modes,
-    get hash() {
-      if (hash === undefined) hash = isKept ? hashRun(recorder, events, state, outcome, budget) : again().hash;
-      return hash;
-    },
-    stopped,
-  };
+/**
+ * A run whose costly parts are computed on demand. It is a class because V8 makes a hidden class of its own for each object
+ * literal with getters; these live long, and keep the whole run and its scene in memory until the next full collection.
+ */
+class SimulatedRun implements Run {
+  readonly outcome: Outcome;
+  readonly with: Touched | null;
+  readonly time: number;
+  readonly tick: number;
+  readonly minerals: Run['minerals'];
+  readonly events: readonly RunEvent[];
+  readonly final: State;
+  readonly work: Work;
+  readonly modes: readonly Mode[];
+  readonly stopped: Run['stopped'];
+  private readonly recorder: Played['recorder'];
+  private readonly end = new Float64Array(STATE_SIZE);
+  private knownClearance: Clearance | null | undefined;
+  private knownHash: string | undefined;
+
+  /** @param again - plays the run again with a recording; null if it has one */
+  constructor(
+    { recorder, simulation, stopped }: Played,
+    maxTicks: number,
+    private readonly budget: WorkBudget,
+    private readonly again: (() => Run) | null,
+  ) {
+    const limitTick = stopped === null ? maxTicks : simulation.tick;
+    const { ending } = simulation;
+    const { events } = recorder;
+    const { end } = this;
+    simulation.readState(end);
+    this.outcome = ending?.outcome ?? 'timeout';
+    this.with = ending?.with ?? null;
+    this.time = ending?.time ?? limitTick * TICK;
+    this.tick = ending?.tick ?? limitTick;
+    this.minerals = events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : []));
+    this.events = events;
+    this.final = { x: end[0], y: end[1], vx: end[2], vy: end[3], cos: end[4], sin: end[5] };
+    this.work = simulation.work;
+    this.modes = simulation.modes;
+    this.stopped = stopped;
+    this.recorder = recorder;
+  }
+
+  get clearance(): Clearance | null {
+    if (this.knownClearance === undefined)
+      this.knownClearance = this.again === null ? this.recorder.clearance() : this.again().clearance;
+    return this.knownClearance;
+  }
+
+  get trajectory(): Trajectory {
+    return this.again === null ? this.recorder : this.again().trajectory;
+  }
+
+  get hash(): string {
+    const { recorder, events, end, outcome, budget, again } = this;
+    this.knownHash ??= again === null ? hashRun(recorder, events, end, outcome, budget) : again().hash;
+    return this.knownHash;
+  }
 }
 
 interface Played {

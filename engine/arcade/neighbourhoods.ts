@@ -196,12 +196,12 @@ export class Neighbourhoods {
     square.addMinerals();
     square.addRepulsors();
     for (const list of this.discs) square.addDiscs(list);
-    return square.taken().length === 0;
+    return square.counted() === 0;
   }
 
   private rivalsIn(): number {
     this.square.addRivals();
-    return this.square.taken().length;
+    return this.square.counted();
   }
 }
 

@@ -50,6 +50,13 @@ export class Square {
     return list;
   }
 
+  /** Empties the list and returns how many it had. */
+  counted(): number {
+    const count = this.found.length;
+    this.found.length = 0;
+    return count;
+  }
+
   /** Adds what ends the run by touch, by its code: 0 is the black hole, novae begin at 1, targets at 1 + novae. */
   addDeadly(): void {
     const { novae, targets, coldCount, level, box } = this.scene;

@@ -119,10 +119,7 @@ export class PieceRecorder implements Recorder, Trajectory {
     this.reader ??= new ContinuousSimulation(WHOLE_METHOD, this.scene, null, this.budget);
     if (this.readerAt === piece) return this.reader;
     this.readerAt = piece;
-    this.reader.resumePiece(this.pieces, piece, (chasers, rocks) => {
-      this.chasers?.seek(piece, chasers);
-      this.rocks?.seek(piece, rocks);
-    });
+    this.reader.resumePiece(this.pieces, piece, this.chasers, this.rocks);
     return this.reader;
   }
 

@@ -1,3 +1,4 @@
+import type { ChangeLog } from '../change-log.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import {
   ALERTNESS,
@@ -146,12 +147,14 @@ export class ContinuousSimulation implements Simulation {
 
   /**
    * Puts the simulation on piece `i` of a record, to be read but not advanced.
-   * @param others - writes the chasers and asteroids of that time
+   * @param chasers - where the chasers were; null if there are none
+   * @param rocks - where the asteroids were; null if they don't move
    */
-  resumePiece(pieces: PackedPieces, i: number, others: (chasers: Float64Array, rocks: Float64Array) => void): void {
+  resumePiece(pieces: PackedPieces, i: number, chasers: ChangeLog | null, rocks: ChangeLog | null): void {
     const { motion } = this;
     pieces.restore(i, motion);
-    others(motion.s.subarray(motion.chasers, motion.rocks), motion.s.subarray(motion.rocks, motion.minerals));
+    chasers?.seek(i, motion.s.subarray(motion.chasers, motion.rocks));
+    rocks?.seek(i, motion.s.subarray(motion.rocks, motion.minerals));
     this.resume();
   }
 
