@@ -146,22 +146,20 @@ class SimulatedRun implements Run {
   readonly work: Work;
   readonly modes: readonly Mode[];
   readonly stopped: Run['stopped'];
-  private readonly recorder: Played['recorder'];
-  private readonly end = new Float64Array(STATE_SIZE);
-  private knownClearance: Clearance | null | undefined;
-  private knownHash: string | undefined;
+  // hidden from whoever copies, compares or prints a run
+  readonly #recorder: Played['recorder'];
+  readonly #end = new Float64Array(STATE_SIZE);
+  readonly #budget: WorkBudget;
+  readonly #again: (() => Run) | null;
+  #clearance: Clearance | null | undefined;
+  #hash: string | undefined;
 
   /** @param again - plays the run again with a recording; null if it has one */
-  constructor(
-    { recorder, simulation, stopped }: Played,
-    maxTicks: number,
-    private readonly budget: WorkBudget,
-    private readonly again: (() => Run) | null,
-  ) {
+  constructor({ recorder, simulation, stopped }: Played, maxTicks: number, budget: WorkBudget, again: (() => Run) | null) {
     const limitTick = stopped === null ? maxTicks : simulation.tick;
     const { ending } = simulation;
     const { events } = recorder;
-    const { end } = this;
+    const end = this.#end;
     simulation.readState(end);
     this.outcome = ending?.outcome ?? 'timeout';
     this.with = ending?.with ?? null;
@@ -173,23 +171,26 @@ class SimulatedRun implements Run {
     this.work = simulation.work;
     this.modes = simulation.modes;
     this.stopped = stopped;
-    this.recorder = recorder;
+    this.#recorder = recorder;
+    this.#budget = budget;
+    this.#again = again;
   }
 
   get clearance(): Clearance | null {
-    if (this.knownClearance === undefined)
-      this.knownClearance = this.again === null ? this.recorder.clearance() : this.again().clearance;
-    return this.knownClearance;
+    if (this.#clearance === undefined) {
+      this.#clearance = this.#again === null ? this.#recorder.clearance() : this.#again().clearance;
+    }
+    return this.#clearance;
   }
 
   get trajectory(): Trajectory {
-    return this.again === null ? this.recorder : this.again().trajectory;
+    return this.#again === null ? this.#recorder : this.#again().trajectory;
   }
 
   get hash(): string {
-    const { recorder, events, end, outcome, budget, again } = this;
-    this.knownHash ??= again === null ? hashRun(recorder, events, end, outcome, budget) : again().hash;
-    return this.knownHash;
+    this.#hash ??=
+      this.#again === null ? hashRun(this.#recorder, this.events, this.#end, this.outcome, this.#budget) : this.#again().hash;
+    return this.#hash;
   }
 }
 
