@@ -26,7 +26,10 @@ export interface State {
   readonly sin: number;
 }
 
-/** A complete run, as {@link simulate} gives it. */
+/**
+ * A complete run, as {@link simulate} gives it. `clearance`, `trajectory` and `hash` are getters: a copy made with `{ ...run }` has
+ * none of them.
+ */
 export interface Run {
   /** How the run ended. */
   readonly outcome: Outcome;
