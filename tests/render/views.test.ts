@@ -112,8 +112,9 @@ test('a picture without words has only the scene', () => {
 test('a fan distinguishes runs that still complete the level from those that fail', () => {
   const full = level(FULL);
   const fan = [HOLDS, []].map((holds) => simulate(compile(full), holds));
-  const completed = { ...fan[0], outcome: 'completed' as const };
-  const failed = { ...fan[1], outcome: 'lost' as const };
+  // a copy has no trajectory of its own
+  const completed = { ...fan[0], trajectory: fan[0].trajectory, outcome: 'completed' as const };
+  const failed = { ...fan[1], trajectory: fan[1].trajectory, outcome: 'lost' as const };
   const kinds = (svg: string) => [count(svg, 'fan-completed'), count(svg, 'fan-failed')];
   expect(kinds(renderSvg(full, { fan: [completed, failed] }))).toEqual([1, 1]);
   expect(kinds(renderSvg(full, { fan: [completed] }))).toEqual([1, 0]);
