@@ -8,32 +8,16 @@ import { dirname } from 'node:path';
  * @throws system errors
  */
 export function makeFolders(folder: string): string | undefined {
-  if (isMade(folder)) return folder;
   if (isFolder(folder)) return undefined;
-  const outermost = makeFolders(dirname(folder));
-  // another process may make it, too
-  if (!isFolder(folder)) makeOne(folder);
-  return outermost ?? folder;
-}
-
-/** Whether a folder was made; false if it is there, or those above it are missing. */
-function isMade(folder: string): boolean {
-  try {
-    mkdirSync(folder);
-    return true;
-  } catch (error) {
-    if (isFolder(folder)) return false;
-    if ((error as NodeJS.ErrnoException).code === 'ENOENT' && dirname(folder) !== folder) return false;
-    throw error;
-  }
-}
-
-function makeOne(folder: string): void {
+  const above = dirname(folder);
+  const outermost = above === folder ? undefined : makeFolders(above);
   try {
     mkdirSync(folder);
   } catch (error) {
+    // another process may have made it
     if (!isFolder(folder)) throw error;
   }
+  return outermost ?? folder;
 }
 
 const isFolder = (path: string): boolean => statSync(path, { throwIfNoEntry: false })?.isDirectory() === true;

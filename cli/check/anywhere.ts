@@ -1,6 +1,6 @@
+import { nameOfFile } from '../name-of-file.ts';
 import { shellPath } from '../shown-path.ts';
 import type { CheckedLevel } from './checked-level.ts';
-import { nameOfFile } from './refused-level.ts';
 
 /** Stands for the path of a valid level in its problems, so that the report does not depend on where the file lies. */
 export const ANYWHERE = '\0level\0';

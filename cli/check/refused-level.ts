@@ -1,4 +1,4 @@
-import { basename } from 'node:path';
+import { nameOfFile } from '../name-of-file.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { CheckedLevel } from './checked-level.ts';
 
@@ -26,9 +26,6 @@ const problemOfFile = (code: string, message: string, hint: string): ShownProble
   column: null,
   frame: null,
 });
-
-/** The name of a file without its ending. */
-export const nameOfFile = (file: string): string => basename(file).replace(/(\.level)?\.json$/, '');
 
 /** The report for a file of which only the problems are known. */
 export function refusedLevel(file: string, verdict: 'invalid' | 'crashed', problems: readonly ShownProblem[]): CheckedLevel {

@@ -1,4 +1,3 @@
-import { basename } from 'node:path';
 import {
   assessLevel,
   type Change,
@@ -11,6 +10,7 @@ import {
 } from '../../review/index.ts';
 import { conflictProblems, type LevelReading, type OwnRules, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
+import { nameOfFile } from '../name-of-file.ts';
 import type { FileVersion } from './comparison.ts';
 import type { DiffedLevel, DiffSettings, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
 
@@ -76,8 +76,7 @@ const isUndecided = ({ document }: ValidReading): boolean => (document.file.conf
 
 function judge({ file: { path: file }, read }: Version, settings: DiffSettings): JudgedVersion {
   if (!read.ok) {
-    const name = basename(file).replace(/(\.level)?\.json$/, '');
-    return { file, name, verdict: 'invalid', problems: showProblems(read.problems, read.text), standing: null };
+    return { file, name: nameOfFile(file), verdict: 'invalid', problems: showProblems(read.problems, read.text), standing: null };
   }
   const undecided = conflictProblems(read.document.file, read.document.locate);
   if (undecided.length > 0) {

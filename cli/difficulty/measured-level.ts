@@ -1,9 +1,9 @@
-import { basename } from 'node:path';
 import type { ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
 import type { Accuracy } from '../../engine/index.ts';
 import type { Hold, OwnRules } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import type { Failure } from '../failure.ts';
+import { nameOfFile } from '../name-of-file.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { LevelPlays } from './plays/index.ts';
 
@@ -31,7 +31,7 @@ export interface MeasuredLevel {
 export const nothingOf = (file: string) =>
   ({
     file,
-    name: basename(file).replace(/(\.level)?\.json$/, ''),
+    name: nameOfFile(file),
     runName: null,
     difficulty: null,
     curve: [],

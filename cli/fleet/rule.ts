@@ -1,5 +1,11 @@
+/** Bytes of a key. */
+const KEY = 6;
+
+/** The key of an entry: the first 48 bits of the hash of its bytes. */
+export const keyOfHash = (hash: Buffer): number => hash.readUIntBE(0, KEY);
+
 /** The shard of an entry, unless a plan assigns another: the first 32 bits of the hash of its bytes, modulo the number of shards. */
-export const shardByHash = (hash: Buffer, shards: number): number => hash.readUInt32BE(0) % shards;
+export const shardByKey = (key: number, shards: number): number => Math.floor(key / 2 ** 16) % shards;
 
 /** Shards of entries by the first 48 bits of the hashes of their bytes, as threads share them. */
 export interface Assigned {
@@ -8,19 +14,11 @@ export interface Assigned {
   readonly shards: Uint16Array;
 }
 
-/** The same by the key of an entry, which begins with the same bits. */
-export const shardByKey = (key: number, shards: number): number => Math.floor(key / 2 ** 16) % shards;
-
 /** How a set is split. */
 export interface Rule {
   readonly shards: number;
   readonly assigned: Assigned;
 }
-
-/** Bytes of a key. */
-const KEY = 6;
-
-export const keyOfHash = (hash: Buffer): number => hash.readUIntBE(0, KEY);
 
 /** Entries that a plan assigns: for each shard, the first 48 bits of hashes in base 16. */
 export function assignedOf(texts: readonly (readonly string[])[]): Assigned {
@@ -38,16 +36,13 @@ export function assignedOf(texts: readonly (readonly string[])[]): Assigned {
 /** The shard of an entry. @param hash of its bytes */
 export function shardOf(hash: Buffer, { shards, assigned }: Rule): number {
   const { keys } = assigned;
-  if (keys.length > 0) {
-    const key = keyOfHash(hash);
-    let low = 0;
-    let high = keys.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (keys[middle] < key) low = middle + 1;
-      else high = middle;
-    }
-    if (keys[low] === key) return assigned.shards[low];
+  const key = keyOfHash(hash);
+  let low = 0;
+  let high = keys.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (keys[middle] < key) low = middle + 1;
+    else high = middle;
   }
-  return shardByHash(hash, shards);
+  return keys[low] === key ? assigned.shards[low] : shardByKey(key, shards);
 }

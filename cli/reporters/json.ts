@@ -1,6 +1,6 @@
 import type { CheckReport } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { problemJson } from '../report-parts/index.ts';
+import { jsonWithLevels, problemJson } from '../report-parts/index.ts';
 import { failureOf } from '../show-failure/index.ts';
 import type { ReportContext, Results } from './reporter.ts';
 
@@ -9,29 +9,13 @@ export const checkJson = (results: Results, { linkTo }: ReportContext): string =
   [...checkJsonOf(results.levels, results, linkTo)].join('');
 
 /** The same in pieces, for any number of levels. */
-export function* checkJsonOf(
+export function checkJsonOf(
   levels: Iterable<CheckedLevel>,
   { totals, unchecked, interrupted }: Pick<Results, 'totals' | 'unchecked' | 'interrupted'>,
   linkTo: ReportContext['linkTo'],
-): Generator<string> {
-  const {
-    version,
-    levels: _,
-    ...rest
-  }: CheckReport = {
-    version: 1,
-    levels: [],
-    summary: totals.summary,
-    interrupted,
-    unchecked: [...unchecked],
-  };
-  yield `{"version":${version},"levels":[`;
-  let comma = '';
-  for (const level of levels) {
-    yield comma + JSON.stringify(levelJson(level, linkTo));
-    comma = ',';
-  }
-  yield `],${JSON.stringify(rest).slice(1)}\n`;
+): Iterable<string> {
+  const rest: Omit<CheckReport, 'version' | 'levels'> = { summary: totals.summary, interrupted, unchecked: [...unchecked] };
+  return jsonWithLevels(levels, (level) => levelJson(level, linkTo), rest);
 }
 
 function levelJson(level: CheckedLevel, linkTo: ReportContext['linkTo']): CheckReport['levels'][number] {

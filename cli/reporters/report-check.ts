@@ -2,6 +2,7 @@ import process from 'node:process';
 import type { CheckedLevel } from '../check/index.ts';
 import { colorsFor, PLAIN, widthOf } from '../colors.ts';
 import type { CommandResult, ResultFile } from '../command.ts';
+import { inPieces } from '../report-parts/index.ts';
 import { readVersion } from '../version.ts';
 import type { Destination } from './destinations.ts';
 import { placesOf } from './places.ts';
@@ -48,7 +49,7 @@ export async function reportCheck(
   for (const { name, file } of reports) {
     if (name === 'json' && levels !== null) {
       const { checkJsonOf } = await import('./json.ts');
-      const pieces = { [Symbol.iterator]: () => checkJsonOf(levels(), results, linkTo) };
+      const pieces = inPieces(() => checkJsonOf(levels(), results, linkTo));
       if (file === null) output = pieces;
       else files.push({ path: file, content: pieces, mode: 'replace' });
       continue;

@@ -1,8 +1,8 @@
-import { compile } from '../../engine/index.ts';
+import { compile, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { createSolver, measureRobustness, type Robustness, type Solver } from '../../solver/index.ts';
 import type { LaneState } from './messages.ts';
-import type { SolveSettings } from './settings.ts';
+import type { AskedRuns, SolveSettings } from './settings.ts';
 
 /** The number of executions for each probability. */
 const SAMPLES = 1000;
@@ -27,6 +27,10 @@ export interface Lanes {
   measure(holds: readonly Hold[]): Robustness;
 }
 
+/** Measures how much a run forgives. */
+export const measureRun = (scene: Scene, holds: readonly Hold[], { goal, seed }: AskedRuns): Robustness =>
+  measureRobustness(scene, holds, goal, { samples: SAMPLES, seed, maxRuns: MOST_RUNS });
+
 /** Opens lanes of a search in this thread. */
 export function openLanes(settings: SolveSettings, numbers: readonly number[], isStopped: () => boolean): Lanes {
   const { level, accuracy, goal, objective, maxTicks, count, known, seed } = settings;
@@ -49,7 +53,7 @@ export function openLanes(settings: SolveSettings, numbers: readonly number[], i
       for (const lane of lanes) advanceOne(lane, to);
       return lanes.map(stateOf);
     },
-    measure: (holds) => measureRobustness(scene, holds, goal, { samples: SAMPLES, seed, maxRuns: MOST_RUNS }),
+    measure: (holds) => measureRun(scene, holds, settings),
   };
 }
 

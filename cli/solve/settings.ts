@@ -1,6 +1,9 @@
+import { TICK_RATE } from '../../engine/basics/index.ts';
 import type { Accuracy } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import type { Goal, Objective } from '../../solver/index.ts';
+import { type AccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
+import type { Configuration } from '../configuration.ts';
 
 /** How to solve a level. */
 export interface AskedRuns {
@@ -12,6 +15,23 @@ export interface AskedRuns {
   readonly maxTicks: number;
   /** The wanted number of really different runs. */
   readonly count: number;
+}
+
+/** The options that say how to solve a level. */
+interface SolveOptions extends AccuracyOptions {
+  readonly minerals: Goal['minerals'];
+  readonly objective: Objective;
+  readonly seed: number;
+  /** s */
+  readonly maxTime: number;
+  readonly count: number;
+}
+
+/** What the options and the configuration choose. */
+export function askedRuns(options: SolveOptions, configuration: Configuration): AskedRuns {
+  const { minerals, objective, seed, maxTime, count } = options;
+  const accuracy = chooseAccuracy(options, configuration);
+  return { accuracy, goal: { minerals }, objective, seed, maxTicks: Math.round(maxTime * TICK_RATE), count };
 }
 
 /** What to solve, and how. */

@@ -1,10 +1,10 @@
 import { proveGoalImpossible } from '../../check/index.ts';
-import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
+import { compile, type Run, type Scene, simulate, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Closest, type Effort, type Proof, type Robustness, verifyRun } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
-import { openLanes } from './lanes.ts';
+import { measureRun, openLanes } from './lanes.ts';
 import { type Found, LANES, searchInRounds } from './rounds.ts';
 import type { SolveSettings } from './settings.ts';
 import { startWorkerPool } from './worker-pool.ts';
@@ -75,14 +75,12 @@ export const solveHere = (settings: SolveSettings, { budget, effort }: Limits): 
 export function replayRuns(settings: SolveSettings, found: readonly (readonly Hold[])[]): readonly SolvedRun[] | null {
   const { level, accuracy, goal, maxTicks } = settings;
   const scene = compile(level, accuracy);
-  const { measure } = openLanes(settings, [], () => false);
-  const runs: SolvedRun[] = [];
-  for (const holds of found) {
-    if (verifyRun(scene, holds, goal, maxTicks) === null) return null;
-    runs.push({ holds, run: simulate(scene, holds, { maxTime: maxTicks * TICK }), robustness: measure(holds) });
-  }
-  return runs;
+  if (found.some((holds) => verifyRun(scene, holds, goal, maxTicks) === null)) return null;
+  return found.map((holds) => ({ holds, run: replay(scene, holds, maxTicks), robustness: measureRun(scene, holds, settings) }));
 }
+
+const replay = (scene: Scene, holds: readonly Hold[], maxTicks: number): Run =>
+  simulate(scene, holds, { maxTime: maxTicks * TICK });
 
 async function solveBy(
   { level, accuracy, goal, maxTicks }: SolveSettings,
@@ -96,7 +94,7 @@ async function solveBy(
   const scene = compile(level, accuracy);
   const runs = solutions.map(({ holds }, i): SolvedRun => {
     // the report describes a replay from the start
-    const run = simulate(scene, holds, { maxTime: maxTicks * TICK });
+    const run = replay(scene, holds, maxTicks);
     if (run.outcome !== 'completed')
       throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
     return { holds, run, robustness: measured[i] };

@@ -1,4 +1,3 @@
-import { basename } from 'node:path';
 import { proveGoalImpossible } from '../../check/index.ts';
 import { compile, type Scene, simulate, TICK_RATE, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import {
@@ -14,6 +13,7 @@ import {
 import { createSolver } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
+import { nameOfFile } from '../name-of-file.ts';
 import { readBytes } from '../read-bytes.ts';
 import { intervalAround } from './interval.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';
@@ -30,7 +30,7 @@ class OutOfRange extends Error {}
 
 /** Finds the effects of changed rules on one level file. Throws only if gq itself fails. */
 export function tuneLevel({ file, settings }: TuneTask): TunedLevel {
-  const name = basename(file).replace(/(\.level)?\.json$/, '');
+  const name = nameOfFile(file);
   const nothing = { file, name, run: null, values: [], intervals: [], room: null, problems: [], why: '', code: 0 } as const;
   try {
     const read = readLevel(readBytes(file), settings);

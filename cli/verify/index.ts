@@ -1,4 +1,4 @@
-export { itemOf } from './item-of.ts';
+export { itemOf, itemOfFile, itemOfLine } from './item-of.ts';
 export { linesOf, readLine } from './lines.ts';
 export {
   addPlayOptions,
@@ -6,6 +6,7 @@ export {
   expectAsPlanned,
   type PlayJobSettings,
   type PlayOptions,
+  planned,
   playSettings,
   unusableInWords,
   unusableLevels,

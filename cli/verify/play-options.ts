@@ -42,62 +42,69 @@ export const addPlayOptions = (command: Command, forWhat = ''): Command =>
         .default(PLAY_LIMITS.ticks),
     );
 
-/** What a set of plays is compared with, as a plan holds it. */
+/** What plays are compared with. */
 export interface PlayJobSettings {
-  readonly levels: {
-    readonly files: readonly string[];
-    /** The hash over their names and bytes. */
-    readonly sha256: string;
-  };
+  /** Level files. */
+  readonly files: readonly string[];
   readonly rules: OwnRules;
   readonly engines: string | null;
-  readonly challenge: { readonly file: string; readonly sha256: string; readonly now: number } | null;
+  /** `key`: its file. */
+  readonly challenge: { readonly key: string; readonly now: number } | null;
   readonly maxTicks: number;
   readonly maxWork: number;
+  /** Hashes of what is in the files, where shards must find the same. */
+  readonly planned?: { readonly levels: string; readonly key: string | null };
 }
 
-/** What the options and the configuration choose; the levels are as they are now. */
+/** What the options and the configuration choose. */
 export async function playSettings(
   options: PlayOptions & { readonly maxWork: number },
   configuration: Configuration,
 ): Promise<{ readonly settings: PlayJobSettings; readonly unreadable: FoundFiles['unreadable'] }> {
-  const { challengeKey, engines = null, maxTicks, maxWork } = options;
+  const { challengeKey: key, engines = null, maxTicks, maxWork } = options;
   const { rules } = configuration;
-  const key = challengeKey === undefined ? null : readKey(challengeKey);
+  if (key !== undefined) readKey(key);
   const { files, unreadable } = await findConfigured(options.levels ?? [], configuration);
-  const now = options.now ?? Math.floor(Date.now() / 1000);
-  const challenge = key === null ? null : { file: challengeKey!, sha256: hashOf([key]), now };
-  return {
-    settings: { levels: { files, sha256: hashOfFiles(files) }, rules, engines, challenge, maxTicks, maxWork },
-    unreadable,
-  };
+  const challenge = key === undefined ? null : { key, now: options.now ?? Math.floor(Date.now() / 1000) };
+  return { settings: { files, rules, engines, challenge, maxTicks, maxWork }, unreadable };
 }
 
-/** @throws Failure if the levels or the key are others than when the settings were made */
-export function expectAsPlanned({ levels, challenge }: PlayJobSettings): void {
+/** Settings for a plan: shards refuse other levels and another key than those of now. */
+export const planned = (settings: PlayJobSettings): PlayJobSettings => ({ ...settings, planned: hashesOf(settings) });
+
+const hashesOf = ({ files, challenge }: PlayJobSettings): Required<PlayJobSettings>['planned'] => ({
+  levels: hashOf(files.map((file) => `${file}\0${hashOf([bytesOrNothing(file)])}\n`)),
+  key: challenge === null ? null : hashOf([readKey(challenge.key)]),
+});
+
+/** @throws Failure if the levels or the key are others than those that were planned */
+export function expectAsPlanned(settings: PlayJobSettings): void {
+  const { files, challenge, planned: expected } = settings;
+  if (expected === undefined) return;
+  const found = hashesOf(settings);
   const advice = 'restore it, or make the plan anew with gq plan';
-  if (hashOfFiles(levels.files) !== levels.sha256) {
-    const many = levels.files.length > 1 ? ` to ${namedPath(levels.files[levels.files.length - 1])}` : '';
+  if (found.levels !== expected.levels) {
+    const many = files.length > 1 ? ` to ${namedPath(files[files.length - 1])}` : '';
     throw new Failure(
-      `a level that plays are compared with has changed since the plan was made, of ${namedPath(levels.files[0])}${many}: ${advice}`,
+      `a level that plays are compared with has changed since the plan was made, of ${namedPath(files[0])}${many}: ${advice}`,
     );
   }
-  if (challenge !== null && hashOf([readKey(challenge.file)]) !== challenge.sha256)
-    throw new Failure(`--challenge-key ${namedPath(challenge.file)} is another key than when the plan was made: ${advice}`);
+  if (challenge !== null && found.key !== expected.key)
+    throw new Failure(`--challenge-key ${namedPath(challenge.key)} is another key than when the plan was made: ${advice}`);
 }
 
 /** @param candidates how many stale plays are tried on the levels that there are */
 export const deskSettings = (
-  { levels, rules, engines, challenge, maxTicks, maxWork }: PlayJobSettings,
+  { files, rules, engines, challenge, maxTicks, maxWork }: PlayJobSettings,
   candidates: number,
 ): PlaySettings => ({
-  files: levels.files,
+  files,
   rules,
   engines,
   options: {
     maxTicks,
     maxWork,
-    challengeKey: challenge === null ? undefined : readKey(challenge.file),
+    challengeKey: challenge === null ? undefined : readKey(challenge.key),
     now: challenge?.now,
   },
   candidates,
@@ -108,8 +115,8 @@ export const unusableInWords = ({ unusable }: Pick<Catalogue, 'unusable'>): stri
   unusable.map((reason) => `warning: ${visible(reason)}; no play is compared with it\n`).join('');
 
 /** The same, of levels that are still to be read. */
-export const unusableLevels = ({ levels, rules }: PlayJobSettings): string =>
-  unusableInWords(readCatalogue(levels.files, rules, ownEngine));
+export const unusableLevels = ({ files, rules }: PlayJobSettings): string =>
+  unusableInWords(readCatalogue(files, rules, ownEngine));
 
 /** Bytes that a challenge key has at least, and at most. */
 const SHORTEST_KEY = 16;
@@ -132,11 +139,7 @@ function hashOf(parts: readonly (Uint8Array | string)[]): string {
   return hash.digest('hex');
 }
 
-/** Files that can't be read count as empty: they are no levels either way. */
-function hashOfFiles(files: readonly string[]): string {
-  return hashOf(files.map((file) => `${file}\0${hashOf([bytesOrNothing(file)])}\n`));
-}
-
+/** A file that can't be read counts as empty: it is no level either way. */
 function bytesOrNothing(file: string): Uint8Array {
   try {
     return readBytes(file);

@@ -4,7 +4,7 @@ import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { type AccuracyOptions, addAccuracyOptions } from '../../accuracy-options.ts';
 import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
@@ -16,6 +16,7 @@ import {
   type MeasuredLevel,
   type MeasureSettings,
   measureLevels,
+  measureSettings,
   refusedPlays,
 } from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
@@ -117,32 +118,19 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     { option: '--theme', isUsed: svg !== undefined || picture !== undefined, needs: '--svg or --picture' },
     { option: '--picture', isUsed: options.plays !== undefined, needs: '--plays' },
   ]);
-  if (options.run !== undefined && options.search)
-    throw new Failure('--run and --search cannot be combined: give one of the two');
   const configuration = readConfiguration(options);
-  const accuracy = chooseAccuracy(options, configuration);
+  const asked = measureSettings(options, configuration);
+  const { accuracy } = asked;
   const { files, unreadable } = await findConfigured(paths, configuration);
   if (picture !== undefined && files.length !== 1) {
     throw new Failure(`--picture draws one level: expected the path of one level file, found ${files.length}`);
   }
-  const settings: MeasureSettings = {
-    rules: configuration.rules,
-    accuracy,
-    goal: { minerals: options.minerals },
-    run: options.run ?? null,
-    search: options.search === true,
-    effort: options.effort,
-    seed: options.seed,
-    maxTime: options.maxTime,
-    inFull: files.length === 1,
-    withCurve: svg !== undefined,
-  };
+  const settings: MeasureSettings = { ...asked, inFull: files.length === 1, withCurve: svg !== undefined };
   const pack = firstPack(files);
   if (pack !== undefined) {
     refuseForPacks(pack, options);
     if (unreadable.length > 0) throw unreadableFolders(unreadable);
-    const asSet = { ...settings, inFull: false };
-    return reportWhole('difficulty', asSet, files, [{ name: format, file: null }], 'measured', { jobs });
+    return reportWhole('difficulty', asked, files, [{ name: format, file: null }], 'measured', { jobs });
   }
   const plays = options.plays === undefined ? null : await readPlays(options.plays, files, settings, jobs);
   const progress = createProgress('measured', files.length);

@@ -1,18 +1,20 @@
 import type { Command } from 'commander';
-import { TICK_RATE } from '../../../engine/basics/index.ts';
 import type { Goal, Objective } from '../../../solver/index.ts';
 import { type AccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch, settingsFor } from '../../check/index.ts';
 import type { ConfigOptions } from '../../config-file.ts';
 import type { Configuration } from '../../configuration.ts';
+import { measureSettings } from '../../difficulty/index.ts';
 import { Failure } from '../../failure.ts';
 import { unreadableFolders } from '../../files.ts';
 import type { JobName } from '../../fleet/index.ts';
 import { limitsOf, USUAL_EFFORT } from '../../search-options.ts';
+import { askedRuns } from '../../solve/index.ts';
 import { refuseUnused } from '../../unused-options.ts';
+import { type PlayOptions, planned, playSettings, unusableLevels } from '../../verify/index.ts';
 
 /** Options of the commands that shards run. */
-export interface PlanOptions extends AccuracyOptions, ConfigOptions, AskedOptions {
+export interface PlanOptions extends AccuracyOptions, ConfigOptions, AskedOptions, PlayOptions {
   readonly maxWarnings?: number;
   readonly brief?: true;
   readonly minerals: Goal['minerals'];
@@ -20,11 +22,6 @@ export interface PlanOptions extends AccuracyOptions, ConfigOptions, AskedOption
   readonly count: number;
   readonly run?: string;
   readonly search?: true;
-  readonly levels?: readonly string[];
-  readonly engines?: string;
-  readonly challengeKey?: string;
-  readonly now?: number;
-  readonly maxTicks: number;
 }
 
 /** What a plan says about its job. */
@@ -73,9 +70,6 @@ export function refuseOfOthers(job: JobName, command: Command): void {
   for (const option of command.options) {
     const { long } = option;
     if (long == null || !others.has(long) || own.includes(long)) continue;
-    // an option and its negation have one value
-    if (own.some((name) => command.options.some((one) => one.long === name && one.attributeName() === option.attributeName())))
-      continue;
     if (command.getOptionValueSource(option.attributeName()) !== 'cli') continue;
     const users = (Object.keys(OPTIONS_OF) as JobName[]).filter((name) => OPTIONS_OF[name].includes(long));
     throw new Failure(
@@ -104,49 +98,22 @@ function checkOrder(options: PlanOptions, configuration: Configuration, command:
 
 function solveOrder(options: PlanOptions, configuration: Configuration): JobOrder {
   refuseTime(options);
-  const { minerals, objective, count, seed, maxTime, effort = USUAL_EFFORT } = options;
-  return {
-    settings: {
-      rules: configuration.rules,
-      accuracy: chooseAccuracy(options, configuration),
-      goal: { minerals },
-      objective,
-      count,
-      seed,
-      maxTicks: Math.round(maxTime * TICK_RATE),
-      limits: limitsOf({ effort, seed }),
-    },
-    report: {},
-  };
+  const { seed, effort = USUAL_EFFORT } = options;
+  const { rules } = configuration;
+  return { settings: { ...askedRuns(options, configuration), rules, limits: limitsOf({ effort, seed }) }, report: {} };
 }
 
 function difficultyOrder(options: PlanOptions, configuration: Configuration): JobOrder {
   refuseTime(options);
-  const { minerals, run, search, seed, maxTime, effort = USUAL_EFFORT } = options;
-  if (run !== undefined && search) throw new Failure('--run and --search cannot be combined: give one of the two');
-  return {
-    settings: {
-      rules: configuration.rules,
-      accuracy: chooseAccuracy(options, configuration),
-      goal: { minerals },
-      run: run ?? null,
-      search: search === true,
-      effort,
-      seed,
-      maxTime,
-      inFull: false,
-      withCurve: false,
-    },
-    report: {},
-  };
+  const { effort = USUAL_EFFORT } = options;
+  return { settings: measureSettings({ ...options, effort }, configuration), report: {} };
 }
 
 async function verifyOrder(options: PlanOptions, configuration: Configuration, command: Command): Promise<JobOrder> {
   refuseUnused(command, [{ option: '--now', isUsed: options.challengeKey !== undefined, needs: '--challenge-key' }]);
-  const { playSettings, unusableLevels } = await import('../../verify/index.ts');
   const { settings, unreadable } = await playSettings(options, configuration);
   if (unreadable.length > 0) throw unreadableFolders(unreadable);
-  return { settings, report: {}, messages: unusableLevels(settings) };
+  return { settings: planned(settings), report: {}, messages: unusableLevels(settings) };
 }
 
 /** @throws Failure if a search is to end by the clock */

@@ -1,14 +1,12 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import type { Command } from 'commander';
-import { TICK_RATE } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal, Objective } from '../../../solver/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
+import { type AccuracyOptions, addAccuracyOptions } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import type { Configuration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
 import { statOrError, unreadableFolders } from '../../files.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
@@ -29,8 +27,8 @@ import {
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { uncut } from '../../signals.ts';
 import {
-  type AskedRuns,
   addRuns,
+  askedRuns,
   expectWritable,
   progressText,
   type Solved,
@@ -109,24 +107,15 @@ async function solveMany(paths: readonly string[], options: Options): Promise<Co
   const given = options.write ? '--write' : options.run !== undefined ? '--run' : null;
   if (given !== null) throw new Failure(`${given} is for a single level file: leave it out, or solve the levels one at a time`);
   const configuration = readConfiguration(options);
-  const settings = { ...askedOf(options, configuration), rules: configuration.rules, limits: limitsOf(options) };
+  const settings = { ...askedRuns(options, configuration), rules: configuration.rules, limits: limitsOf(options) };
   const { files, unreadable } = await findConfigured(paths, configuration);
   if (unreadable.length > 0) throw unreadableFolders(unreadable);
   return reportWhole('solve', settings, files, [{ name: options.format, file: null }], 'solved', { jobs: options.jobs });
 }
 
-const askedOf = (options: Options, configuration: Configuration): AskedRuns => ({
-  accuracy: chooseAccuracy(options, configuration),
-  goal: { minerals: options.minerals },
-  objective: options.objective,
-  seed: options.seed,
-  maxTicks: Math.round(options.maxTime * TICK_RATE),
-  count: options.count,
-});
-
 async function solveOne(file: string, options: Options): Promise<CommandResult> {
   const configuration = readConfiguration(options);
-  const asked = askedOf(options, configuration);
+  const asked = askedRuns(options, configuration);
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const { level } = opened;

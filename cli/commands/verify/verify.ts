@@ -16,7 +16,7 @@ import { print } from '../../print.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { readRegularFile } from '../../regular-file.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { namedPath, shellPath } from '../../shown-path.ts';
+import { namedPath } from '../../shown-path.ts';
 import { siblingHint } from '../../sibling-hint.ts';
 import { hearSignals } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
@@ -25,13 +25,14 @@ import {
   addPlayOptions,
   countsPretty,
   deskSettings,
+  itemOfFile,
+  itemOfLine,
   linesOf,
   PlayDesk,
   type PlayItem,
   type PlayOptions,
   playPretty,
   playSettings,
-  readLine,
   startThreads,
   unusableInWords,
   unusableLevels,
@@ -173,9 +174,7 @@ async function* savedPlays(files: readonly string[], errors: string[]): AsyncGen
       errors.push(`error: ${visibleLine(file)}: can't be read: ${systemReason(error)}; expected a .gqr file\n`);
       continue;
     }
-    const isText = content[0] === 0x7b || content[0] === 0x22;
-    const why = `expected a play, found text; if its lines are plays: gq verify - < ${shellPath(file)}`;
-    group.push({ file, line: null, id: null, subject: null, content: isText ? { verdict: 'malformed', why } : content });
+    group.push(itemOfFile(file, content));
     if (group.length < TOGETHER) continue;
     yield group;
     group = [];
@@ -192,13 +191,7 @@ async function* submittedPlays(): AsyncGenerator<PlayItem[]> {
   try {
     if (fstatSync(0).isDirectory()) throw new Failure('standard input is a directory: expected plays, one a line');
     for await (const lines of linesOf(stdin)) {
-      yield lines.flatMap(({ number, text }): PlayItem[] => {
-        const read = readLine(text);
-        if (read === null) return [];
-        const place = { file: null, line: number, id: read.id };
-        if ('why' in read) return [{ ...place, subject: null, content: read }];
-        return [{ ...place, subject: read.subject, content: read.bytes }];
-      });
+      yield lines.flatMap(({ number, text }) => itemOfLine(null, number, text) ?? []);
     }
   } catch (error) {
     if (error instanceof Failure) throw error;

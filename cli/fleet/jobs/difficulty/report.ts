@@ -2,12 +2,13 @@ import { plural } from '../../../../check/words/index.ts';
 import { GRADE_WORDS, type GradeWord } from '../../../../solver/index.ts';
 import type { CommandResult } from '../../../command.ts';
 import { difficultyPretty, type MeasuredLevel, measuredJson } from '../../../difficulty/index.ts';
+import { jsonWithLevels } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
 import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';
 import { Listed, unlistedInWords } from '../listed.ts';
-import { jsonWithLevels, plainReport } from '../plain-report.ts';
+import { plainReport } from '../plain-report.ts';
 import { levelOf } from './record.ts';
 
 /** The reports of `gq difficulty` on a set: the easiest first, or of a large one, how many levels have which grade. */
@@ -36,11 +37,8 @@ export function reportMeasured(
   }
   const counts = [...grades].map(([word, count]) => `${count} ${word}`).join(', ');
   const summary = `${unlistedInWords(listed.unlisted)}${plural(total, 'level')}: ${measured} measured: ${counts}\n`;
-  function* json(): Generator<object> {
-    for (const { file, result } of records()) yield measuredJson(levelOf(file, result));
-  }
   const reports = plainReport(destinations, {
-    json: () => jsonWithLevels(json(), {}),
+    json: () => jsonWithLevels(records(), ({ file, result }) => measuredJson(levelOf(file, result)), {}),
     pretty: (colors, width) => `${difficultyPretty(listed.items, null, colors, width, 'table')}${summary}`,
   });
   return { ...reports, exitCode: code };

@@ -11,8 +11,8 @@ export const solveJob: JobKind = {
   crashed: (name, error) =>
     untried(name, 'crashed', `solving this level crashed: ${error instanceof Error ? error.message : error}`) as unknown as Json,
   openWork: async (settings) => (await import('./work.ts')).openSolve(settings as unknown as SolveJobSettings),
-  async report(records, reporting, destinations, options) {
+  async report(records, _reporting, destinations, options) {
     const { reportSolved } = await import('./report.ts');
-    return reportSolved(records, reporting, destinations, options);
+    return reportSolved(records, destinations, options);
   },
 };

@@ -2,14 +2,14 @@ import { holdsInWords, plural } from '../../../../check/words/index.ts';
 import type { SolveReport, SolveSetReport } from '../../../../schema/index.ts';
 import type { Colors } from '../../../colors.ts';
 import type { CommandResult } from '../../../command.ts';
-import { alignColumns, percent, problemJson, showFileProblems } from '../../../report-parts/index.ts';
+import { alignColumns, jsonWithLevels, percent, problemJson, showFileProblems } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import { visibleLine } from '../../../visible.ts';
-import type { Json, ShardRecord } from '../../job.ts';
+import type { ShardRecord } from '../../job.ts';
 import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';
 import { Listed, unlistedInWords } from '../listed.ts';
-import { jsonWithLevels, plainReport } from '../plain-report.ts';
+import { plainReport } from '../plain-report.ts';
 import type { SolveRecord, SolveVerdict } from './record.ts';
 
 interface SolvedLevel extends SolveRecord {
@@ -23,7 +23,6 @@ type Summary = Record<SolveVerdict, number>;
 /** The reports of `gq solve` on a set. */
 export function reportSolved(
   records: () => Iterable<ShardRecord>,
-  _reporting: Json,
   destinations: readonly Destination[],
   { quiet = false, withTimes }: ReportOptions,
 ): CommandResult {
@@ -42,14 +41,10 @@ export function reportSolved(
   }
   const total = Object.values(summary).reduce((sum, count) => sum + count, 0);
   const reports = plainReport(destinations, {
-    json: () => jsonWithLevels(mapped(levels(), levelJson), { summary }),
+    json: () => jsonWithLevels(levels(), levelJson, { summary }),
     pretty: (colors, width) => solvedPretty(listed, summary, total, colors, width),
   });
   return { ...reports, exitCode: failed > 0 ? 2 : summary.found === total ? 0 : 1 };
-}
-
-function* mapped<T, U>(items: Iterable<T>, make: (item: T) => U): Generator<U> {
-  for (const item of items) yield make(item);
 }
 
 function levelJson({ file, name, verdict, solved, why, problems, ms }: SolvedLevel): SolveSetReport['levels'][number] {

@@ -1,7 +1,7 @@
-import { basename } from 'node:path';
 import { plural } from '../../../../check/words/index.ts';
 import { type Level, readLevel, type SolveReport } from '../../../../schema/index.ts';
 import { showProblems } from '../../../code-frames.ts';
+import { nameOfFile } from '../../../name-of-file.ts';
 import type { Entry } from '../../../packs/index.ts';
 import { replayRuns, settingsFor, solveHere, solveReport } from '../../../solve/index.ts';
 import type { Json, Work } from '../../job.ts';
@@ -19,8 +19,7 @@ async function solveEntry({ name, content }: Entry, settings: SolveJobSettings):
   if (!(content instanceof Uint8Array)) return { ...untried(name, 'invalid', content.message), unreadable: true };
   const read = readLevel(content, { rules: settings.rules });
   if (!read.ok) {
-    const ofFile = basename(name).replace(/(\.level)?\.json$/, '');
-    return { ...untried(ofFile, 'invalid', 'not a valid level'), problems: showProblems(read.problems, read.text) };
+    return { ...untried(nameOfFile(name), 'invalid', 'not a valid level'), problems: showProblems(read.problems, read.text) };
   }
   const { level } = read;
   const few = whyTooFewMinerals(level, settings);
