@@ -11,6 +11,7 @@
  *
  * @module
  */
+export { type AnytimeOptions, type AnytimeProof, createAnytimeProof } from './anytime/index.ts';
 export { type Cleaned, type CleanOptions, cleanRun } from './clean/index.ts';
 export {
   type AsteroidUse,

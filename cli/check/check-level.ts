@@ -160,7 +160,7 @@ function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): 
   const impossible = proveGoalImpossible(scene.level, accuracy, { minerals: 'any' }, ticksOf(settings), budget);
   if (impossible !== null || search === null) return { ...NOT_NEEDED, impossible };
   const searched = search.claimed === undefined ? searchLevel(scene, search, settings) : unsearched(search.claimed);
-  if (searched.found === null) return { ...NOT_NEEDED, searched };
+  if (searched.found === null) return { ...NOT_NEEDED, impossible: searched.impossible, searched };
   const holds = searched.found;
   const run = simulate(scene, holds, { maxTime });
   if (search.claimed !== undefined && run.outcome !== 'completed')
@@ -172,6 +172,7 @@ function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): 
 /** A search that was done elsewhere. */
 const unsearched = (found: readonly Hold[]): LevelSearch => ({
   found,
+  impossible: null,
   effort: { runs: 0, ticks: 0 },
   closest: null,
   isOutOfTime: false,

@@ -1,6 +1,7 @@
-import { compile, type Scene } from '../../engine/index.ts';
+import { compile, isAccuracyName, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { createSolver, measureRobustness, type Robustness, type Solver } from '../../solver/index.ts';
+import { createAnytimeProof, createSolver, measureRobustness, type Robustness, type Solver } from '../../solver/index.ts';
+import { PROOF_LANE, type Round } from './lane-numbers.ts';
 import type { LaneState } from './messages.ts';
 import type { AskedRuns, SolveSettings } from './settings.ts';
 
@@ -14,16 +15,19 @@ const MOST_RUNS = 50_000;
 const SLICE = 50_000;
 
 interface Lane {
-  readonly lane: number;
-  readonly solver: Solver;
-  /** The requested ticks; the solver may simulate slightly more. */
+  readonly isForProof: boolean;
+  readonly state: () => LaneState;
+  readonly advance: (ticks: number) => void;
+  /** Whether nothing can improve any more. */
+  readonly isOver: () => boolean;
+  /** The requested ticks; slightly more may be simulated. */
   asked: number;
 }
 
 /** Lanes of a search that one thread advances. */
 export interface Lanes {
   /** Advances each lane to a total number of ticks, unless it is stopped before. */
-  advance(to: number): LaneState[];
+  advance(round: Round): LaneState[];
   measure(holds: readonly Hold[]): Robustness;
 }
 
@@ -35,29 +39,70 @@ export const measureRun = (scene: Scene, holds: readonly Hold[], { goal, seed }:
 export function openLanes(settings: SolveSettings, numbers: readonly number[], isStopped: () => boolean): Lanes {
   const { level, accuracy, goal, objective, maxTicks, count, known, seed } = settings;
   const scene = compile(level, accuracy);
-  const lanes = numbers.map((lane): Lane => {
-    return { lane, solver: createSolver(scene, { goal, objective, maxTicks, count, known, seed, lane }), asked: 0 };
-  });
+  const lanes = numbers.map((lane) =>
+    lane === PROOF_LANE
+      ? proofLane(settings, isStopped)
+      : searchLane(
+          lane,
+          createSolver(scene, {
+            goal,
+            objective,
+            maxTicks,
+            count,
+            known,
+            seed,
+            lane,
+          }),
+        ),
+  );
 
   function advanceOne(lane: Lane, to: number): void {
     // the first slice evaluates the known runs: it runs even if the search is stopped at once
-    while (lane.asked < to && !lane.solver.finished && (lane.asked === 0 || !isStopped())) {
+    while (lane.asked < to && !lane.isOver() && (lane.asked === 0 || !isStopped())) {
       const ticks = Math.min(SLICE, to - lane.asked);
-      lane.solver.advance(ticks);
+      lane.advance(ticks);
       lane.asked += ticks;
     }
   }
 
   return {
-    advance(to) {
-      for (const lane of lanes) advanceOne(lane, to);
-      return lanes.map(stateOf);
+    advance({ search, proof }) {
+      for (const lane of lanes) advanceOne(lane, lane.isForProof ? proof : search);
+      return lanes.map(({ state }) => state());
     },
     measure: (holds) => measureRun(scene, holds, settings),
   };
 }
 
-const stateOf = ({ lane, solver }: Lane): LaneState => {
-  const { effort, closest, solutions, finished } = solver;
-  return { lane, effort: { ...effort }, closest, solutions: [...solutions], finished };
-};
+function searchLane(lane: number, solver: Solver): Lane {
+  return {
+    isForProof: false,
+    asked: 0,
+    advance: (ticks) => solver.advance(ticks),
+    isOver: () => solver.finished,
+    state: () => {
+      const { effort, closest, solutions, finished } = solver;
+      return { lane, effort: { ...effort }, closest, solutions: [...solutions], impossible: null, finished };
+    },
+  };
+}
+
+function proofLane({ level, accuracy, goal, maxTicks }: SolveSettings, isStopped: () => boolean): Lane {
+  const proving = isAccuracyName(accuracy.name)
+    ? createAnytimeProof(level, { accuracy: accuracy.name, goal, maxTicks, isStopped })
+    : null;
+  return {
+    isForProof: true,
+    asked: 0,
+    advance: (ticks) => proving?.advance(ticks),
+    isOver: () => proving?.finished !== false,
+    state: () => ({
+      lane: PROOF_LANE,
+      effort: { runs: 0, ticks: proving?.ticks ?? 0 },
+      closest: null,
+      solutions: [],
+      impossible: proving?.proof ?? null,
+      finished: proving?.proof != null,
+    }),
+  };
+}

@@ -1,5 +1,6 @@
 import type { Hold } from '../../schema/index.ts';
-import type { Closest, Effort, Robustness, Solution } from '../../solver/index.ts';
+import type { Closest, Effort, Proof, Robustness, Solution } from '../../solver/index.ts';
+import type { Round } from './lane-numbers.ts';
 import type { SolveSettings } from './settings.ts';
 
 /** The data that a worker thread starts with. */
@@ -13,7 +14,7 @@ export interface WorkerData {
 
 /** A request to a worker; each gets one answer. */
 export type Request =
-  | { readonly kind: 'advance'; readonly to: number }
+  | { readonly kind: 'advance'; readonly round: Round }
   | { readonly kind: 'measure'; readonly holds: readonly Hold[] };
 
 export interface LaneState {
@@ -21,6 +22,8 @@ export interface LaneState {
   readonly effort: Effort;
   readonly closest: Closest | null;
   readonly solutions: readonly Solution[];
+  /** A proof that there is no run; null if there is none. */
+  readonly impossible: Proof | null;
   /** Whether nothing can improve any more. */
   readonly finished: boolean;
 }

@@ -1,11 +1,10 @@
-import { type Closest, type Effort, mergeSolutions, type Solution } from '../../solver/index.ts';
+import { type Closest, type Effort, mergeSolutions, type Proof, type Solution } from '../../solver/index.ts';
+import { LANES, PROOF_LANE, type Round } from './lane-numbers.ts';
 import type { LaneState } from './messages.ts';
 
-/**
- * A search consists of this many independent searches, its lanes, each with random numbers of its own. The result does not
- * depend on the number of threads that share the lanes.
- */
-export const LANES = 4;
+/** Ticks of a lane in the first round, and in the longest; rounds get longer at first. */
+const FIRST_STEP = 20_000;
+const LONGEST_STEP = 500_000;
 
 /** The combined results of all lanes. */
 export interface Found {
@@ -13,6 +12,8 @@ export interface Found {
   readonly closest: Closest | null;
   /** Really different runs, best first. */
   readonly solutions: readonly Solution[];
+  /** The proof that there is no run; null if there is none. */
+  readonly impossible: Proof | null;
 }
 
 /** What a search in rounds needs of whoever has the lanes. */
@@ -28,35 +29,34 @@ export interface Rounds {
 
 /**
  * Searches until nothing can improve or a limit is reached. The lanes wait for each other after each round, so that the result does
- * not depend on the number of threads.
+ * not depend on the number of threads. As long as there is no run, the proof lane may do as much work as all others together;
+ * what it does counts against the effort.
  * @param states the lanes once their known runs are evaluated
- * @param advance advances all lanes to a total number of ticks each
+ * @param advance advances all lanes to a total number of ticks
  */
 export async function searchInRounds(
   states: readonly LaneState[],
-  advance: (to: number) => readonly LaneState[] | Promise<readonly LaneState[]>,
+  advance: (round: Round) => readonly LaneState[] | Promise<readonly LaneState[]>,
   { effort, count, isStopped, onRound }: Rounds,
 ): Promise<Found> {
   let last = states;
-  for (const to of totals(effort)) {
-    last = await advance(to);
+  let step = FIRST_STEP;
+  const round = { search: 0, proof: 0 };
+  const left = (): number => (effort === null ? Number.POSITIVE_INFINITY : effort - round.search * LANES - proved(last));
+  while (left() > 0) {
+    round.search += Math.min(step, Math.ceil(left() / LANES));
+    const hasNone = last.every(({ solutions }) => solutions.length === 0);
+    if (hasNone) round.proof = Math.min(round.search * LANES, proved(last) + Math.max(0, left()));
+    last = await advance({ ...round });
     onRound(together(last, count));
     if (isStopped() || last.some(({ finished }) => finished)) break;
+    step = Math.min(LONGEST_STEP, 2 * step);
   }
   return together(last, count);
 }
 
-/** The total ticks of a lane at the end of each round; rounds get longer at first. */
-function* totals(effort: number | null): Generator<number> {
-  const most = effort === null ? Number.POSITIVE_INFINITY : Math.ceil(effort / LANES);
-  let total = 0;
-  let step = 20_000;
-  while (total < most) {
-    total = Math.min(most, total + step);
-    step = Math.min(500_000, 2 * step);
-    yield total;
-  }
-}
+/** The work of the proof lane so far, ticks. */
+const proved = (states: readonly LaneState[]): number => states.find(({ lane }) => lane === PROOF_LANE)?.effort.ticks ?? 0;
 
 function together(states: readonly LaneState[], count: number): Found {
   const closest = states.flatMap((state) => state.closest ?? []);
@@ -70,5 +70,6 @@ function together(states: readonly LaneState[], count: number): Found {
       states.map((state) => state.solutions),
       { count },
     ),
+    impossible: states.find(({ impossible }) => impossible !== null)?.impossible ?? null,
   };
 }

@@ -4,8 +4,9 @@ import type { Hold } from '../../schema/index.ts';
 import { type Closest, type Effort, type Proof, type Robustness, verifyRun } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
 import { catchSignals, leaveSignals } from '../signals.ts';
+import { LANES, PROOF_LANE } from './lane-numbers.ts';
 import { measureRun, openLanes } from './lanes.ts';
-import { type Found, LANES, searchInRounds } from './rounds.ts';
+import { type Found, searchInRounds } from './rounds.ts';
 import type { SolveSettings } from './settings.ts';
 import { startWorkerPool } from './worker-pool.ts';
 
@@ -25,7 +26,7 @@ export interface Solved {
   readonly seconds: number;
   /** null if a run was found or nothing was tried */
   readonly closest: Closest | null;
-  /** The proof that there is no run; then there was no search. */
+  /** The proof that there is no run; null if there is none. */
   readonly impossible: Proof | null;
 }
 
@@ -36,7 +37,7 @@ export interface SolveOptions {
   readonly onRound: (found: Found) => void;
 }
 
-/** Tries to prove that there is no run, then searches for one in worker threads. */
+/** Tries to prove quickly that there is no run, then searches for one, or for a longer proof, in worker threads. */
 export const solveLevel = (settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> =>
   solveBy(settings, async () => {
     catchSignals();
@@ -51,7 +52,7 @@ export const solveLevel = (settings: SolveSettings, { limits, jobs, onRound }: S
     }
   });
 
-const ALL_LANES = Array.from({ length: LANES }, (_, lane) => lane);
+const ALL_LANES = [...Array(LANES).keys(), PROOF_LANE];
 
 /** The same in this thread, which it blocks; by effort, the result is the same. */
 export const solveHere = (settings: SolveSettings, { budget, effort }: Limits): Promise<Solved> =>
@@ -59,7 +60,7 @@ export const solveHere = (settings: SolveSettings, { budget, effort }: Limits): 
     const end = budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * budget;
     const isStopped = (): boolean => performance.now() >= end;
     const lanes = openLanes(settings, ALL_LANES, isStopped);
-    const found = await searchInRounds(lanes.advance(1), lanes.advance, {
+    const found = await searchInRounds(lanes.advance({ search: 1, proof: 0 }), lanes.advance, {
       effort,
       count: settings.count,
       isStopped,
@@ -90,7 +91,7 @@ async function solveBy(
   const since = (): number => (performance.now() - start) / 1000;
   const impossible = proveGoalImpossible(level, accuracy, goal, maxTicks);
   if (impossible !== null) return { runs: [], effort: { runs: 0, ticks: 0 }, seconds: since(), closest: null, impossible };
-  const { solutions, effort, closest, measured } = await search();
+  const { solutions, effort, closest, impossible: proved, measured } = await search();
   const scene = compile(level, accuracy);
   const runs = solutions.map(({ holds }, i): SolvedRun => {
     // the report describes a replay from the start
@@ -99,5 +100,6 @@ async function solveBy(
       throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
     return { holds, run, robustness: measured[i] };
   });
-  return { runs, effort, seconds: since(), closest: runs.length > 0 ? null : closest, impossible: null };
+  const isFound = runs.length > 0;
+  return { runs, effort, seconds: since(), closest: isFound ? null : closest, impossible: isFound ? null : proved };
 }

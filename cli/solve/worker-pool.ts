@@ -1,8 +1,9 @@
 import type { Hold } from '../../schema/index.ts';
 import type { Robustness } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
+import { LANES, PROOF_LANE, type Round } from './lane-numbers.ts';
 import type { LaneState } from './messages.ts';
-import { type Found, LANES, searchInRounds } from './rounds.ts';
+import { type Found, searchInRounds } from './rounds.ts';
 import type { SolveSettings } from './settings.ts';
 import { startThread } from './thread.ts';
 
@@ -27,7 +28,7 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
   const threads = Math.min(jobs, LANES);
   const stopped = new Int32Array(new SharedArrayBuffer(4));
   const workers = Array.from({ length: threads }, (_, thread) => {
-    const own = Array.from({ length: LANES }, (_, lane) => lane).filter((lane) => lane % threads === thread);
+    const own = [...Array(LANES).keys(), PROOF_LANE].filter((lane) => lane % threads === thread);
     return startThread({ settings, lanes: own, stop: stopped.buffer as SharedArrayBuffer });
   });
   const isStopped = (): boolean => Atomics.load(stopped, 0) !== 0;
@@ -36,14 +37,14 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
   };
 
   /** Advances every lane to a total number of ticks, unless it is stopped before. */
-  async function advance(to: number): Promise<LaneState[]> {
-    const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', to }, 'advance')));
+  async function advance(round: Round): Promise<LaneState[]> {
+    const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', round }, 'advance')));
     return answers.flatMap((answer) => answer.lanes).sort((a, b) => a.lane - b.lane);
   }
 
   async function search({ budget, effort }: Limits, onRound: (found: Found) => void): Promise<Found> {
     // before the clock starts: threads take a while to start, and known runs are evaluated even with a very short budget
-    const states = await advance(1);
+    const states = await advance({ search: 1, proof: 0 });
     const clock = budget === null ? undefined : setTimeout(halt, 1000 * budget);
     try {
       return await searchInRounds(states, advance, { effort, count: settings.count, isStopped, onRound });

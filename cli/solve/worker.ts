@@ -9,7 +9,7 @@ const own = openLanes(settings, lanes, () => Atomics.load(stopped, 0) !== 0);
 function answer(request: Request): Answer {
   switch (request.kind) {
     case 'advance':
-      return { kind: 'advance', lanes: own.advance(request.to) };
+      return { kind: 'advance', lanes: own.advance(request.round) };
     case 'measure':
       return { kind: 'measure', robustness: own.measure(request.holds) };
   }

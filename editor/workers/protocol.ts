@@ -45,9 +45,10 @@ export interface Requests {
   difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
   /**
    * Proves, if possible, that no run reaches the black hole or a mineral. Minerals that some run collects are left out:
-   * `collected` lists them; null: the level's runs are simulated to find out.
+   * `collected` lists them; null: the level's runs are simulated to find out. `finer`: how long to go on with ever finer sets, ms;
+   * 0 if absent.
    */
-  proofs: Played & { readonly collected: readonly number[] | null };
+  proofs: Played & { readonly collected: readonly number[] | null; readonly finer?: number };
   /** The findings of all runs of a level. */
   check: Played;
   /** Errors and costs of all settings for this level and run. */

@@ -24,6 +24,8 @@ export interface ProveOptions {
   readonly maxTime?: number;
   /** Limits the work; when it is spent, no more proofs are found. There is no limit by default. */
   readonly budget?: WorkBudget;
+  /** fineness */
+  readonly fineness?: number;
 }
 
 type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;

@@ -38,6 +38,7 @@ export function startSearchJobs(
   { onFound, onProved, onEnd }: SearchListener,
 ): SearchJobs {
   let isOver = false;
+  let areMineralsProved = false;
   const played = { level: withoutRuns(level), accuracy };
   const { objective, seed, budget } = settings;
   // with the objective `first`, runs that the level already has count as well
@@ -46,11 +47,18 @@ export function startSearchJobs(
     'solve',
     { ...played, goal, objective, count: RUNS_WANTED, known, seed, lane: 0, budget: 1000 * budget },
     (solving) => {
-      if (!isOver) onFound(solving);
+      if (isOver) return;
+      onFound(solving);
+      // the black hole can be reached, so finer sets would prove nothing
+      if (solving.solutions.length > 0 && areMineralsProved) prove.cancel();
     },
   );
-  const prove = workers.start('proofs', { ...played, collected: [] }, (proved) => {
-    if (!isOver) onProved(proved);
+  let told = 0;
+  const prove = workers.start('proofs', { ...played, collected: [], finer: 1000 * budget }, (proved) => {
+    if (isOver) return;
+    onProved(proved);
+    // first the black hole is reported, then the minerals
+    areMineralsProved = ++told > 1;
   });
   void solve.end.then((end) => {
     if (isOver) return;

@@ -1,0 +1,142 @@
+import { type AccuracyName, TICK, WorkBudget } from '../../engine/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
+import { type Goal, mineralsNeeded } from '../goal.ts';
+import { type About, type Proof, type Prover, proveBy } from '../proofs/index.ts';
+import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
+import { verifyProof } from '../verify/index.ts';
+
+/** For which runs an {@link AnytimeProof} is sought. */
+export interface AnytimeOptions {
+  /** The accuracy that the proof has to cover. */
+  readonly accuracy: AccuracyName;
+  /** What a run has to achieve; by default only the black hole. */
+  readonly goal?: Goal;
+  /** The longest a run may last, ticks; 3600 by default. */
+  readonly maxTicks?: number;
+  /** Asked from time to time during an attempt, which is given up when it returns true. By default no attempt is. */
+  readonly isStopped?: () => boolean;
+}
+
+/** A search for a proof that goes on for as long as it is given work. */
+export interface AnytimeProof {
+  /** The proof that no run reaches the goal, confirmed by {@link verifyProof}; null until there is one. */
+  readonly proof: Proof | null;
+  /** True when there is a proof, or nothing finer is left to try. */
+  readonly finished: boolean;
+  /** The work done so far, in ticks of a search that take about as long. */
+  readonly ticks: number;
+  /**
+   * Continues the work. The same total gives the same result however it is split into calls: an attempt is made once the total
+   * covers its limit.
+   * @param ticks how much more work to do; less is done as long as it does not suffice for the next attempt
+   */
+  advance(ticks: number): void;
+}
+
+/** The provers that prove more with finer sets, the one that takes least work first. */
+const FINER: readonly Prover[] = ['doomed', 'flowpipe'];
+
+/** Fineness from 0 on; a prover tries nothing finer than it can. */
+const FINEST = 4;
+
+/** The limit of an attempt at the first fineness, ticks; the next are larger by the factor. */
+const FIRST = 400_000;
+const GROWTH = 3;
+
+/** With more minerals than this, only the black hole is examined. */
+const MOST_MINERALS = 3;
+
+/** Looks at the state between two questions whether to stop. */
+const ASK_EVERY = 200_000;
+
+/** A limit on the work of one attempt that also ends it on request. */
+class StoppableBudget extends WorkBudget {
+  private readonly isStopped: () => boolean;
+  private askAt = ASK_EVERY;
+
+  constructor(looks: number, isStopped: () => boolean) {
+    super(looks / 16);
+    this.isStopped = isStopped;
+  }
+
+  override look(count: number): void {
+    super.look(count);
+    if (this.looks < this.askAt) return;
+    this.askAt = this.looks + ASK_EVERY;
+    if (this.isStopped()) this.end();
+  }
+}
+
+interface Attempt {
+  readonly prover: Prover;
+  readonly about: About;
+  readonly fineness: number;
+  /** The most work, ticks. */
+  readonly limit: number;
+}
+
+function* attemptsFor({ minerals }: Level, goal: Goal): Generator<Attempt, void> {
+  const abouts: About[] = [{ kind: 'blackHole' }];
+  const needed = mineralsNeeded(goal, minerals.length);
+  if (needed > 0 && needed === minerals.length && needed <= MOST_MINERALS)
+    abouts.push(...minerals.map((_, index): About => ({ kind: 'mineral', index })));
+  let limit = FIRST;
+  for (let fineness = 0; fineness <= FINEST; fineness++) {
+    for (const about of abouts) for (const prover of FINER) yield { prover, about, fineness, limit };
+    limit *= GROWTH;
+  }
+}
+
+/**
+ * Creates a search for a proof that a goal is out of reach, with ever finer sets. The quick provers of `proveImpossible` are not
+ * repeated, so call that first. It does nothing before the first call of `advance`.
+ * @param level the level
+ * @param options the accuracy, the goal and the longest run
+ * @returns the search at its start
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { createAnytimeProof, createSolver } from 'gravity-quest-toolkit/solver';
+ *
+ * const solver = createSolver(compile(level), { objective: 'first' });
+ * const proving = createAnytimeProof(level, { accuracy: 'precise' });
+ * while (!solver.finished && proving.proof === null && solver.effort.ticks < 5_000_000) {
+ *   solver.advance(50_000);
+ *   proving.advance(50_000);
+ * }
+ * ```
+ */
+export function createAnytimeProof(level: Level, options: AnytimeOptions): AnytimeProof {
+  const { accuracy, goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS, isStopped = () => false } = options;
+  const attempts = attemptsFor(level, goal);
+  let next = attempts.next();
+  let proof: Proof | null = null;
+  let asked = 0;
+  let spent = 0;
+
+  function attempt({ prover, about, fineness, limit }: Attempt): void {
+    const budget = new StoppableBudget(limit, isStopped);
+    const found = proveBy(prover, level, about, { accuracy, maxTime: maxTicks * TICK, budget, fineness });
+    spent += Math.min(limit, Math.max(1, Math.ceil(budget.looks)));
+    if (found !== null && verifyProof(level, found).ok) proof = found;
+  }
+
+  return {
+    get proof() {
+      return proof;
+    },
+    get finished() {
+      return proof !== null || next.done === true;
+    },
+    get ticks() {
+      return spent;
+    },
+    advance(ticks) {
+      asked += ticks;
+      while (proof === null && next.done !== true && spent + next.value.limit <= asked && !isStopped()) {
+        attempt(next.value);
+        next = attempts.next();
+      }
+    },
+  };
+}

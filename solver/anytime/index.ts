@@ -1,0 +1,1 @@
+export { type AnytimeOptions, type AnytimeProof, createAnytimeProof } from './anytime-proof.ts';
