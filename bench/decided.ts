@@ -70,14 +70,14 @@ const from = Number(optionValue('--from') ?? 0);
 const count = Number(optionValue('--levels') ?? set.size);
 const seeds =
   optionValue('--seeds')?.split(',').map(Number) ?? Array.from({ length: Math.min(count, set.size - from) }, (_, i) => from + i);
-const { effort, refute, refuteEffort, jobs } = askedEffort(20_000_000, 4);
+const { effort, refute, refuteEffort, jobs } = askedEffort(5_000_000);
 
 const hash = set.hashNow();
 if (hash !== set.hash) throw new Error(`the ${named} set has changed: expected ${set.hash}, found ${hash}`);
 const levels = seeds.map((seed) => ({ name: String(seed), level: resolveLevel(set.level(seed)) }));
 const decisions = await decideAll(levels, effort, jobs);
 tell(levels, refute > 0 ? await refuteSome(levels, decisions, refute, refuteEffort, jobs) : decisions, {
-  title: `The ${named} set: decided at ${effort.accuracy}, up to ${effort.searches} searches of ${effort.budget} ticks a level`,
+  title: `The ${named} set: decided at ${effort.accuracy} with ${effort.budget} ticks a level`,
   strata: [...STRATA, ...set.strata],
   goal: set.goal,
 });

@@ -35,10 +35,10 @@ const levels = sources
   )
   .filter(({ name }) => only === undefined || only.some((part) => name.includes(part)));
 
-const { effort, refute, refuteEffort, jobs } = askedEffort(5_000_000, 1);
+const { effort, refute, refuteEffort, jobs } = askedEffort(5_000_000);
 const decisions = await decideAll(levels, effort, jobs);
 tell(levels, refute > 0 ? await refuteSome(levels, decisions, refute, refuteEffort, jobs) : decisions, {
-  title: `Copies of ${sources.length} levels with one slip each: decided at ${effort.accuracy} with ${effort.searches} x ${effort.budget} ticks`,
+  title: `Copies of ${sources.length} levels with one slip each: decided at ${effort.accuracy} with ${effort.budget} ticks a level`,
   strata: [
     ['all', () => true],
     ...SLIPS.map((slip) => [slip, ({ name }: { name: string }) => name.endsWith(`: ${slip}`)] as const),

@@ -11,7 +11,14 @@
  *
  * @module
  */
-export { type AnytimeOptions, type AnytimeProof, createAnytimeProof } from './anytime/index.ts';
+export {
+  type AnytimeOptions,
+  type AnytimeProof,
+  createAnytimeProof,
+  createDecider,
+  type Decider,
+  type DeciderOptions,
+} from './anytime/index.ts';
 export { type Cleaned, type CleanOptions, cleanRun } from './clean/index.ts';
 export {
   type AsteroidUse,

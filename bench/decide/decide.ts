@@ -1,6 +1,6 @@
-import { type AccuracyName, compile } from '../../engine/index.ts';
+import { type AccuracyName, compile, type Scene } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
-import { createSearch, proveImpossible, verifyProof } from '../../solver/index.ts';
+import { createDecider, createSearch, proveImpossible, verifyProof } from '../../solver/index.ts';
 
 /** A level to decide, with a name by which reports call it. */
 export interface NamedLevel {
@@ -14,15 +14,17 @@ export interface Decision {
   readonly verdict: 'completable' | 'impossible' | 'undecided';
   /** The code of the proof, or what went wrong with it. */
   readonly proof: string | null;
-  /** Ticks searched. */
+  /** Ticks of search and proofs together. */
   readonly ticks: number;
+  /** Ticks of the search that was to refute a proof. */
+  readonly refutingTicks: number;
   /** Closest approach, px; null when nothing was searched. */
   readonly closest: number | null;
   /** Squares of 32 px that the search reached. */
   readonly squares: number;
-  /** Processor time of the search, ms. */
+  /** Processor time of search and longer proofs together, ms. */
   readonly searchMs: number;
-  /** Processor time of the proof, ms. */
+  /** Processor time of the quick provers, ms. */
   readonly proofMs: number;
   /** Processor time of the checker, ms. */
   readonly verifyMs: number;
@@ -31,10 +33,8 @@ export interface Decision {
 /** How much is tried on each level. */
 export interface Effort {
   readonly accuracy: AccuracyName;
-  /** Ticks of one search of a level that no proof settles. */
+  /** Ticks of search and proofs together, for a level that no quick proof settles. */
   readonly budget: number;
-  /** Number of searches, each with its own seed, if the first one gets far. */
-  readonly searches: number;
   /** Processor time to search a level that is proved impossible, ms; 0 for no search. */
   readonly refuteMs: number;
 }
@@ -42,9 +42,7 @@ export interface Effort {
 // ticks between two readings of the clock
 const SLICE = 50_000;
 
-/**
- * A search that reaches no more squares than this ends quickly whatever it presses, so another search would tell nothing new.
- */
+/** A level in which a search reaches no more squares than this ends quickly whatever is pressed. */
 export const FEW_SQUARES = 40;
 
 const milliseconds = (since: NodeJS.CpuUsage): number => {
@@ -53,40 +51,45 @@ const milliseconds = (since: NodeJS.CpuUsage): number => {
 };
 
 /** Tries to prove a level impossible, and searches it when that fails, or to refute the proof. */
-export function decide({ name, level }: NamedLevel, { accuracy, budget, searches, refuteMs }: Effort): Decision {
+export function decide({ name, level }: NamedLevel, { accuracy, budget, refuteMs }: Effort): Decision {
   const began = process.cpuUsage();
-  const proof = proveImpossible(level, { accuracy });
+  const quick = proveImpossible(level, { accuracy });
   const proofMs = milliseconds(began);
+  const from = process.cpuUsage();
+  const scene = compile(level, accuracy);
+  const decider = createDecider(scene, { objective: 'first', seed: 0, effort: budget });
+  while (quick === null && !decider.finished) decider.advance(SLICE);
+  const proof = quick ?? decider.impossible;
+  const searchMs = milliseconds(from);
   const checked = process.cpuUsage();
   const verification = proof === null ? null : verifyProof(level, proof);
   const verifyMs = milliseconds(checked);
-  const from = process.cpuUsage();
-  const scene = compile(level, accuracy);
-  let search = createSearch(scene, { seed: 0 });
-  let ticks = 0;
-  for (let one = 0; one < (proof === null ? searches : 1); one++) {
-    if (one > 0) search = createSearch(scene, { seed: one });
-    const isOn = (): boolean => (proof === null ? search.effort.ticks < budget : refuteMs > 0 && milliseconds(from) < refuteMs);
-    // a search may run out of work: it is not continued once it no longer advances
-    for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && isOn(); ) {
-      before = search.effort.ticks;
-      search.advance(Math.min(SLICE, proof === null ? budget - before : SLICE));
-    }
-    ticks += search.effort.ticks;
-    if (search.solutions.length > 0 || search.explored.cells.length <= FEW_SQUARES) break;
-  }
-  const found = search.solutions.length > 0;
+  const refuted = proof !== null && refuteMs > 0 ? refute(scene, refuteMs) : null;
+  const found = decider.best !== null || refuted?.isFound === true;
   const wrong =
     verification !== null && !verification.ok ? `unverified: ${verification.why}` : found && proof !== null ? 'REFUTED' : null;
   return {
     name,
     verdict: found ? 'completable' : proof !== null && wrong === null ? 'impossible' : 'undecided',
     proof: wrong ?? proof?.code ?? null,
-    ticks,
-    closest: search.closest?.distance ?? null,
-    squares: search.explored.cells.length,
-    searchMs: milliseconds(from),
+    ticks: decider.effort.ticks,
+    refutingTicks: refuted?.ticks ?? 0,
+    closest: decider.closest?.distance ?? null,
+    squares: decider.explored.cells.length,
+    searchMs,
     proofMs,
     verifyMs,
   };
+}
+
+/** Searches a level that is said to be impossible. */
+function refute(scene: Scene, ms: number): { isFound: boolean; ticks: number } {
+  const search = createSearch(scene, { seed: 1 });
+  const from = process.cpuUsage();
+  // a search may run out of work: it is not continued once it no longer advances
+  for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && milliseconds(from) < ms; ) {
+    before = search.effort.ticks;
+    search.advance(SLICE);
+  }
+  return { isFound: search.solutions.length > 0, ticks: search.effort.ticks };
 }

@@ -2,7 +2,7 @@ import { DEFAULT_ACCURACY, isAccuracyName } from '../../engine/index.ts';
 import { optionValue } from '../harness.ts';
 import type { Effort } from './decide.ts';
 
-/** What the command line asks for: `--accuracy`, `--budget`, `--searches`, `--refute`, `--refute-seconds`, `--jobs`. */
+/** What the command line asks for: `--accuracy`, `--budget`, `--refute`, `--refute-seconds`, `--jobs`. */
 export interface Asked {
   readonly effort: Effort;
   /** Number of levels proved impossible that are searched afterwards. */
@@ -14,18 +14,16 @@ export interface Asked {
 
 /**
  * Reads the options.
- * @param budget ticks of a search unless `--budget` is given
- * @param searches number of searches unless `--searches` is given
+ * @param budget ticks a level unless `--budget` is given
  * @throws {RangeError} for an unknown accuracy
  */
-export function askedEffort(budget: number, searches: number): Asked {
+export function askedEffort(budget: number): Asked {
   const accuracy = optionValue('--accuracy') ?? DEFAULT_ACCURACY;
   if (!isAccuracyName(accuracy))
     throw new RangeError(`--accuracy: expected arcade, fast, standard or precise, found ${accuracy}`);
   const effort: Effort = {
     accuracy,
     budget: Number(optionValue('--budget') ?? budget),
-    searches: Number(optionValue('--searches') ?? searches),
     refuteMs: 0,
   };
   return {

@@ -37,7 +37,7 @@ export function tell(levels: readonly NamedLevel[], decisions: readonly Decision
   ];
   const searched = decisions.filter(({ verdict }) => verdict === 'completable').map(({ ticks }) => ticks);
   searched.sort((a, b) => a - b);
-  const refuted = decisions.filter(({ verdict, ticks }) => verdict === 'impossible' && ticks > 0);
+  const refuted = decisions.filter(({ verdict, refutingTicks }) => verdict === 'impossible' && refutingTicks > 0);
   const most = (of: (decision: Decision) => number) => Math.round(Math.max(0, ...decisions.map(of)));
   publish({
     title,
@@ -47,9 +47,11 @@ export function tell(levels: readonly NamedLevel[], decisions: readonly Decision
     notes: [
       `Proofs: ${[...proofs].map(([code, n]) => `${code} ${n}`).join(', ') || 'none'}.`,
       `Ticks to the first run: median ${searched[searched.length >> 1] ?? '-'}, most ${searched.at(-1) ?? '-'}.`,
-      `Processor time of a level at most: proof ${most((d) => d.proofMs)} ms, checker ${most((d) => d.verifyMs)} ms, search ${most((d) => d.searchMs)} ms.`,
+      `Processor time of a level at most: quick proofs ${most((d) => d.proofMs)} ms, search and longer proofs ${most((d) => d.searchMs)} ms, checker ${most((d) => d.verifyMs)} ms.`,
       ...(refuted.length > 0
-        ? [`Searched against a proof: ${refuted.length} levels, ${refuted.reduce((sum, { ticks }) => sum + ticks, 0)} ticks.`]
+        ? [
+            `Searched against a proof: ${refuted.length} levels, ${refuted.reduce((sum, { refutingTicks }) => sum + refutingTicks, 0)} ticks.`,
+          ]
         : []),
       ...(undecided.length > 0 ? [`Undecided: ${inCommon(undecided, (d) => levelOf(d).level)}.`] : []),
       ...undecided.map((d) => `undecided ${d.name}: ${aboutLevel(d, levelOf(d).level)}`),

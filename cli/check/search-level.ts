@@ -1,6 +1,6 @@
 import type { Searched } from '../../check/index.ts';
-import { isAccuracyName, type Scene, TICK_RATE } from '../../engine/index.ts';
-import { createAnytimeProof, createSolver, type Proof } from '../../solver/index.ts';
+import { type Scene, TICK_RATE } from '../../engine/index.ts';
+import { createDecider, type Proof } from '../../solver/index.ts';
 import type { CheckSettings, SearchSettings } from './checked-level.ts';
 
 /** Simulated ticks between two looks at the clock. */
@@ -22,37 +22,15 @@ export interface LevelSearch extends Searched {
 export function searchLevel(
   scene: Scene,
   { limits, seed }: SearchSettings,
-  { accuracy, maxTime, requireSlack }: CheckSettings,
+  { maxTime, requireSlack }: CheckSettings,
 ): LevelSearch {
   const objective = requireSlack === null ? 'first' : 'robust';
   const maxTicks = Math.round(maxTime * TICK_RATE);
-  const solver = createSolver(scene, { objective, seed, maxTicks });
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
-  const most = limits.effort ?? Number.POSITIVE_INFINITY;
   const isLate = (): boolean => performance.now() >= end;
-  const proving = isAccuracyName(accuracy.name)
-    ? createAnytimeProof(scene.level, { accuracy: accuracy.name, maxTicks, isStopped: isLate })
-    : null;
-  const spent = (): number => solver.effort.ticks + (proving?.ticks ?? 0);
-  const isProving = (): boolean => solver.best === null && proving !== null && !proving.finished;
-  const isOver = (): boolean => (solver.best === null && proving?.proof != null) || solver.finished;
-  // what the proofs may have spent so far
-  let given = 0;
-  while (!isOver() && spent() < most && !isLate()) {
-    solver.advance(Math.min(SLICE, most - spent()));
-    if (!isProving()) continue;
-    const may = Math.min(solver.effort.ticks, (proving?.ticks ?? 0) + Math.max(0, most - spent()));
-    proving?.advance(Math.max(0, may - given));
-    given = Math.max(given, may);
-  }
-  const { best, effort, closest } = solver;
-  const impossible = best === null ? (proving?.proof ?? null) : null;
-  const isOutOfTime = !isOver() && spent() < most;
-  return {
-    found: best?.holds ?? null,
-    impossible,
-    effort: { runs: effort.runs, ticks: effort.ticks + (proving?.ticks ?? 0) },
-    closest,
-    isOutOfTime,
-  };
+  const effort = limits.effort ?? undefined;
+  const decider = createDecider(scene, { objective, seed, maxTicks, effort, isStopped: isLate });
+  while (!decider.finished && !isLate()) decider.advance(SLICE);
+  const { best, impossible, closest, finished } = decider;
+  return { found: best?.holds ?? null, impossible, effort: { ...decider.effort }, closest, isOutOfTime: !finished };
 }

@@ -46,6 +46,12 @@ const GROWTH = 3;
 /** With more minerals than this, only the black hole is examined. */
 const MOST_MINERALS = 3;
 
+/**
+ * A prover that fails with less work than this does not apply, however fine: she starts at rest, say, and can wait. It is not
+ * tried again.
+ */
+const PROBE = 2000;
+
 /** Looks at the state between two questions whether to stop. */
 const ASK_EVERY = 200_000;
 
@@ -75,16 +81,23 @@ interface Attempt {
   readonly limit: number;
 }
 
-function* attemptsFor({ minerals }: Level, goal: Goal): Generator<Attempt, void> {
-  const abouts: About[] = [{ kind: 'blackHole' }];
-  const needed = mineralsNeeded(goal, minerals.length);
-  if (needed > 0 && needed === minerals.length && needed <= MOST_MINERALS)
-    abouts.push(...minerals.map((_, index): About => ({ kind: 'mineral', index })));
+function* attemptsFor(abouts: readonly About[]): Generator<Attempt, void, boolean> {
+  const questions: { prover: Prover; about: About }[] = [];
+  // each prover is probed first: true means that it may prove something with more work
+  for (const prover of FINER) {
+    for (const about of abouts) if (yield { prover, about, fineness: 0, limit: PROBE }) questions.push({ prover, about });
+  }
   let limit = FIRST;
   for (let fineness = 0; fineness <= FINEST; fineness++) {
-    for (const about of abouts) for (const prover of FINER) yield { prover, about, fineness, limit };
+    for (const question of questions) yield { ...question, fineness, limit };
     limit *= GROWTH;
   }
+}
+
+function aboutsOf({ minerals }: Level, goal: Goal): About[] {
+  const needed = mineralsNeeded(goal, minerals.length);
+  const areAllNeeded = needed > 0 && needed === minerals.length && needed <= MOST_MINERALS;
+  return [{ kind: 'blackHole' }, ...(areAllNeeded ? minerals.map((_, index): About => ({ kind: 'mineral', index })) : [])];
 }
 
 /**
@@ -108,17 +121,19 @@ function* attemptsFor({ minerals }: Level, goal: Goal): Generator<Attempt, void>
  */
 export function createAnytimeProof(level: Level, options: AnytimeOptions): AnytimeProof {
   const { accuracy, goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS, isStopped = () => false } = options;
-  const attempts = attemptsFor(level, goal);
+  const attempts = attemptsFor(aboutsOf(level, goal));
   let next = attempts.next();
   let proof: Proof | null = null;
   let asked = 0;
   let spent = 0;
 
-  function attempt({ prover, about, fineness, limit }: Attempt): void {
+  /** Returns whether it would have gone on with more work. */
+  function attempt({ prover, about, fineness, limit }: Attempt): boolean {
     const budget = new StoppableBudget(limit, isStopped);
     const found = proveBy(prover, level, about, { accuracy, maxTime: maxTicks * TICK, budget, fineness });
     spent += Math.min(limit, Math.max(1, Math.ceil(budget.looks)));
     if (found !== null && verifyProof(level, found).ok) proof = found;
+    return budget.isUsedUp;
   }
 
   return {
@@ -134,8 +149,7 @@ export function createAnytimeProof(level: Level, options: AnytimeOptions): Anyti
     advance(ticks) {
       asked += ticks;
       while (proof === null && next.done !== true && spent + next.value.limit <= asked && !isStopped()) {
-        attempt(next.value);
-        next = attempts.next();
+        next = attempts.next(attempt(next.value));
       }
     },
   };
