@@ -1,2 +1,2 @@
 export { hashStyledSet, STYLED_SET_HASH } from './frozen.ts';
-export { STYLED_SET_SIZE, STYLES, type Style, styledLevel, styleOf } from './styled-level.ts';
+export { STYLED_SET_SIZE, STYLES, styledLevel, styleOf } from './styled-level.ts';

@@ -4,8 +4,8 @@
  */
 export const LANES = 4;
 
-/** The number of the lane that looks for a proof that there is no run, beside those that look for runs. */
-export const PROOF_LANE = LANES;
+/** The number of the lane that looks for a proof that there is no run; those that look for runs have numbers below. */
+export const PROOF_LANE = 1000;
 
 /** A round: the total ticks of each lane, and of the proof lane. */
 export interface Round {

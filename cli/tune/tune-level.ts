@@ -10,7 +10,7 @@ import {
   rulesOf,
   type ScriptedRun,
 } from '../../schema/index.ts';
-import { createSolver } from '../../solver/index.ts';
+import { createDecider, type Decider } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { nameOfFile } from '../name-of-file.ts';
@@ -136,17 +136,16 @@ function judge(
   if (proveGoalImpossible(scene.level, settings.accuracy, { minerals: 'any' }, maxTicks) !== null) {
     return { value, state: 'impossible', holds: null };
   }
-  const found = search(scene, settings.search, maxTicks);
-  return { value, state: found === null ? 'unproven' : 'other', holds: found };
+  const { best, impossible } = decide(scene, settings.search, maxTicks);
+  if (best !== null) return { value, state: 'other', holds: best.holds };
+  return { value, state: impossible === null ? 'unproven' : 'impossible', holds: null };
 }
 
-/** Searches for a run that completes a scene; null: none was found within the limits. */
-function search(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>, maxTicks: number): readonly Hold[] | null {
-  const solver = createSolver(scene, { objective: 'first', seed, maxTicks });
+/** Searches for a run that completes a scene, or a proof that there is none, within the limits. */
+function decide(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>, maxTicks: number): Decider {
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
-  const most = limits.effort ?? Number.POSITIVE_INFINITY;
-  while (!solver.finished && solver.effort.ticks < most && performance.now() < end) {
-    solver.advance(Math.min(SLICE, most - solver.effort.ticks));
-  }
-  return solver.best?.holds ?? null;
+  const isStopped = (): boolean => performance.now() >= end;
+  const decider = createDecider(scene, { objective: 'first', seed, maxTicks, effort: limits.effort ?? undefined, isStopped });
+  while (!decider.finished && !isStopped()) decider.advance(SLICE);
+  return decider;
 }
