@@ -3,7 +3,7 @@ import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import { successProbability } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
-import { gradeOf, hardnessOf } from './grade.ts';
+import { gradeOf, hardnessOf, strictnessOf } from './grade.ts';
 import { sigmaAtHalfOf } from './sigma-at-half.ts';
 
 /** One of the runs that were compared, measured briefly. */
@@ -12,6 +12,8 @@ export interface ComparedRun {
   readonly run: Candidate;
   /** Success under timing noise of 40 ms, 0 to 1. */
   readonly p40: number;
+  /** The timing noise at which half of all attempts succeed, ms; at most 500. */
+  readonly sigmaAtHalf: number;
   /** The grade that the level would have if this were its only run. */
   readonly grade: number;
 }
@@ -27,8 +29,8 @@ export function asGiven(scene: Scene, holds: readonly Hold[], goal: Goal, maxTic
 }
 
 /**
- * Compares runs by the grade that each would give, the easiest first. All of them are measured under the same noise, and a run more
- * can only make the first one easier.
+ * Compares runs: the one that forgives most first. All of them are measured under the same noise.
+ * @param randomShare how often random play wins, for the grade
  */
 export function compareRuns(
   scene: Scene,
@@ -44,8 +46,8 @@ export function compareRuns(
     const p40 = successProbability(scene, run.holds, goal, 40, { samples, seed, maxTicks });
     const sigmaAtHalf = sigmaAtHalfOf(scene, run.holds, goal, { samples, seed, known: [p40] });
     const input = { p40: p40.p, sigmaAtHalf, presses: run.holds.length, seconds: run.time, randomShare };
-    return [{ run, p40: p40.p, grade: gradeOf(input).value, hardness: hardnessOf(input) }];
+    return [{ input, own: { run, p40: p40.p, sigmaAtHalf, grade: gradeOf(input).value } }];
   });
-  measured.sort((a, b) => a.hardness - b.hardness || b.p40 - a.p40 || a.run.holds.length - b.run.holds.length);
-  return measured.map(({ run, p40, grade }) => ({ run, p40, grade }));
+  measured.sort((a, b) => strictnessOf(a.input) - strictnessOf(b.input) || hardnessOf(a.input) - hardnessOf(b.input));
+  return measured.map(({ own }) => own);
 }

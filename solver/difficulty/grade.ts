@@ -39,17 +39,18 @@ const WEIGHTS = { timing: 0.25, risk: 0.2, search: 0.25, presses: 0.15, length: 
 const LEAST = 0.1;
 const MOST = 0.85;
 
+/** How little a run forgives, from 0 to 0.45: the parts of the grade for timing and risk. */
+export const strictnessOf = ({ p40, sigmaAtHalf }: Pick<GradeInput, 'p40' | 'sigmaAtHalf'>): number =>
+  (WEIGHTS.timing * 60) / (60 + sigmaAtHalf) + WEIGHTS.risk * (1 - p40);
+
 /**
  * Computes how hard a level is without the limits and the rounding of the grade: 1 + 9 (sum - 0.1) / 0.75, see {@link gradeOf}.
  */
 export function hardnessOf(input: GradeInput): number {
-  const timing = 60 / (60 + input.sigmaAtHalf);
-  const risk = 1 - input.p40;
   const search = 0.01 / (0.01 + input.randomShare);
   const presses = input.presses / (input.presses + 4);
   const length = input.seconds / (input.seconds + 20);
-  const sum =
-    WEIGHTS.timing * timing + WEIGHTS.risk * risk + WEIGHTS.search * search + WEIGHTS.presses * presses + WEIGHTS.length * length;
+  const sum = strictnessOf(input) + WEIGHTS.search * search + WEIGHTS.presses * presses + WEIGHTS.length * length;
   return 1 + (9 * (sum - LEAST)) / (MOST - LEAST);
 }
 
@@ -62,7 +63,7 @@ export function hardnessOf(input: GradeInput): number {
  * - presses: n / (n + 4)
  * - length: t / (t + 20), t in s
  *
- * The grade of a level is that of the run which makes it easiest, of those that are known. It is an estimate, and was not fitted to
+ * The grade of a level is the lowest that any of its known runs gives. It is an estimate, and was not fitted to
  * players.
  */
 export function gradeOf(input: GradeInput): Grade {

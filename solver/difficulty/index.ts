@@ -10,10 +10,6 @@ export {
   type RunComparison,
 } from './measure-difficulty.ts';
 export { countOnePress, type OnePressCount } from './one-press.ts';
-export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';
-export { findShortcuts, type OnePress, type ShortcutOptions, type Shortcuts } from './shortcuts.ts';
-export { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
-export type { AsteroidUse, WithoutAsteroid } from './without-asteroid.ts';
 export {
   createPlayers,
   type FitInterval,
@@ -28,3 +24,7 @@ export {
   type PlayerShare,
   UNCALIBRATED,
 } from './player/index.ts';
+export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';
+export { findShortcuts, type OnePress, type ShortcutOptions, type Shortcuts } from './shortcuts.ts';
+export { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
+export type { AsteroidUse, WithoutAsteroid } from './without-asteroid.ts';

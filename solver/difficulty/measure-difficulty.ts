@@ -13,11 +13,11 @@ import { createSolver } from '../solve/index.ts';
 import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 import { asGiven, type ComparedRun, compareRuns } from './compare-runs.ts';
 import { findRuns } from './find-runs.ts';
-import { type Grade, gradeOf } from './grade.ts';
+import { type Grade, type GradeInput, gradeOf } from './grade.ts';
 import { createPlayers, type PlayerForecast } from './player/index.ts';
 import { playAtRandom, type RandomPlay } from './random-play.ts';
 import { findShortcuts, type Shortcuts } from './shortcuts.ts';
-import { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
+import { findSigmaAtHalf, type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 
 /** What collecting all minerals costs in addition: the best known run with all of them compared with the measured run. */
 export interface MineralsExtra {
@@ -33,7 +33,7 @@ export interface MineralsExtra {
 
 /** All runs that were compared. */
 export interface RunComparison {
-  /** Each of them, the one that makes the level easiest first: it is the measured run. */
+  /** Each of them, the one that forgives most first: it is the measured run. */
   readonly runs: readonly ComparedRun[];
   /** The mean of their success under timing noise of 40 ms, 0 to 1. */
   readonly meanP40: number;
@@ -43,7 +43,7 @@ export interface RunComparison {
 
 /** How hard a level is, in numbers. */
 export interface Difficulty {
-  /** The run that was measured: of those compared, the one that makes the level easiest. */
+  /** The run that was measured: of those compared, the one that forgives most. */
   readonly run: Candidate;
   /** The runs that were compared, measured briefly; only the given one if one was given. */
   readonly comparison: RunComparison;
@@ -68,7 +68,7 @@ export interface Difficulty {
   readonly shortcuts: Shortcuts;
   /** What the uncalibrated model of players expects who aim at the run; null if nothing was to be spent on it. */
   readonly forecast: PlayerForecast | null;
-  /** The estimated grade. */
+  /** The estimated grade: the lowest that any of the compared runs gives, which is mostly that of the measured run. */
   readonly grade: Grade;
 }
 
@@ -108,10 +108,9 @@ export const PLAYER_EFFORT = 2_000_000;
 const ANY: Goal = { minerals: 'any' };
 
 /**
- * Measures how hard a level is. It compares the runs that are known and measures the one that makes the level easiest: success under
- * timing noise, the noise at which half of all attempts succeed, the slack of each edge, the share of random play that wins, how
+ * Measures how hard a level is. It compares the runs that are known and measures the one that forgives most: success under timing noise, the noise at which half of all attempts succeed, the slack of each edge, the share of random play that wins, how
  * synthetic players fare, and the simple runs that complete the level ({@link findShortcuts}). The grade is a formula over these
- * numbers. The certificate of the run may take {@link BRIEF_CERTIFY_RUNS} runs, and says when that was too few.
+ * numbers; where another of the runs gives a lower one, that is the grade. The certificate of the run may take {@link BRIEF_CERTIFY_RUNS} runs, and says when that was too few.
  * @param scene the compiled level
  * @param holds the run to measure, [press, release) in ticks; null compares the level's own runs and those that a search finds
  * @param options the goal, the seed and what to spend
@@ -159,14 +158,33 @@ export function measureDifficulty(
       maxTicks,
     }),
     forecast: forecastOf(scene, run.holds, goal, { effort: options.playerEffort ?? PLAYER_EFFORT, seed, maxTicks }),
-    grade: gradeOf({
+    grade: lowestGrade(scene, goal, runs, {
       p40: robustness.p40.p,
       sigmaAtHalf: sigmaAtHalf.ms,
       presses,
       seconds: run.time,
       randomShare: randomPlay.share,
+      samples,
+      seed,
     }),
   };
+}
+
+/** The grade of the first run, or of one that was graded lower when they were compared, if that holds with all samples. */
+function lowestGrade(
+  scene: Scene,
+  goal: Goal,
+  runs: readonly ComparedRun[],
+  { samples, seed, ...first }: GradeInput & { readonly samples: number; readonly seed: number },
+): Grade {
+  const lowest = runs.reduce((a, b) => (b.grade < a.grade ? b : a));
+  const own = gradeOf(first);
+  if (lowest === runs[0]) return own;
+  const { holds, time } = lowest.run;
+  const p40 = successProbability(scene, holds, goal, 40, { samples, seed });
+  const sigmaAtHalf = sigmaAtHalfOf(scene, holds, goal, { samples, seed, known: [p40] });
+  const other = gradeOf({ ...first, p40: p40.p, sigmaAtHalf, presses: holds.length, seconds: time });
+  return other.value < own.value ? other : own;
 }
 
 const meanOf = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -9,4 +9,4 @@ export {
   type PlayerPopulation,
   type PlayerShare,
 } from './population.ts';
-export { practiceTable, timeRun } from "./timing.ts";
+export { practiceTable, timeRun } from './timing.ts';

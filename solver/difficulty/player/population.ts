@@ -7,7 +7,7 @@ import { verifyRun } from '../../verified-run.ts';
 import { normalQuantile } from './normal-quantile.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
 import { edgesOf, Player, uniformIn01 } from './player.ts';
-import { practiceTable, timeRun } from './timing.ts';
+import { practiceTable, timeRun, typicalError } from './timing.ts';
 
 /** A share of synthetic players. */
 export interface PlayerShare {
@@ -37,6 +37,10 @@ export interface ForecastAttempt {
 export interface PlayerForecast {
   /** The parameters that were used. */
   readonly parameters: PlayerParameters;
+  /** How much the median player misses the presses and releases by at first: the root mean square, ms. */
+  readonly firstErrorMs: number;
+  /** The same at the last attempt, after as much practice. */
+  readonly lastErrorMs: number;
   /** How many players of mixed skill were simulated; another half as many at either end of the range of skill. */
   readonly players: number;
   /** Their attempts, ascending. */
@@ -120,8 +124,7 @@ export function createPlayers(scene: Scene, holds: readonly Hold[], goal: Goal, 
     for (let turn = 0; ; turn++) {
       const group = TURNS[turn % TURNS.length];
       const own = uniformOf(seed, players[group], SEED_OF_GROUP[group]);
-      const skill =
-        group === 'mixed' ? normalQuantile(uniformIn01(own, 0, SKILL)) : group === 'skilled' ? SKILLED : UNSKILLED;
+      const skill = group === 'mixed' ? normalQuantile(uniformIn01(own, 0, SKILL)) : group === 'skilled' ? SKILLED : UNSKILLED;
       const factor = parameters.scale * exponential(parameters.spread * skill);
       const player = new Player(trials, start, joined, run, left, factor, own);
       for (let i = 0; i < attempts; i++) {
@@ -160,7 +163,15 @@ export function createPlayers(scene: Scene, holds: readonly Hold[], goal: Goal, 
         solved: share(solved[i]),
       }));
       const after = (least: number) => rows.find((row) => row.solved.p >= least)?.number ?? null;
-      return { parameters, players: players.mixed, attempts: rows, half: after(0.5), most: after(0.9) };
+      return {
+        parameters,
+        firstErrorMs: typicalError(run, left[0], parameters.scale),
+        lastErrorMs: typicalError(run, left[Math.min(attempts - 1, MOST_PRACTICE)], parameters.scale),
+        players: players.mixed,
+        attempts: rows,
+        half: after(0.5),
+        most: after(0.9),
+      };
     },
   };
 }

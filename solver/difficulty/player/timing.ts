@@ -47,6 +47,15 @@ export const deviationOf = (run: TimedRun, edge: number, left: number, factor: n
   factor * Math.sqrt(run.motor + run.learnable[edge] * left);
 
 /**
+ * How much a player misses by: the root of the mean of all edges' variances, ms.
+ * @param left see {@link practiceTable}
+ */
+export function typicalError(run: TimedRun, left: number, factor: number): number {
+  const deviations = run.edges.map((_, edge) => deviationOf(run, edge, left, factor));
+  return Math.sqrt(deviations.reduce((sum, own) => sum + own * own, 0) / Math.max(1, deviations.length));
+}
+
+/**
  * Counts an attempt as practice: each edge that was made once, and both edges of the hold after which it failed once more.
  * @param practice how often each edge was practised; changed
  * @param reached how many edges were made
