@@ -22,14 +22,15 @@ export const forecastReportSchema = z
       .describe('The model.'),
     firstErrorMs: ms.describe('How much the median player misses presses and releases by at first, ms.'),
     lastErrorMs: ms.describe('The same after as much practice as the last attempt has.'),
-    players: count.describe('Synthetic players of mixed skill.'),
+    players: count.describe('How many synthetic players were simulated.'),
     attempts: z
       .array(
         z.strictObject({
           number: z.int().min(1),
           pass: ofPlayers.describe('Those who succeed at this attempt, if all still play, with the 90 % interval.'),
-          skilled: share.describe('The pass rate of a player who is better than 95 of 100.'),
-          unskilled: share.describe('The pass rate of a player who is better than 5 of 100.'),
+          range: z
+            .tuple([share, share])
+            .describe("A player's own pass rate at this attempt is between these with 90 % probability."),
           solved: ofPlayers.describe('Those who have succeeded by then, with the 90 % interval.'),
         }),
       )

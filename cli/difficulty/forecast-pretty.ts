@@ -17,7 +17,7 @@ export function forecastLines({ players, attempts, half, most }: PlayerForecast)
   const rates = [`${percent(p)} pass at the first attempt (${percent(low)} to ${percent(high)})`, ...later].join(', ');
   return [
     ['model', `of ${plural(players, 'synthetic player')}: ${rates}`],
-    ['', `nine in ten players pass the first attempt with ${percent(first.unskilled)} to ${percent(first.skilled)}`],
+    ['', `nine in ten players have a chance of ${percent(first.range[0])} to ${percent(first.range[1])} at the first attempt`],
     ['', solvedInWords(half, most, attempts.length)],
   ];
 }

@@ -38,7 +38,7 @@ export function playersJson({ statistics, model, names, fit }: Players): Difficu
 export const forecastJson = (forecast: PlayerForecast): ForecastReport => ({
   ...forecast,
   parameters: { ...forecast.parameters },
-  attempts: forecast.attempts.map((row) => ({ ...row, pass: { ...row.pass }, solved: { ...row.solved } })),
+  attempts: forecast.attempts.map((row) => ({ ...row, pass: { ...row.pass }, range: [...row.range], solved: { ...row.solved } })),
 });
 
 const fitJson = ({ fit, forecast }: FittedPlayers): FitReport => ({

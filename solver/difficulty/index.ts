@@ -16,12 +16,14 @@ export {
   type ForecastAttempt,
   fitPlayers,
   type ObservedAttempt,
+  type PlayedAttempt,
   type PlayerFit,
   type PlayerForecast,
   type PlayerOptions,
   type PlayerParameters,
   type PlayerPopulation,
   type PlayerShare,
+  playAsPlayers,
   UNCALIBRATED,
 } from './player/index.ts';
 export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';

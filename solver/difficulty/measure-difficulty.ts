@@ -102,7 +102,7 @@ export interface DifficultyOptions {
 /** Ticks to spend on finding a run by default. */
 export const SOLVE_EFFORT = 5_000_000;
 
-/** Ticks to spend on synthetic players by default: about 150 players of mixed skill, ten attempts each. */
+/** Ticks to spend on synthetic players by default: about 300 players, ten attempts each. */
 export const PLAYER_EFFORT = 2_000_000;
 
 const ANY: Goal = { minerals: 'any' };

@@ -65,8 +65,8 @@ const BEGIN: Point = [
  * Fits the player model to plays by maximum likelihood. Every press and release is an error with a known distribution: its variance
  * depends on the interval before it, on what follows, on how often the player has practised it, and on the player's factor, which is
  * integrated over the log-normal distribution of factors. A press or release that had not come when the attempt ended counts as
- * later than that (right-censored). Intervals are those of the profile likelihood, with Student's instead of the normal distribution,
- * since a few players are a small sample.
+ * later than that (right-censored). Intervals are those of the profile likelihood; those of scale
+ * and learning use Student's instead of the normal distribution, since a few players are a small sample.
  *
  * @param edges when the run that players aim at changes the button, ticks
  * @param end when that run ends, ticks
@@ -90,7 +90,7 @@ export function fitPlayers(
   const z = isAlone ? Z_90 : studentQuantile(evidence.length - 1);
   const scale = surface.interval(best, 0, isAlone, z);
   const learning = surface.interval(best, 1, isAlone, z);
-  const spread = isAlone ? null : surface.interval(best, 2, isAlone, z);
+  const spread = isAlone ? null : surface.interval(best, 2, isAlone, Z_90);
   const toFactor = (at: number): number => exponential((at - HALF_SCALES) * SCALE_STEP);
   const fitted = {
     scale: mapped(scale, toFactor),

@@ -1,6 +1,6 @@
 export { type FitInterval, fitPlayers, type ObservedAttempt, type PlayerFit } from './fit.ts';
 export { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
-export { edgesOf, Player } from './player.ts';
+export type { PlayedAttempt } from './player.ts';
 export {
   createPlayers,
   type ForecastAttempt,
@@ -8,5 +8,5 @@ export {
   type PlayerOptions,
   type PlayerPopulation,
   type PlayerShare,
+  playAsPlayers,
 } from './population.ts';
-export { practiceTable, timeRun } from './timing.ts';

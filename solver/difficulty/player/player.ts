@@ -1,4 +1,4 @@
-import { joinHolds, TICK_RATE } from '../../../engine/index.ts';
+import { TICK_RATE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
 import { playFrom, shiftHolds, type Trials, uniformOf } from '../../robustness/index.ts';
 import { normalQuantile } from './normal-quantile.ts';
@@ -8,7 +8,10 @@ import { deviationOf, practise, type TimedRun } from './timing.ts';
 export interface PlayedAttempt {
   /** The holds that the player made, as the game reads them. */
   readonly holds: readonly Hold[];
+  /** Whether it met the goal. */
   readonly succeeds: boolean;
+  /** The tick at which it ended. */
+  readonly end: number;
 }
 
 /** A number in (0, 1) that depends only on its three indices. */
@@ -62,12 +65,6 @@ export class Player {
     let reached = 0;
     while (reached < shifts.length && run.edges[reached] + shifts[reached] < end) reached++;
     practise(practice, reached, !succeeds);
-    return { holds: played, succeeds };
+    return { holds: played, succeeds, end };
   }
-}
-
-/** The edges of a run, and its holds as {@link Player} wants them. */
-export function edgesOf(holds: readonly Hold[]): { readonly joined: Hold[]; readonly edges: number[] } {
-  const joined = joinHolds(holds);
-  return { joined, edges: joined.flat() };
 }

@@ -1,13 +1,14 @@
-import type { Scene } from '../../../engine/index.ts';
+import { joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
 import { exponential } from '../../elementary.ts';
 import type { Goal } from '../../goal.ts';
-import { createTrials, uniformOf, wilsonInterval, Z_90 } from '../../robustness/index.ts';
+import { createTrials, type Trials, uniformOf, wilsonInterval, Z_90 } from '../../robustness/index.ts';
 import { verifyRun } from '../../verified-run.ts';
 import { normalQuantile } from './normal-quantile.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
-import { edgesOf, Player, uniformIn01 } from './player.ts';
-import { practiceTable, timeRun, typicalError } from './timing.ts';
+import { type PlayedAttempt, Player, uniformIn01 } from './player.ts';
+import { predictRates, type SkilledPlayer } from './skill-curve.ts';
+import { practiceTable, type TimedRun, timeRun, typicalError } from './timing.ts';
 
 /** A share of synthetic players. */
 export interface PlayerShare {
@@ -25,10 +26,8 @@ export interface ForecastAttempt {
   readonly number: number;
   /** The share that succeeds at this attempt, if all of them still play. */
   readonly pass: PlayerShare;
-  /** The pass rate of a player who is better than 95 of 100. */
-  readonly skilled: number;
-  /** The pass rate of a player who is better than 5 of 100: nine in ten players are between this and `skilled`. */
-  readonly unskilled: number;
+  /** The rates between which a player's own pass rate at this attempt is with 90 % probability, by a regression on skill. */
+  readonly range: readonly [low: number, high: number];
   /** The share that has succeeded by then. */
   readonly solved: PlayerShare;
 }
@@ -41,7 +40,7 @@ export interface PlayerForecast {
   readonly firstErrorMs: number;
   /** The same at the last attempt, after as much practice. */
   readonly lastErrorMs: number;
-  /** How many players of mixed skill were simulated; another half as many at either end of the range of skill. */
+  /** How many players were simulated. */
   readonly players: number;
   /** Their attempts, ascending. */
   readonly attempts: readonly ForecastAttempt[];
@@ -76,22 +75,68 @@ export interface PlayerOptions {
   readonly maxTicks?: number;
 }
 
-/** The quantiles of skill between which nine in ten players are. */
-const SKILLED = -Z_90;
-const UNSKILLED = Z_90;
-
-/** Of four players, two have a skill drawn from the population, one is skilled and one is not. */
-const TURNS = ['mixed', 'skilled', 'mixed', 'unskilled'] as const;
-
-type Group = (typeof TURNS)[number];
-
-const SEED_OF_GROUP: Readonly<Record<Group, number>> = { mixed: 0, skilled: 1, unskilled: 2 };
-
 /** Index of the draw of a player's skill, apart from those of the edges. */
 const SKILL = 1_000_000;
 
 /** How often an edge is practised at most before practice no longer counts. */
 const MOST_PRACTICE = 100;
+
+/** What is needed to let players play. */
+interface Stand {
+  readonly trials: Trials;
+  readonly parameters: PlayerParameters;
+  readonly run: TimedRun;
+  readonly left: Float64Array;
+  /** The n-th player, and the player's skill in standard deviations. */
+  draw(n: number): { readonly player: Player; readonly skill: number };
+}
+
+/** @throws {Error} if the run misses the goal */
+function standFor(scene: Scene, holds: readonly Hold[], goal: Goal, options: PlayerOptions): Stand {
+  const { parameters = UNCALIBRATED, seed = 0, maxTicks } = options;
+  const aim = verifyRun(scene, holds, goal, maxTicks);
+  if (aim === null) throw new Error('the run that players aim at misses the goal');
+  const joined = joinHolds(holds);
+  const run = timeRun(joined.flat(), aim.tick, parameters);
+  const left = practiceTable(parameters.learning, MOST_PRACTICE);
+  const trials = createTrials(scene, goal, maxTicks);
+  const start = trials.simulation.snapshot();
+  return {
+    ...{ trials, parameters, run, left },
+    draw(n) {
+      const own = uniformOf(seed, n, 0);
+      const skill = normalQuantile(uniformIn01(own, 0, SKILL));
+      const factor = parameters.scale * exponential(parameters.spread * skill);
+      return { player: new Player(trials, start, joined, run, left, factor, own), skill };
+    },
+  };
+}
+
+/**
+ * Lets synthetic players of mixed skill play, and returns what they did: plays whose parameters are known, to test what is inferred
+ * from plays.
+ * @param scene the compiled level
+ * @param holds the run to aim at, [press, release) in ticks; it must meet the goal
+ * @param goal what an attempt has to achieve
+ * @param players how many players
+ * @param options the parameters, the number of attempts, the seed and the limit of an attempt
+ * @returns the attempts of each player, in order
+ * @throws {Error} if the run misses the goal
+ */
+export function playAsPlayers(
+  scene: Scene,
+  holds: readonly Hold[],
+  goal: Goal,
+  players: number,
+  options: PlayerOptions = {},
+): PlayedAttempt[][] {
+  const { attempts = 10 } = options;
+  const stand = standFor(scene, holds, goal, options);
+  return Array.from({ length: players }, (_, n) => {
+    const { player } = stand.draw(n);
+    return Array.from({ length: attempts }, () => player.attempt());
+  });
+}
 
 /**
  * Creates synthetic players who aim at a run. Each has a skill of its own, plays a number of attempts and learns from them; see
@@ -103,48 +148,29 @@ const MOST_PRACTICE = 100;
  * @throws {Error} if the run misses the goal
  */
 export function createPlayers(scene: Scene, holds: readonly Hold[], goal: Goal, options: PlayerOptions = {}): PlayerPopulation {
-  const { parameters = UNCALIBRATED, attempts = 10, seed = 0, maxTicks } = options;
-  const aim = verifyRun(scene, holds, goal, maxTicks);
-  if (aim === null) throw new Error('the run that players aim at misses the goal');
-  const { joined, edges } = edgesOf(holds);
-  const run = timeRun(edges, aim.tick, parameters);
-  const left = practiceTable(parameters.learning, MOST_PRACTICE);
-  const trials = createTrials(scene, goal, maxTicks);
-  const start = trials.simulation.snapshot();
-  const passed: Record<Group, Int32Array> = {
-    mixed: new Int32Array(attempts),
-    skilled: new Int32Array(attempts),
-    unskilled: new Int32Array(attempts),
-  };
-  const solved = new Int32Array(attempts);
-  const players: Record<Group, number> = { mixed: 0, skilled: 0, unskilled: 0 };
+  const { attempts = 10 } = options;
+  const stand = standFor(scene, holds, goal, options);
+  const { trials, parameters, run, left } = stand;
+  const finished: SkilledPlayer[] = [];
 
   function* play(): Generator<void, never> {
-    const passes = new Uint8Array(attempts);
-    for (let turn = 0; ; turn++) {
-      const group = TURNS[turn % TURNS.length];
-      const own = uniformOf(seed, players[group], SEED_OF_GROUP[group]);
-      const skill = group === 'mixed' ? normalQuantile(uniformIn01(own, 0, SKILL)) : group === 'skilled' ? SKILLED : UNSKILLED;
-      const factor = parameters.scale * exponential(parameters.spread * skill);
-      const player = new Player(trials, start, joined, run, left, factor, own);
+    for (;;) {
+      const { player, skill } = stand.draw(finished.length);
+      const passes: boolean[] = [];
       for (let i = 0; i < attempts; i++) {
-        passes[i] = player.attempt().succeeds ? 1 : 0;
+        passes.push(player.attempt().succeeds);
         yield;
       }
       // only whole players count, so that no attempt number is over-represented
-      players[group]++;
-      for (let i = 0; i < attempts; i++) passed[group][i] += passes[i];
-      const first = passes.indexOf(1);
-      if (group === 'mixed' && first >= 0) for (let i = first; i < attempts; i++) solved[i]++;
+      finished.push({ skill, passes });
     }
   }
   const work = play();
   let asked = 0;
-  const share = (count: number): PlayerShare => ({
-    p: players.mixed === 0 ? 0 : count / players.mixed,
-    ...wilsonInterval(count, players.mixed, Z_90),
-  });
-  const rate = (group: Group, i: number): number => (players[group] === 0 ? 0 : passed[group][i] / players[group]);
+  const share = (holds: (player: SkilledPlayer) => boolean): PlayerShare => {
+    const count = finished.filter(holds).length;
+    return { p: finished.length === 0 ? 0 : count / finished.length, ...wilsonInterval(count, finished.length, Z_90) };
+  };
   return {
     get ticks() {
       return trials.ticks + trials.runs;
@@ -155,20 +181,20 @@ export function createPlayers(scene: Scene, holds: readonly Hold[], goal: Goal, 
       while (trials.ticks + trials.runs < asked) work.next();
     },
     forecast() {
-      const rows = Array.from({ length: attempts }, (_, i) => ({
+      const ranges = predictRates(finished, attempts);
+      const all = Array.from({ length: attempts }, (_, i) => ({
         number: i + 1,
-        pass: share(passed.mixed[i]),
-        skilled: rate('skilled', i),
-        unskilled: rate('unskilled', i),
-        solved: share(solved[i]),
+        pass: share(({ passes }) => passes[i]),
+        range: ranges[i],
+        solved: share(({ passes }) => passes.lastIndexOf(true, i) >= 0),
       }));
-      const after = (least: number) => rows.find((row) => row.solved.p >= least)?.number ?? null;
+      const after = (least: number) => all.find((row) => row.solved.p >= least)?.number ?? null;
       return {
         parameters,
         firstErrorMs: typicalError(run, left[0], parameters.scale),
         lastErrorMs: typicalError(run, left[Math.min(attempts - 1, MOST_PRACTICE)], parameters.scale),
-        players: players.mixed,
-        attempts: rows,
+        players: finished.length,
+        attempts: all,
         half: after(0.5),
         most: after(0.9),
       };
