@@ -11,13 +11,13 @@ export const forecastReportSchema = z
     parameters: z
       .strictObject({
         motorMs: ms.describe('Noise of the finger, ms.'),
-        weber: z.number().describe('Noise of the sense of time, as a share of the interval.'),
+        weber: z.number().min(0).describe('Noise of the sense of time, as a share of the interval.'),
         reactionMs: ms.describe('Reaction time, ms.'),
         lookaheadMs: ms.describe('How far ahead a player foresees her motion, ms.'),
         planMs: ms.describe('Error of a first guess at what cannot be foreseen, ms.'),
-        learning: z.number().describe('Exponent of the power law of practice.'),
-        scale: z.number().describe('Factor on noise and errors of the median player.'),
-        spread: z.number().describe("Standard deviation of the logarithm of players' factors."),
+        learning: z.number().min(0).describe('Exponent of the power law of practice.'),
+        scale: z.number().min(0).describe('Factor on noise and errors of the median player.'),
+        spread: z.number().min(0).describe("Standard deviation of the logarithm of players' factors."),
       })
       .describe('The model.'),
     firstErrorMs: ms.describe('How much the median player misses presses and releases by at first, ms.'),

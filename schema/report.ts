@@ -194,12 +194,13 @@ const measuredDifficulty = z.strictObject({
           p40: share.describe('Success under timing noise of 40 ms, measured briefly.'),
           sigmaAtHalf: z
             .number()
+            .min(0)
             .describe('Timing noise at which every second attempt succeeds, ms, measured briefly; at most 500.'),
-          grade: z.number().describe('The grade if it were the only run, measured briefly.'),
+          grade: z.number().min(1).max(10).describe('The grade if it were the only run, measured briefly.'),
         }),
       ),
       meanP40: share,
-      meanGrade: z.number(),
+      meanGrade: z.number().min(1).max(10),
     })
     .describe('The runs that were compared; the first forgives most and is the one measured. And their means.'),
   robustness: robustnessReportSchema,
