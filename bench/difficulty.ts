@@ -10,10 +10,10 @@ import { seeded } from './scenes/index.ts';
 // how reliable the measure of difficulty is, and whether its intervals contain the truth; with synthetic players only
 
 const RANDOM = Number(optionValue('--random') ?? 30);
-const GENERATED = Number(optionValue('--generated') ?? 9);
-const COVERED = Number(optionValue('--covered') ?? 16);
-const FITTED = Number(optionValue('--fitted') ?? 8);
-const STUDIES = Number(optionValue('--studies') ?? 8);
+const GENERATED = Number(optionValue('--generated') ?? 6);
+const COVERED = Number(optionValue('--covered') ?? 8);
+const FITTED = Number(optionValue('--fitted') ?? 6);
+const STUDIES = Number(optionValue('--studies') ?? 10);
 
 const scenes = scenesToMeasure(RANDOM, GENERATED);
 const say = (text: string): void => {
