@@ -31,6 +31,7 @@ export {
   type TitledOriginal,
 } from './export-original.ts';
 export { enteringFolder, leavingFolder } from './folder-rules.ts';
+export type { FitReport, ForecastReport } from './forecast-report.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';

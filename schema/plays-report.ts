@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { fitReportSchema } from './forecast-report.ts';
 import { playVerdict } from './report-parts.ts';
 
 const share = z.number().min(0).max(1);
@@ -88,6 +89,7 @@ export const playersReportSchema = z
       .strictObject({ ms: z.number(), low: z.number(), high: z.number(), capped: z.boolean() })
       .nullable()
       .describe('Timing noise that explains the share of attempts that succeed; capped: at least that.'),
+    fit: fitReportSchema,
   })
   .describe('What players teach, with --plays.');
 

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { forecastReportSchema } from './forecast-report.ts';
 import { playersReportSchema, playsReportSchema } from './plays-report.ts';
 import { problem, version } from './report-parts.ts';
 
@@ -181,7 +182,27 @@ export type RunFoundReport = z.infer<typeof runFound>;
 
 const measuredDifficulty = z.strictObject({
   run: z.strictObject({ name: z.string().nullable().describe('null: not of the level, a search found it'), ...runFound.shape }),
-  grade: z.strictObject({ value: z.number().min(1).max(10), word: z.string() }).describe('An estimate.'),
+  grade: z
+    .strictObject({ value: z.number().min(1).max(10), word: z.string() })
+    .describe('An estimate: the lowest that any of the compared runs gives.'),
+  comparison: z
+    .strictObject({
+      runs: z.array(
+        z.strictObject({
+          name: z.string().nullable().describe('null: not of the level, a search found it'),
+          ...runFound.shape,
+          p40: share.describe('Success under timing noise of 40 ms, measured briefly.'),
+          sigmaAtHalf: z
+            .number()
+            .min(0)
+            .describe('Timing noise at which every second attempt succeeds, ms, measured briefly; at most 500.'),
+          grade: z.number().min(1).max(10).describe('The grade if it were the only run, measured briefly.'),
+        }),
+      ),
+      meanP40: share,
+      meanGrade: z.number().min(1).max(10),
+    })
+    .describe('The runs that were compared; the first forgives most and is the one measured. And their means.'),
   robustness: robustnessReportSchema,
   sigmaAtHalf: z
     .strictObject({ ms: z.number(), low: z.number(), high: z.number(), capped: z.boolean() })
@@ -218,6 +239,7 @@ const measuredDifficulty = z.strictObject({
       }),
     ),
   }),
+  forecast: forecastReportSchema.nullable().describe('What the uncalibrated model of players expects who aim at the run.'),
   curve: z
     .array(z.strictObject({ sigma: z.number(), p: share, low: share, high: share, samples: z.int() }))
     .describe('Success at more noises, with --svg.'),

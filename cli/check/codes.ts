@@ -32,12 +32,12 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
   },
   'low-slack': {
     fix:
-      'Give her more room where `gq difficulty LEVEL` shows the smallest window, or use a run that forgives more: `gq solve LEVEL` ' +
+      'Give her more room where `gq difficulty LEVEL --run NAME` shows the smallest window, or use a run that forgives more: `gq solve LEVEL` ' +
       'looks for the one that forgives most.',
   },
   'slack-below-required': {
     fix:
-      'Give her more room where `gq difficulty LEVEL` shows the smallest window, replace the run with one that forgives more (`gq solve ' +
+      'Give her more room where `gq difficulty LEVEL --run NAME` shows the smallest window, replace the run with one that forgives more (`gq solve ' +
       'LEVEL`), or require less.',
   },
   'verdict-hangs-on-accuracy': {

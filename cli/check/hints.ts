@@ -14,7 +14,7 @@ export function commandHints(path: string): Hints {
       nothingFound: 'draw that run with gq render --holds, make the level easier, or search longer with --budget or gq solve',
       nearestRun: byHolds,
       tightRun:
-        'give her more room where timing is tight (gq difficulty shows the slack of each press and release), or find a run that forgives more with gq solve',
+        'give her more room where timing is tight (gq difficulty --run NAME shows the slack of each press and release), or find a run that forgives more with gq solve',
     },
   };
 }

@@ -2,7 +2,7 @@ import type { DifficultyReport, RunFoundReport } from '../../schema/index.ts';
 import type { Candidate } from '../../solver/index.ts';
 import { problemJson, robustnessJson } from '../report-parts/index.ts';
 import type { MeasuredLevel } from './measured-level.ts';
-import { playersJson, playsJson } from './players-json.ts';
+import { forecastJson, playersJson, playsJson } from './players-json.ts';
 import type { CollectedPlays } from './plays/index.ts';
 
 /** The difficulty of levels as JSON. */
@@ -14,17 +14,28 @@ export function difficultyJson(levels: readonly MeasuredLevel[], plays: Collecte
 
 /** The difficulty of a level as JSON. */
 export function measuredJson(level: MeasuredLevel): DifficultyReport['levels'][number] {
-  const { file, name, runName, difficulty, curve, why, problems, players } = level;
+  const { file, name, runName, difficulty, comparedNames, curve, why, problems, players } = level;
   const shared = { file, name, problems: problems.map(problemJson) };
   const played = players === null ? {} : { players: playersJson(players) };
   if (difficulty === null) return { ...shared, measured: null, why, ...played };
-  const { run, robustness, sigmaAtHalf, mineralsExtra, shortcuts, grade, randomPlay } = difficulty;
+  const { run, comparison, robustness, sigmaAtHalf, mineralsExtra, shortcuts, grade, randomPlay, forecast } = difficulty;
   const { withoutPressing, onePress, withoutAsteroid } = shortcuts;
   return {
     ...shared,
     measured: {
       run: { name: runName, ...runJson(run) },
       grade: { ...grade },
+      comparison: {
+        runs: comparison.runs.map((own, i) => ({
+          name: comparedNames[i],
+          ...runJson(own.run),
+          p40: own.p40,
+          sigmaAtHalf: own.sigmaAtHalf,
+          grade: own.grade,
+        })),
+        meanP40: comparison.meanP40,
+        meanGrade: comparison.meanGrade,
+      },
       robustness: robustnessJson(robustness),
       sigmaAtHalf: { ...sigmaAtHalf },
       smallestWindow: difficulty.smallestWindow,
@@ -41,6 +52,7 @@ export function measuredJson(level: MeasuredLevel): DifficultyReport['levels'][n
           run: way === null ? null : runJson(way),
         })),
       },
+      forecast: forecast === null ? null : forecastJson(forecast),
       curve: curve.map((success) => ({ ...success })),
     },
     why: null,

@@ -1,9 +1,9 @@
 import { proveGoalImpossible } from '../../check/index.ts';
-import { collectStatistics, compareWithModel } from '../../check/plays/index.ts';
+import { collectStatistics, compareWithModel, fitToPlays, type Reference } from '../../check/plays/index.ts';
 import { effortInWords } from '../../check/words/index.ts';
-import { compile, type Scene, TICK_RATE } from '../../engine/index.ts';
-import { type Level, readLevel } from '../../schema/index.ts';
-import { createSolver, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
+import { compile, joinHolds, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { type Hold, type Level, readLevel } from '../../schema/index.ts';
+import { findRuns, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
@@ -58,29 +58,39 @@ function playersOf(
   level: Level,
   { runName, difficulty }: Measured,
   { replayed, by, names }: LevelPlays,
-  { accuracy, goal, seed, maxTime }: MeasureSettings,
+  { accuracy, goal, seed, maxTime, run }: MeasureSettings,
 ): Players {
-  if (difficulty === null) return { statistics: collectStatistics(level, replayed, { goal, by }), model: null, names };
-  const { holds } = difficulty.run;
-  const statistics = collectStatistics(level, replayed, { goal, by, reference: { holds, name: runName } });
-  if (statistics.attempts === 0) return { statistics, model: null, names };
-  const maxTicks = Math.round(maxTime * TICK_RATE);
-  return { statistics, model: compareWithModel(compile(level, accuracy), holds, statistics, goal, { seed, maxTicks }), names };
+  const measured = difficulty === null ? null : { holds: difficulty.run.holds, name: runName };
+  const collect = (reference?: Reference) => collectStatistics(level, replayed, { goal, by, reference });
+  // the run that players take is mostly one of the level's own; the one that forgives most may be another way
+  const own = collect(run === null || measured === null ? undefined : measured);
+  const statistics = own.reference === null && measured !== null ? collect(measured) : own;
+  const { reference, attempts } = statistics;
+  if (reference === null || attempts === 0) return { statistics, model: null, p40: null, fit: null, names };
+  const scene = compile(level, accuracy);
+  const options = { seed, maxTicks: Math.round(maxTime * TICK_RATE) };
+  return {
+    statistics,
+    model: compareWithModel(scene, reference.holds, statistics, goal, options),
+    p40: successProbability(scene, reference.holds, goal, 40, options).p,
+    fit: fitToPlays(scene, reference.holds, statistics, by, goal, options),
+    names,
+  };
 }
 
 /**
- * Measures a level again. A search is not repeated: its run is taken from what was measured before.
+ * Measures a level again. A search is not repeated: its runs are taken from what was measured before.
  * @param before what is claimed of it, not known to be true
  */
 export function measureAgain(before: MeasuredLevel, bytes: Uint8Array, settings: MeasureSettings): MeasuredLevel {
-  const { file, runName, difficulty } = before;
-  const isFound = runName === null && difficulty !== null;
-  return measureContent(file, bytes, isFound ? { ...settings, found: difficulty.run.holds } : settings);
+  const { file, difficulty } = before;
+  if (settings.run !== null || difficulty === null) return measureContent(file, bytes, settings);
+  return measureContent(file, bytes, { ...settings, found: difficulty.comparison.runs.map(({ run }) => run.holds) });
 }
 
-type Measured = Pick<MeasuredLevel, 'runName' | 'difficulty' | 'curve' | 'why' | 'code'>;
+type Measured = Pick<MeasuredLevel, 'runName' | 'difficulty' | 'comparedNames' | 'curve' | 'why' | 'code'>;
 
-const failed = (why: string): Measured => ({ runName: null, difficulty: null, curve: [], why, code: 1 });
+const failed = (why: string): Measured => ({ runName: null, difficulty: null, comparedNames: [], curve: [], why, code: 1 });
 
 function measure(level: Level, settings: MeasureSettings): Measured {
   const { accuracy, goal, effort, seed, inFull } = settings;
@@ -89,51 +99,56 @@ function measure(level: Level, settings: MeasureSettings): Measured {
   }
   const scene = compile(level, accuracy);
   const maxTicks = Math.round(settings.maxTime * TICK_RATE);
-  const chosen = chooseRun(scene, settings, maxTicks);
+  const chosen = chooseRuns(scene, settings, maxTicks);
   if ('why' in chosen) return failed(chosen.why);
-  const difficulty = measureDifficulty(scene, chosen.holds, {
+  const difficulty = measureDifficulty(scene, null, {
     goal,
     seed,
     maxTicks,
+    runs: chosen.runs,
     effort: inFull ? effort : 0,
     asteroidEffort: inFull ? undefined : 0,
     onePressStride: inFull ? 1 : ONE_PRESS_STRIDE,
   });
-  if (difficulty === null) throw new Error(`a run that meets the goal could not be measured: ${JSON.stringify(chosen.holds)}`);
+  if (difficulty === null) throw new Error(`runs that meet the goal could not be measured: ${JSON.stringify(chosen.runs)}`);
   const curve = settings.withCurve ? curveOf(scene, difficulty.run.holds, settings) : [];
-  return { runName: chosen.name, difficulty, curve, why: '', code: 0 };
+  const comparedNames = difficulty.comparison.runs.map(({ run: { holds } }) => nameOf(level, holds));
+  return { runName: comparedNames[0], difficulty, comparedNames, curve, why: '', code: 0 };
 }
 
-type Chosen = { readonly name: string | null; readonly holds: readonly (readonly [number, number])[] } | { readonly why: string };
+/** The name of the level's run with these holds; null if it has none. */
+function nameOf(level: Level, holds: readonly Hold[]): string | null {
+  const last = holds[holds.length - 1]?.[1] ?? 0;
+  const text = JSON.stringify(holds);
+  // what a run does after its end was left out
+  const same = level.runs.find((run) => JSON.stringify(joinHolds(run.holds).filter(([press]) => press <= last)) === text);
+  return same?.name ?? null;
+}
 
-/** The run to measure: the selected one, else the level's first run that meets the goal, else one that a search finds. */
-function chooseRun(scene: Scene, settings: MeasureSettings, maxTicks: number): Chosen {
-  const { goal, run, search, effort, seed, accuracy, found } = settings;
+type Chosen = { readonly runs: readonly (readonly Hold[])[] } | { readonly why: string };
+
+/** The runs to compare: the selected one alone, or the level's own that meet the goal and those that a search finds. */
+function chooseRuns(scene: Scene, settings: MeasureSettings, maxTicks: number): Chosen {
+  const { goal, run, effort, seed, accuracy, found } = settings;
   const { level } = scene;
+  const isGood = (holds: readonly Hold[]): boolean => verifyRun(scene, holds, goal, maxTicks) !== null;
   if (run !== null) {
     const named = level.runs.find(({ name }) => name === run);
     if (named === undefined) return { why: `it has no run named ${JSON.stringify(run)}` };
-    if (verifyRun(scene, named.holds, goal, maxTicks) === null) return { why: `run ${JSON.stringify(run)} does not complete it` };
-    return named;
+    return isGood(named.holds) ? { runs: [named.holds] } : { why: `run ${JSON.stringify(run)} does not complete it` };
   }
-  const scripted = search ? undefined : level.runs.find(({ holds }) => verifyRun(scene, holds, goal, maxTicks) !== null);
-  if (scripted !== undefined) return scripted;
-  if (found !== undefined) {
-    return verifyRun(scene, found, goal, maxTicks) === null
-      ? { why: 'its run does not complete it' }
-      : { name: null, holds: found };
+  if (found !== undefined) return found.some(isGood) ? { runs: found } : { why: 'its run does not complete it' };
+  if (!level.runs.some(({ holds }) => isGood(holds))) {
+    const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
+    if (proof !== null) return { why: `proved impossible: ${proof.reason}` };
   }
-  const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
-  if (proof !== null) return { why: `proved impossible: ${proof.reason}` };
-  const known = level.runs.map(({ holds }) => holds);
-  const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', known });
-  solver.advance(effort);
-  if (solver.best !== null) return { name: null, holds: solver.best.holds };
-  const near = solver.closest === null ? '' : `, closest approach ${closestRunInWords(solver.closest)}`;
-  return { why: `no run was found after simulating ${effortInWords(solver.effort)}${near}` };
+  const search = findRuns(scene, goal, { effort, seed, maxTicks });
+  if (search.runs.length > 0) return search;
+  const near = search.closest === null ? '' : `, closest approach ${closestRunInWords(search.closest)}`;
+  return { why: `no run was found after simulating ${effortInWords(search.effort)}${near}` };
 }
 
-function curveOf(scene: Scene, holds: readonly (readonly [number, number])[], { goal, seed }: MeasureSettings): Success[] {
+function curveOf(scene: Scene, holds: readonly Hold[], { goal, seed }: MeasureSettings): Success[] {
   const certain: Success = { sigma: 0, p: 1, low: 1, high: 1, samples: 1 };
   const noisy = SIGMAS.map((sigma) => successProbability(scene, holds, goal, sigma, { samples: CURVE_SAMPLES, seed }));
   return [certain, ...noisy];

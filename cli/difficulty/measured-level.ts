@@ -1,4 +1,4 @@
-import type { ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
+import type { FittedPlayers, ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
 import type { Accuracy } from '../../engine/index.ts';
 import type { Hold, OwnRules } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
@@ -15,6 +15,8 @@ export interface MeasuredLevel {
   /** The name of the measured run; null: a search found it. */
   readonly runName: string | null;
   readonly difficulty: Difficulty | null;
+  /** The name of each run that was compared; null: a search found it. */
+  readonly comparedNames: readonly (string | null)[];
   /** Success at more noises; empty unless requested. */
   readonly curve: readonly Success[];
   /** What players teach; null unless plays are given, or if it is not a valid level. */
@@ -34,6 +36,7 @@ export const nothingOf = (file: string) =>
     name: nameOfFile(file),
     runName: null,
     difficulty: null,
+    comparedNames: [],
     curve: [],
     players: null,
     problems: [],
@@ -45,8 +48,12 @@ export const unreadable = (file: string, { message }: Failure): MeasuredLevel =>
 /** What players teach about a level, beside what the model says. */
 export interface Players {
   readonly statistics: PlayStatistics;
-  /** How the model of timing noise compares; null without a measured run, or without attempts. */
+  /** How the model of timing noise compares; null without a run to compare with, or without attempts. */
   readonly model: ModelComparison | null;
+  /** Success of the run that they are compared with, under timing noise of 40 ms; null where there is no model. */
+  readonly p40: number | null;
+  /** The player model fitted to them; null where nothing can be fitted. */
+  readonly fit: FittedPlayers | null;
   /** What to call each play. */
   readonly names: readonly string[];
 }
@@ -57,13 +64,11 @@ export interface MeasureSettings {
   readonly rules: OwnRules;
   readonly accuracy: Accuracy;
   readonly goal: Goal;
-  /** The name of the run to measure; null: the first that meets the goal. */
+  /** The name of the run to measure; null: the one that forgives most, of its own and those that a search finds. */
   readonly run: string | null;
-  /** Whether to measure the most robust run that a search finds, even if the level has runs. */
-  readonly search: boolean;
-  /** The run that a search has found before: there is no other search. */
-  readonly found?: readonly Hold[];
-  /** The effort to find a run, ticks. */
+  /** The runs that were compared before: there is no other search. */
+  readonly found?: readonly (readonly Hold[])[];
+  /** The effort to find runs, ticks. */
   readonly effort: number;
   readonly seed: number;
   /** s */

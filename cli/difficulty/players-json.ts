@@ -1,9 +1,11 @@
-import type { DifficultyReport } from '../../schema/index.ts';
+import type { FittedPlayers } from '../../check/plays/index.ts';
+import type { DifficultyReport, FitReport, ForecastReport } from '../../schema/index.ts';
+import type { PlayerForecast } from '../../solver/index.ts';
 import type { Players } from './measured-level.ts';
 import type { CollectedPlays } from './plays/index.ts';
 
 /** What players teach about a level, as JSON. */
-export function playersJson({ statistics, model, names }: Players): DifficultyReport['levels'][number]['players'] {
+export function playersJson({ statistics, model, names, fit }: Players): DifficultyReport['levels'][number]['players'] {
   const { attempts, successes, share, low, high, players, playersWhoSucceed, minerals, byAttempt, reference } = statistics;
   return {
     ...{ attempts, successes, share, low, high, players, playersWhoSucceed },
@@ -28,8 +30,26 @@ export function playersJson({ statistics, model, names }: Players): DifficultyRe
       return { ...edge, expected, players: differ };
     }),
     noise: model === null ? null : { ...model.noise },
+    fit: fit === null ? null : fitJson(fit),
   };
 }
+
+/** What a model of players expects, as JSON. */
+export const forecastJson = (forecast: PlayerForecast): ForecastReport => ({
+  ...forecast,
+  parameters: { ...forecast.parameters },
+  attempts: forecast.attempts.map((row) => ({ ...row, pass: { ...row.pass }, range: [...row.range], solved: { ...row.solved } })),
+});
+
+const fitJson = ({ fit, forecast }: FittedPlayers): FitReport => ({
+  players: fit.players,
+  attempts: fit.attempts,
+  edges: fit.edges,
+  scale: { ...fit.scale },
+  learning: { ...fit.learning },
+  spread: fit.spread === null ? null : { ...fit.spread },
+  forecast: forecastJson(forecast),
+});
 
 /** What was read with --plays, as JSON. */
 export const playsJson = ({ found, refused, elsewhere, ignored }: CollectedPlays): DifficultyReport['plays'] => ({

@@ -11,6 +11,7 @@ import { objectName, touchedName } from '../../schema/index.ts';
 import type { Colors } from '../colors.ts';
 import { alignColumns, percent } from '../report-parts/index.ts';
 import { visibleLine } from '../visible.ts';
+import { fitLines } from './forecast-pretty.ts';
 import type { MeasuredLevel, Players } from './measured-level.ts';
 import type { CollectedPlays } from './plays/index.ts';
 
@@ -27,20 +28,13 @@ export function causeInWords({ kind, index }: FailureCause): string {
   return kind === 'minerals' ? 'too few minerals' : kind;
 }
 
-/**
- * What players teach about one level, for people: lines with labels, and a table of presses and releases.
- * @param p40 what the model predicts at 40 ms of timing noise; null if nothing was measured
- */
-export function playersDetail(
-  { statistics, model, names }: Players,
-  p40: number | null,
-  colors: Colors,
-  width: number | null,
-): string {
+/** What players teach about one level, for people: lines with labels, and a table of presses and releases. */
+export function playersDetail({ statistics, model, p40, fit, names }: Players, colors: Colors, width: number | null): string {
   const { attempts } = statistics;
   if (attempts === 0) return '';
   const lines: [string, string][] = [
     ...successLines(statistics, model, p40),
+    ...(fit === null ? [] : fitLines(fit)),
     ...attemptLines(statistics),
     ...failureLines(statistics),
     ...wayLines(statistics, names),
@@ -169,26 +163,27 @@ const offInWords = (quartiles: Quartiles | null): string =>
 
 /** What players teach about several levels: a table. */
 export function playersTable(levels: readonly MeasuredLevel[], colors: Colors, width: number | null): string {
-  const played = levels.flatMap(({ file, players, difficulty }) =>
-    players === null || players.statistics.attempts === 0 ? [] : [{ file, ...players, difficulty }],
+  const played = levels.flatMap(({ file, players }) =>
+    players === null || players.statistics.attempts === 0 ? [] : [{ file, ...players }],
   );
   if (played.length === 0) return '';
-  const head = ['attempts', 'players', 'success', '', 'model at 40 ms', 'noise', 'most failures', 'level'];
+  const head = ['attempts', 'players', 'success', '', 'model at 40 ms', 'noise', 'fitted', 'most failures', 'level'];
   const sorted = played.sort((a, b) => b.statistics.share - a.statistics.share);
-  const rows = sorted.map(({ file, statistics, model, difficulty }) => {
+  const rows = sorted.map(({ file, statistics, model, p40, fit }) => {
     const { attempts, players, share, low, high, causes } = statistics;
     return [
       String(attempts),
       players === 0 ? '' : String(players),
       percent(share),
       between(low, high),
-      difficulty === null ? '' : percent(difficulty.robustness.p40.p),
+      p40 === null ? '' : percent(p40),
       model === null ? '' : `${model.noise.capped ? '> ' : ''}${model.noise.ms.toFixed(0)} ms`,
+      fit === null ? '' : `${fit.fit.scale.value.toFixed(2)} x`,
       causes.length === 0 ? '' : `${causeInWords(causes[0].cause)}, ${percent(causes[0].share)}`,
       visibleLine(file),
     ];
   });
-  const [first, ...lines] = alignColumns(rows, { right: [0, 1, 2, 3, 4, 5], head, lead: 7, width });
+  const [first, ...lines] = alignColumns(rows, { right: [0, 1, 2, 3, 4, 5, 6], head, lead: 8, width });
   return `${first === '' ? '' : `${colors.bold(first)}\n`}${lines.join('\n')}\n\n`;
 }
 

@@ -5,6 +5,7 @@ import type { Difficulty, GradeWord } from '../../solver/index.ts';
 import type { Colors } from '../colors.ts';
 import { alignColumns, percent, robustnessLines, showFileProblems } from '../report-parts/index.ts';
 import { visible, visibleLine } from '../visible.ts';
+import { forecastLines } from './forecast-pretty.ts';
 import type { MeasuredLevel } from './measured-level.ts';
 import { playersDetail, playersTable, playsInWords } from './players-pretty.ts';
 import type { CollectedPlays } from './plays/index.ts';
@@ -30,13 +31,16 @@ export function difficultyPretty(
   );
   const [only] = levels;
   const taught =
-    form === 'detail' && only.players !== null
-      ? playersDetail(only.players, only.difficulty?.robustness.p40.p ?? null, colors, width)
-      : playersTable(levels, colors, width);
+    form === 'detail' && only.players !== null ? playersDetail(only.players, colors, width) : playersTable(levels, colors, width);
   const read = plays === null ? '' : playsInWords(plays);
-  const grade = measured.length === 0 ? '' : 'the grade (1 to 10) is an estimate made from the other numbers\n';
+  const grade = measured.length === 0 ? '' : GRADE_IN_WORDS;
   return `${text}${taught}${reported.join('')}${read}${grade}`;
 }
+
+const GRADE_IN_WORDS =
+  'the grade (1 to 10) is an estimate from the other numbers and the lowest of any run; it was not fitted to players\n';
+
+const UNCALIBRATED_IN_WORDS = 'not calibrated: its numbers are from the literature on timing, not from players of this game';
 
 type Hard = MeasuredLevel & { readonly difficulty: Difficulty };
 
@@ -45,14 +49,15 @@ const hasDifficulty = (level: MeasuredLevel): level is Hard => level.difficulty 
 function table(levels: readonly Hard[], colors: Colors, width: number | null): string {
   if (levels.length === 0) return '';
   const sorted = [...levels].sort((a, b) => a.difficulty.grade.value - b.difficulty.grade.value);
-  const head = ['grade', '', 'success at 40 ms', 'half at', 'window', 'presses', 'length', 'random', 'level'];
+  const head = ['grade', '', 'success at 40 ms', 'half at', 'first try', 'window', 'presses', 'length', 'random', 'level'];
   const rows = sorted.map(({ file, difficulty }) => {
-    const { grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay } = difficulty;
+    const { grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay, forecast } = difficulty;
     return [
       grade.value.toFixed(1),
       grade.word,
       percent(robustness.p40.p),
       sigmaInWords(sigmaAtHalf),
+      forecast === null ? '' : percent(forecast.attempts[0].pass.p),
       smallestWindow === null ? '' : windowInWords(smallestWindow),
       String(presses),
       `${length.toFixed(2)} s`,
@@ -60,7 +65,7 @@ function table(levels: readonly Hard[], colors: Colors, width: number | null): s
       visibleLine(file),
     ];
   });
-  const [first, ...lines] = alignColumns(rows, { right: [0, 2, 3, 4, 5, 6, 7], head, lead: 8, width });
+  const [first, ...lines] = alignColumns(rows, { right: [0, 2, 3, 4, 5, 6, 7, 8], head, lead: 9, width });
   const painted = lines.map((line, i) => paint(sorted[i].difficulty.grade.word, colors)(line));
   return `${first === '' ? '' : `${colors.bold(first)}\n`}${painted.join('\n')}\n\n`;
 }
@@ -80,12 +85,13 @@ const USES = {
 } as const;
 
 function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
-  const { run, grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay, mineralsExtra, shortcuts } =
-    difficulty;
+  const { run, comparison, grade, robustness, sigmaAtHalf, smallestWindow, presses, length, randomPlay } = difficulty;
+  const { mineralsExtra, shortcuts, forecast } = difficulty;
   const { low, high, capped } = sigmaAtHalf;
   const { withoutPressing, onePress, withoutAsteroid } = shortcuts;
   const lines: [string, string][] = [
     ['run', `${runName === null ? 'found by a search' : JSON.stringify(runName)}: ${holdsInWords(run.holds)}`],
+    ...comparisonLines(comparison),
     ['length', `${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`],
     ...robustnessLines(robustness),
     [
@@ -95,6 +101,7 @@ function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
   ];
   if (smallestWindow !== null) lines.push(['window', `${windowInWords(smallestWindow)} for the tightest press or release`]);
   lines.push(['random', `${percent(randomPlay.share)} of ${randomPlay.samples} random runs complete it`]);
+  if (forecast !== null) lines.push(...forecastLines(forecast), ['', UNCALIBRATED_IN_WORDS]);
   if (mineralsExtra !== null) lines.push(['minerals', mineralsInWords(mineralsExtra)]);
   lines.push([
     'no press',
@@ -106,6 +113,12 @@ function detail({ name, runName, difficulty }: Hard, colors: Colors): string {
   }
   const title = `${colors.bold(visibleLine(name))}: ${paint(grade.word, colors)(`${grade.word}, ${grade.value.toFixed(1)} of 10`)}`;
   return `${title}\n${lines.map(([label, text]) => `${label.padEnd(12)}${visible(text)}\n`).join('')}\n`;
+}
+
+function comparisonLines({ runs, meanP40, meanGrade }: Difficulty['comparison']): [string, string][] {
+  if (runs.length === 1) return [];
+  const mean = `the mean of all: grade ${meanGrade.toFixed(1)}, ${percent(meanP40)} succeed at 40 ms of timing noise`;
+  return [['compared', `${runs.length} runs, of which this one forgives most; ${mean}`]];
 }
 
 function mineralsInWords({ time, presses, p40 }: NonNullable<Difficulty['mineralsExtra']>): string {

@@ -39,6 +39,21 @@ const WEIGHTS = { timing: 0.25, risk: 0.2, search: 0.25, presses: 0.15, length: 
 const LEAST = 0.1;
 const MOST = 0.85;
 
+/** How little a run forgives, from 0 to 0.45: the parts of the grade for timing and risk. */
+export const strictnessOf = ({ p40, sigmaAtHalf }: Pick<GradeInput, 'p40' | 'sigmaAtHalf'>): number =>
+  (WEIGHTS.timing * 60) / (60 + sigmaAtHalf) + WEIGHTS.risk * (1 - p40);
+
+/**
+ * Computes how hard a level is without the limits and the rounding of the grade: 1 + 9 (sum - 0.1) / 0.75, see {@link gradeOf}.
+ */
+export function hardnessOf(input: GradeInput): number {
+  const search = 0.01 / (0.01 + input.randomShare);
+  const presses = input.presses / (input.presses + 4);
+  const length = input.seconds / (input.seconds + 20);
+  const sum = strictnessOf(input) + WEIGHTS.search * search + WEIGHTS.presses * presses + WEIGHTS.length * length;
+  return 1 + (9 * (sum - LEAST)) / (MOST - LEAST);
+}
+
 /**
  * Computes the grade: 1 + 9 (sum - 0.1) / 0.75, clamped to 1 to 10. The sum is 0.25 timing + 0.20 risk + 0.25 search + 0.15
  * presses + 0.15 length, and each part goes from 0 to 1:
@@ -48,18 +63,11 @@ const MOST = 0.85;
  * - presses: n / (n + 4)
  * - length: t / (t + 20), t in s
  *
- * The grade is an estimate from what can be measured of the best known run. It was not fitted to players.
+ * The grade of a level is the lowest that any of its known runs gives. It is an estimate, and was not fitted to
+ * players.
  */
 export function gradeOf(input: GradeInput): Grade {
-  const timing = 60 / (60 + input.sigmaAtHalf);
-  const risk = 1 - input.p40;
-  const search = 0.01 / (0.01 + input.randomShare);
-  const presses = input.presses / (input.presses + 4);
-  const length = input.seconds / (input.seconds + 20);
-  const sum =
-    WEIGHTS.timing * timing + WEIGHTS.risk * risk + WEIGHTS.search * search + WEIGHTS.presses * presses + WEIGHTS.length * length;
-  const grade = 1 + (9 * (sum - LEAST)) / (MOST - LEAST);
-  const value = Math.round(Math.min(10, Math.max(1, grade)) * 10) / 10;
+  const value = Math.round(Math.min(10, Math.max(1, hardnessOf(input))) * 10) / 10;
   let word = GRADE_WORDS[0][1];
   for (const [from, name] of GRADE_WORDS) if (value >= from) word = name;
   return { value, word };

@@ -11,10 +11,13 @@ import {
 } from '../robustness/index.ts';
 import { createSolver } from '../solve/index.ts';
 import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
-import { type Grade, gradeOf } from './grade.ts';
+import { asGiven, type ComparedRun, compareRuns } from './compare-runs.ts';
+import { findRuns } from './find-runs.ts';
+import { type Grade, type GradeInput, gradeOf } from './grade.ts';
+import { createPlayers, type PlayerForecast } from './player/index.ts';
 import { playAtRandom, type RandomPlay } from './random-play.ts';
 import { findShortcuts, type Shortcuts } from './shortcuts.ts';
-import { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
+import { findSigmaAtHalf, type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 
 /** What collecting all minerals costs in addition: the best known run with all of them compared with the measured run. */
 export interface MineralsExtra {
@@ -28,10 +31,22 @@ export interface MineralsExtra {
   readonly p40: number;
 }
 
+/** All runs that were compared. */
+export interface RunComparison {
+  /** Each of them, the one that forgives most first: it is the measured run. */
+  readonly runs: readonly ComparedRun[];
+  /** The mean of their success under timing noise of 40 ms, 0 to 1. */
+  readonly meanP40: number;
+  /** The mean of their grades. */
+  readonly meanGrade: number;
+}
+
 /** How hard a level is, in numbers. */
 export interface Difficulty {
-  /** The run that was measured. */
+  /** The run that was measured: of those compared, the one that forgives most. */
   readonly run: Candidate;
+  /** The runs that were compared, measured briefly; only the given one if one was given. */
+  readonly comparison: RunComparison;
   /** How robust the run is. */
   readonly robustness: Robustness;
   /** The timing noise at which half of all attempts succeed. */
@@ -51,7 +66,9 @@ export interface Difficulty {
   readonly mineralsExtra: MineralsExtra | null;
   /** Simple runs that complete the level as well. */
   readonly shortcuts: Shortcuts;
-  /** The estimated grade. */
+  /** What the uncalibrated model of players expects who aim at the run; null if nothing was to be spent on it. */
+  readonly forecast: PlayerForecast | null;
+  /** The estimated grade: the lowest that any of the compared runs gives, which is mostly that of the measured run. */
   readonly grade: Grade;
 }
 
@@ -68,9 +85,14 @@ export interface DifficultyOptions {
   /** The longest a run may last, ticks; 3600 by default. */
   readonly maxTicks?: number;
   /**
-   * Ticks to spend on finding the most robust run when none is given, and again on one with all minerals; 5,000,000 by default.
+   * Ticks to spend on finding runs; 5,000,000 by default. Half of them are for the runs that forgive most when none is given, half for
+   * one with all minerals.
    */
   readonly effort?: number;
+  /** Ticks to spend on synthetic players; 2,000,000 by default, 0 leaves them out. */
+  readonly playerEffort?: number;
+  /** Runs to compare instead of searching for them, each [press, release) in ticks; those that miss the goal are skipped. */
+  readonly runs?: readonly (readonly Hold[])[];
   /** Ticks to spend on avoiding each asteroid that the run uses; 1,000,000 by default, 0 skips this question. */
   readonly asteroidEffort?: number;
   /** Single presses are tried at multiples of this many ticks; by default 1, every tick. */
@@ -80,15 +102,17 @@ export interface DifficultyOptions {
 /** Ticks to spend on finding a run by default. */
 export const SOLVE_EFFORT = 5_000_000;
 
+/** Ticks to spend on synthetic players by default: about 300 players, ten attempts each. */
+export const PLAYER_EFFORT = 2_000_000;
+
 const ANY: Goal = { minerals: 'any' };
 
 /**
- * Measures how hard a level is. It measures success under timing noise, the noise at which half of all attempts succeed, the
- * slack of each edge, the share of random play that wins, and the simple runs that complete the level ({@link findShortcuts}),
- * all of one run: the given one, or the most robust one that it finds. The grade is a formula over these numbers. The
- * certificate of the run may take {@link BRIEF_CERTIFY_RUNS} runs, and says when that was too few.
+ * Measures how hard a level is. It compares the runs that are known and measures the one that forgives most: success under timing noise, the noise at which half of all attempts succeed, the slack of each edge, the share of random play that wins, how
+ * synthetic players fare, and the simple runs that complete the level ({@link findShortcuts}). The grade is a formula over these
+ * numbers; where another of the runs gives a lower one, that is the grade. The certificate of the run may take {@link BRIEF_CERTIFY_RUNS} runs, and says when that was too few.
  * @param scene the compiled level
- * @param holds the run to measure, [press, release) in ticks; null searches for one, beginning with the level's own runs
+ * @param holds the run to measure, [press, release) in ticks; null compares the level's own runs and those that a search finds
  * @param options the goal, the seed and what to spend
  * @returns the measurements, or null when the given run misses the goal or none was found within the effort
  * @example
@@ -106,24 +130,26 @@ export function measureDifficulty(
   options: DifficultyOptions = {},
 ): Difficulty | null {
   const { goal = ANY, samples = 1000, games = 2000, seed = 0, maxTicks = DEFAULT_MAX_TICKS, effort = SOLVE_EFFORT } = options;
-  const found = holds ?? mostRobust(scene, goal, { effort, seed, maxTicks });
-  const run = found === null ? null : verifyRun(scene, found, goal, maxTicks);
-  if (run === null) return null;
+  const found = holds === null ? (options.runs ?? findRuns(scene, goal, { effort, seed, maxTicks }).runs) : [holds];
+  if (!found.some((own) => asGiven(scene, own, goal, maxTicks) !== null)) return null;
 
+  const randomPlay = playAtRandom(scene, goal, { samples: games, seed, maxTicks });
+  const runs = compareRuns(scene, found, goal, { samples, seed, maxTicks, randomShare: randomPlay.share });
+  const [{ run }] = runs;
   const robustness = measureRobustness(scene, run.holds, goal, { samples, seed, maxRuns: BRIEF_CERTIFY_RUNS });
   const { p30, p40, p60, p80 } = robustness;
   const sigmaAtHalf = findSigmaAtHalf(scene, run.holds, goal, { samples, seed, known: [p30, p40, p60, p80] });
-  const randomPlay = playAtRandom(scene, goal, { samples: games, seed, maxTicks });
   const presses = run.holds.length;
   return {
     run,
+    comparison: { runs, meanP40: meanOf(runs.map((own) => own.p40)), meanGrade: meanOf(runs.map((own) => own.grade)) },
     robustness,
     sigmaAtHalf,
     smallestWindow: smallestWindow(robustness.slack),
     presses,
     length: run.time,
     randomPlay,
-    mineralsExtra: measureMinerals(scene, run, robustness.p40, { goal, samples, effort, seed, maxTicks }),
+    mineralsExtra: measureMinerals(scene, run, robustness.p40, { goal, samples, effort: effort / 2, seed, maxTicks }),
     shortcuts: findShortcuts(scene, goal, {
       run: run.holds,
       effort: options.asteroidEffort,
@@ -131,20 +157,49 @@ export function measureDifficulty(
       seed,
       maxTicks,
     }),
-    grade: gradeOf({
+    forecast: forecastOf(scene, run.holds, goal, { effort: options.playerEffort ?? PLAYER_EFFORT, seed, maxTicks }),
+    grade: lowestGrade(scene, goal, runs, {
       p40: robustness.p40.p,
       sigmaAtHalf: sigmaAtHalf.ms,
       presses,
       seconds: run.time,
       randomShare: randomPlay.share,
+      samples,
+      seed,
     }),
   };
 }
+
+/** The grade of the first run, or of one that was graded lower when they were compared, if that holds with all samples. */
+function lowestGrade(
+  scene: Scene,
+  goal: Goal,
+  runs: readonly ComparedRun[],
+  { samples, seed, ...first }: GradeInput & { readonly samples: number; readonly seed: number },
+): Grade {
+  const lowest = runs.reduce((a, b) => (b.grade < a.grade ? b : a));
+  const own = gradeOf(first);
+  if (lowest === runs[0]) return own;
+  const { holds, time } = lowest.run;
+  const p40 = successProbability(scene, holds, goal, 40, { samples, seed });
+  const sigmaAtHalf = sigmaAtHalfOf(scene, holds, goal, { samples, seed, known: [p40] });
+  const other = gradeOf({ ...first, p40: p40.p, sigmaAtHalf, presses: holds.length, seconds: time });
+  return other.value < own.value ? other : own;
+}
+
+const meanOf = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 interface Budget {
   readonly effort: number;
   readonly seed: number;
   readonly maxTicks: number;
+}
+
+function forecastOf(scene: Scene, holds: readonly Hold[], goal: Goal, { effort, seed, maxTicks }: Budget): PlayerForecast | null {
+  if (effort === 0) return null;
+  const players = createPlayers(scene, holds, goal, { seed, maxTicks });
+  players.advance(effort);
+  return players.forecast();
 }
 
 /** Finds the most robust run. The search starts from the level's own runs. */

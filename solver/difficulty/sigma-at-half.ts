@@ -33,14 +33,8 @@ const FIRST = 60;
  * chance. If success crosses 0.5 more than once, one of the crossings is found.
  * @param options how attempts are sampled; `known` holds successes measured before with the same samples and seed
  */
-export function findSigmaAtHalf(
-  scene: Scene,
-  holds: readonly Hold[],
-  goal: Goal,
-  options: { readonly samples: number; readonly seed: number; readonly known?: readonly Success[] },
-): SigmaAtHalf {
-  const { samples, seed, known = [] } = options;
-  const curve = new Curve(known, (sigma) => successProbability(scene, holds, goal, sigma, { samples, seed }));
+export function findSigmaAtHalf(scene: Scene, holds: readonly Hold[], goal: Goal, options: CurveOptions): SigmaAtHalf {
+  const curve = curveOf(scene, holds, goal, options);
   const ms = curve.crossing(({ p }) => p);
   return {
     ms,
@@ -48,6 +42,20 @@ export function findSigmaAtHalf(
     high: curve.crossing(({ high }) => high),
     capped: ms === SIGMA_CAP,
   };
+}
+
+/** {@link findSigmaAtHalf} without the confidence interval, at less than half of its cost. */
+export const sigmaAtHalfOf = (scene: Scene, holds: readonly Hold[], goal: Goal, options: CurveOptions): number =>
+  curveOf(scene, holds, goal, options).crossing(({ p }) => p);
+
+interface CurveOptions {
+  readonly samples: number;
+  readonly seed: number;
+  readonly known?: readonly Success[];
+}
+
+function curveOf(scene: Scene, holds: readonly Hold[], goal: Goal, { samples, seed, known = [] }: CurveOptions): Curve {
+  return new Curve(known, (sigma) => successProbability(scene, holds, goal, sigma, { samples, seed }));
 }
 
 /** Success as a function of noise, measured where it is needed and remembered. */

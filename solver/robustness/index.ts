@@ -13,5 +13,5 @@ export {
   toSuccess,
 } from './success-probability.ts';
 export { drawShift, extremeNoise, normalBeyondHalf, type TickNoise, tickNoise, uniformOf } from './tick-noise.ts';
-export { createTrials, type Trials } from './trials.ts';
-export { wilsonInterval } from './wilson.ts';
+export { createTrials, playFrom, type Trials } from './trials.ts';
+export { wilsonInterval, Z_90 } from './wilson.ts';

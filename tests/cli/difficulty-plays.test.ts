@@ -97,6 +97,9 @@ describe('gq difficulty --plays', () => {
       ['plays/ann/1.gqr', 'left', 30],
       ['plays/ann/2.gqr', 'left', 90],
     ]);
+    // one press of two players in five attempts: the fit says how little it rests on
+    expect(players?.fit).toMatchObject({ players: 2, attempts: 4, forecast: { parameters: { motorMs: 20 } } });
+    expect(players?.fit?.scale.low).toBeLessThan(players?.fit?.scale.value ?? 0);
     expect(players?.reference).toEqual({ name: 'hold', holds: report.levels[0].measured?.run.holds });
   });
 

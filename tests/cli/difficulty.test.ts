@@ -56,6 +56,9 @@ describe('gq difficulty', () => {
     for (const line of [
       /^First Swing: \w+, \d\.\d of 10\n/,
       /\nwindow {6}/,
+      /\ncompared {4}\d runs, of which this one forgives most; the mean of all: grade \d\.\d, /,
+      /\nmodel {7}of \d+ synthetic players: \d.* % pass at the first attempt/,
+      /\n {12}not calibrated: /,
       /\nno press {4}does not complete it\n/,
       /\none press {3}/,
       /\nasteroid 1 {2}/,
@@ -76,19 +79,27 @@ describe('gq difficulty', () => {
     expect((await difficulty('named.level.json --jobs 1')).levels[0].measured?.run.name).toBe('all');
   });
 
-  it("--search starts from the level's own runs", async () => {
+  it("compares the level's own runs with those of a search, measures the one that forgives most, and names runs of the level", async () => {
     // too little effort for a search without known runs
-    const alone = await difficulty('alone.level.json --search --effort 100 --jobs 1');
+    const alone = await difficulty('alone.level.json --effort 100 --jobs 1');
     expect([alone.code, alone.levels[0].why]).toEqual([
       1,
       expect.stringMatching(/^no run was found after simulating \d+ runs?, \d+ ticks/),
     ]);
-    const { code, levels } = await difficulty(`${shipped('12-detour')} --search --effort 100 --jobs 1`);
-    expect([code, levels[0].measured?.run.name]).toEqual([0, null]);
+    const { code, levels } = await difficulty(`${shipped('22-vault')} --effort 100 --jobs 1`);
+    const { run, comparison, grade, robustness, forecast } = levels[0].measured!;
+    expect(code).toBe(0);
+    const [first, ...others] = comparison.runs;
+    expect(others.length).toBeGreaterThan(0);
+    expect([run.name, run.holds]).toEqual([first.name, first.holds]);
+    expect(comparison.runs.map(({ name }) => name)).toContain('solution');
+    expect(comparison.meanP40).toBeLessThanOrEqual(first.p40 + 0.02);
+    expect(grade.value).toBeLessThanOrEqual(Math.min(...comparison.runs.map((own) => own.grade)) + 0.1001);
+    expect(Math.abs(robustness.p40 - first.p40)).toBeLessThan(0.05);
+    expect(forecast!.attempts[0].pass.p).toBeLessThan(forecast!.attempts[9].pass.p);
   });
 
   it.each([
-    ['named.level.json --run all --search', '--run and --search cannot be combined'],
     ['named.level.json --svg picture.png', 'expected a name that ends in .svg'],
     ['nowhere', 'matches no level file'],
     ['named.level.json --effort 1.5', 'expected a number of ticks'],

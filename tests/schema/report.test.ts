@@ -101,9 +101,17 @@ const solution = {
   impossible: null,
   hash: null,
 };
+const ofPlayers = { p: 0, low: 0, high: 0 };
+const forecast = {
+  parameters: { motorMs: 0, weber: 0, reactionMs: 0, lookaheadMs: 0, planMs: 0, learning: 0, scale: 0, spread: 0 },
+  ...{ firstErrorMs: 0, lastErrorMs: 0, players: 0 },
+  attempts: [{ number: 1, pass: ofPlayers, range: [0, 0], solved: ofPlayers }],
+  ...{ half: 1, most: 1 },
+};
 const measured = {
   run: { name: null, ...found },
   grade: { value: 1, word: '' },
+  comparison: { runs: [{ name: null, ...found, p40: 0, sigmaAtHalf: 0, grade: 1 }], meanP40: 0, meanGrade: 1 },
   robustness,
   sigmaAtHalf: { ms: -7, low: -7, high: -7, capped: true },
   ...{ smallestWindow: 0, presses: 0, length: 0 },
@@ -114,6 +122,7 @@ const measured = {
     onePress: { count: -7, tried: -7, length: -7, stride: 1, example: null },
     withoutAsteroid: [{ asteroid: 0, use: 'unknown', run: null }],
   },
+  forecast,
   curve: [{ sigma: -7, p: 0, low: 0, high: 0, samples: -7 }],
 };
 const generated = {
@@ -169,7 +178,10 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
       }
       const isFree = takes((old) => (old < 0 ? old - 1 : Number.NaN));
       expect([path, takes((old) => old - 1)]).toEqual([path, isFree]);
-      const most = /^(p\d\d|p|share|low|high)$/.test(path.at(-1) ?? '') || path.includes('intervals') ? 1 : 10;
+      const most =
+        /^(p\d\d|p|share|low|high|meanP40)$/.test(path.at(-1) ?? '') || path.includes('intervals') || path.includes('range')
+          ? 1
+          : 10;
       if (isFree) continue;
       expect([path, takes(() => most)]).toEqual([path, true]);
       if (most === 1 || path.includes('grade')) expect([path, takes(() => most + 1)]).toEqual([path, false]);
@@ -179,7 +191,7 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
   test('are whole if they are counts', () => {
     for (const path of numbersIn(least)) {
       const counts =
-        /^(tick|ticks|index|line|column|runs|certifiedTicks|samples|asked|rejected|stride|asteroid|attempts|smallestWindow|seed|presses|count|tried)$/;
+        /^(tick|ticks|index|line|column|runs|certifiedTicks|samples|asked|rejected|stride|asteroid|attempts|smallestWindow|seed|presses|count|tried|players|number|half|most)$/;
       if (counts.test(path.at(-1) ?? ''))
         expect([path, schema.safeParse(withNumber(least, path, () => 1.5)).success]).toEqual([path, false]);
     }

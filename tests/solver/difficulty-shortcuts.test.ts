@@ -1,10 +1,10 @@
-import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, type Scene, simulate } from '../../engine/index.ts';
-import { type Level, readLevel } from '../../schema/index.ts';
+import type { Level } from '../../schema/index.ts';
 import { findShortcuts, verifyRun } from '../../solver/index.ts';
 import { plainLevel } from '../engine/plain-level.ts';
+import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;
 const MAX_TICKS = 900;
@@ -85,8 +85,11 @@ describe('single presses', () => {
   }
 
   it('have an example that wins', () => {
-    const scene = compile(shipped('02-first-swing'));
-    const { onePress, withoutPressing } = findShortcuts(scene, ANY, { run: shipped('02-first-swing').runs[0].holds, effort: 0 });
+    const scene = compile(shippedLevel('02-first-swing'));
+    const { onePress, withoutPressing } = findShortcuts(scene, ANY, {
+      run: shippedLevel('02-first-swing').runs[0].holds,
+      effort: 0,
+    });
     expect(withoutPressing).toBeNull();
     expect(onePress.count).toBeGreaterThan(0);
     expect(onePress.example?.holds).toHaveLength(1);
@@ -117,14 +120,14 @@ describe('without an asteroid', () => {
   };
 
   it('asks about the asteroids that the run targets, and no others', () => {
-    const level = shipped('09-bumper-alley');
+    const level = shippedLevel('09-bumper-alley');
     const { scene, found } = use(level);
     const targets = simulate(scene, level.runs[0].holds).events.flatMap((e) => (e.type === 'target' ? [e.index] : []));
     expect(found.map(({ asteroid }) => asteroid)).toEqual([...new Set(targets)].sort((a, b) => a - b));
   });
 
   it('returns a run that does not target an avoidable asteroid', () => {
-    const { scene, found } = use(shipped('09-bumper-alley'));
+    const { scene, found } = use(shippedLevel('09-bumper-alley'));
     const avoidable = found.filter((f) => f.use === 'avoidable');
     expect(avoidable).not.toHaveLength(0);
     for (const { asteroid, run } of avoidable) {
@@ -135,13 +138,7 @@ describe('without an asteroid', () => {
   });
 
   it('says needed only with a proof that nothing else is in range', () => {
-    const { found } = use(shipped('01-first-pull'));
+    const { found } = use(shippedLevel('01-first-pull'));
     expect(found).toEqual([{ asteroid: 0, use: 'needed', run: null }]);
   });
 });
-
-function shipped(slug: string): Level {
-  const reading = readLevel(readFileSync(new URL(`../../levels/${slug}.level.json`, import.meta.url)));
-  if (!reading.ok) throw new Error(slug);
-  return reading.level;
-}

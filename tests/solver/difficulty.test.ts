@@ -1,22 +1,15 @@
-import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
-import { type Level, readLevel } from '../../schema/index.ts';
 import { type GradeInput, gradeOf } from '../../solver/difficulty/grade.ts';
 import { playAtRandom } from '../../solver/difficulty/random-play.ts';
 import { findSigmaAtHalf } from '../../solver/difficulty/sigma-at-half.ts';
 import { GRADE_WORDS, measureDifficulty, successProbability } from '../../solver/index.ts';
 import { plainLevel } from '../engine/plain-level.ts';
+import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;
 const QUICK = { samples: 300, games: 300, effort: 0, asteroidEffort: 0, onePressStride: 10 } as const;
-
-function shipped(slug: string): Level {
-  const reading = readLevel(readFileSync(new URL(`../../levels/${slug}.level.json`, import.meta.url)));
-  if (!reading.ok) throw new Error(slug);
-  return reading.level;
-}
 
 describe('the grade', () => {
   const input: fc.Arbitrary<GradeInput> = fc.record({
@@ -70,7 +63,7 @@ describe('random play', () => {
   });
 
   it('is the same for the same seed, and differs for another', () => {
-    const scene = compile(shipped('06-hot-rock'));
+    const scene = compile(shippedLevel('06-hot-rock'));
     const share = (seed: number) => playAtRandom(scene, ANY, { samples: 200, seed, maxTicks: 3600 }).share;
     const first = share(1);
     expect(share(1)).toBe(first);
@@ -78,7 +71,7 @@ describe('random play', () => {
   });
 
   it('counts only games that meet the goal', () => {
-    const scene = compile(shipped('06-hot-rock'));
+    const scene = compile(shippedLevel('06-hot-rock'));
     const share = (minerals: 'any' | 'all') => playAtRandom(scene, { minerals }, { samples: 200, seed: 1, maxTicks: 3600 }).share;
     expect(share('all')).toBeLessThan(share('any'));
   });
@@ -86,7 +79,7 @@ describe('random play', () => {
 
 describe('the difficulty of a run', () => {
   it('has its sigma at P = 0.5 where P crosses 0.5', () => {
-    const level = shipped('04-slingshot');
+    const level = shippedLevel('04-slingshot');
     const scene = compile(level);
     const difficulty = measureDifficulty(scene, level.runs[0].holds, { ...QUICK, seed: 5 });
     const { ms, low, high, capped } = difficulty!.sigmaAtHalf;
@@ -99,7 +92,7 @@ describe('the difficulty of a run', () => {
   });
 
   it('finds the same sigma, within 4 ms, whatever was measured before', () => {
-    const level = shipped('16-firewalk');
+    const level = shippedLevel('16-firewalk');
     const scene = compile(level);
     const { holds } = level.runs[0];
     const options = { samples: 150, seed: 5 };
@@ -109,18 +102,18 @@ describe('the difficulty of a run', () => {
       const found = findSigmaAtHalf(scene, holds, ANY, { ...options, known: known.map(success) });
       for (const key of ['ms', 'low', 'high'] as const) expect(Math.abs(found[key] - plain[key])).toBeLessThan(4);
     }
-    const easy = shipped('01-first-pull');
+    const easy = shippedLevel('01-first-pull');
     expect(findSigmaAtHalf(compile(easy), easy.runs[0].holds, ANY, options)).toMatchObject({ ms: 500, capped: true });
   });
 
   it('says when the certificate was cut short', () => {
-    const level = shipped('16-firewalk');
+    const level = shippedLevel('16-firewalk');
     const { robustness } = measureDifficulty(compile(level), level.runs[0].holds, { ...QUICK, samples: 40, games: 40 })!;
     expect(robustness).toMatchObject({ certifiedTicks: 2, decided: false });
   });
 
   it('takes its numbers from the run', () => {
-    const level = shipped('03-let-go');
+    const level = shippedLevel('03-let-go');
     const { holds } = level.runs[0];
     const difficulty = measureDifficulty(compile(level), holds, QUICK)!;
     expect(difficulty.run.holds).toEqual(holds);
@@ -131,13 +124,13 @@ describe('the difficulty of a run', () => {
   });
 
   it('is null for a run that fails', () => {
-    expect(measureDifficulty(compile(shipped('03-let-go')), [], QUICK)).toBeNull();
+    expect(measureDifficulty(compile(shippedLevel('03-let-go')), [], QUICK)).toBeNull();
   });
 
   it("looks for better runs than the level has, and keeps the level's where it finds none", () => {
     // Too little effort for a search from nothing.
     const little = { ...QUICK, effort: 100 };
-    const level = shipped('12-detour');
+    const level = shippedLevel('12-detour');
     expect(measureDifficulty(compile({ ...level, runs: [] }), null, little)).toBeNull();
     const { run, mineralsExtra } = measureDifficulty(compile(level), null, little)!;
     expect(level.runs.map(({ holds }) => simulate(compile(level), holds).time)).toContain(run.time);
@@ -145,7 +138,7 @@ describe('the difficulty of a run', () => {
   });
 
   it('looks for a run when none is given, and compares it with one that collects all minerals', () => {
-    const level = shipped('02-first-swing');
+    const level = shippedLevel('02-first-swing');
     const difficulty = measureDifficulty(compile(level), null, { ...QUICK, effort: 400_000 })!;
     expect(difficulty.run.holds.length).toBeGreaterThan(0);
     const { mineralsExtra, run } = difficulty;

@@ -37,7 +37,6 @@ import { drawPlayers } from './draw-players.ts';
 
 interface Options extends ConfigOptions, AccuracyOptions, ShardOptions {
   readonly run?: string;
-  readonly search?: true;
   readonly minerals: Goal['minerals'];
   readonly effort: number;
   readonly seed: number;
@@ -54,12 +53,14 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
   addShardOptions(addConfigOptions(addAccuracyOptions(command)))
     .description('Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
     .argument('[path...]', PATHS)
-    .option('--run <name>', 'the run to measure (default: the first that completes the level, or one that a search finds)')
-    .option('--search', "measure the run that forgives most, among the level's own and those that a search finds")
+    .option(
+      '--run <name>',
+      "the run to measure (default: the one that forgives most, of the level's own and those that a search finds)",
+    )
     .addOption(mineralsOption())
     .option(
       '--effort <ticks>',
-      'ticks of 1/60 s to simulate when a search for a run is needed',
+      'ticks of 1/60 s for the searches: half for the runs that forgive most, half for one with all minerals',
       wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
       USUAL_EFFORT,
     )
@@ -85,13 +86,15 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-Timing noise shifts each press and release by an independent Gaussian error; people are off by 30 to 60 ms. The grade is an
-estimate made from the other numbers; it is not fitted to players. For a single level the report also says what collecting all
-minerals costs, and whether the level can be completed without pressing, with one press, and without each asteroid that the run
-uses.
+The level's own runs are compared with those that a search finds, and the one that forgives most is measured. The grade is the lowest
+that any of them gives. Timing noise shifts each press and release by an independent Gaussian error; people are off by 30 to 60 ms. The model simulates players who aim at
+that run, miss, and learn from attempt to attempt. Neither it nor the grade is fitted to players: they compare levels, and say nothing
+about people without plays of people. For a single level the report also says what collecting all minerals costs, and whether the
+level can be completed without pressing, with one press, and without each asteroid that the run uses.
 
 --plays simulates recorded plays again and says how often players succeed, by attempt number, too, where and why they fail, after
-which press or release, and how much timing noise would explain it. A folder below a directory of plays stands for a player, whose
+which press or release, and how much timing noise would explain it. It fits the model of players to their presses and releases: how
+much they miss by, how fast they learn, how much they differ. A folder below a directory of plays stands for a player, whose
 attempts follow each other in the order of their names; NDJSON has {"play": "<base64url>", "subject": "<player>"} a line, in order.
 Plays are only read, and nothing is sent anywhere.
 

@@ -21,7 +21,6 @@ export interface PlanOptions extends AccuracyOptions, ConfigOptions, AskedOption
   readonly objective: Objective;
   readonly count: number;
   readonly run?: string;
-  readonly search?: true;
 }
 
 /** What a plan says about its job. */
@@ -59,7 +58,7 @@ const OPTIONS_OF: Readonly<Record<JobName, readonly string[]>> = {
     '--max-work',
   ],
   solve: [...ACCURACY, ...SEARCH, '--minerals', '--objective', '--count', '--max-time'],
-  difficulty: [...ACCURACY, ...SEARCH, '--run', '--search', '--minerals', '--max-time'],
+  difficulty: [...ACCURACY, ...SEARCH, '--run', '--minerals', '--max-time'],
   verify: ['--levels', '--engines', '--challenge-key', '--now', '--max-ticks', '--max-work'],
 };
 

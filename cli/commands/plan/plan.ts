@@ -55,7 +55,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(prefixed('solve', objectiveOption()))
     .option('--count <n>', 'solve: how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
     .option('--run <name>', 'difficulty: the run to measure (default: the first that completes a level, or one that is found)')
-    .option('--search', "difficulty: measure the run that forgives most, among a level's own and those that a search finds")
     .addOption(prefixed('all but verify', maxTimeOption()))
     .addOption(prefixed('check, verify', maxWorkOption()));
   addPlayOptions(command, 'verify: ')

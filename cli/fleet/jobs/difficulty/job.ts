@@ -10,7 +10,7 @@ export const difficultyJob: JobKind = {
   isClaim: ({ code }) => code === 0,
   // the modules of difficulty simulate, so they are loaded only where that is needed
   crashed: (name, error): Json => ({
-    ...{ name, runName: null, difficulty: null, curve: [], players: null, problems: [], code: 2 },
+    ...{ name, runName: null, difficulty: null, comparedNames: [], curve: [], players: null, problems: [], code: 2 },
     why: `measuring this level crashed: ${error instanceof Error ? error.message : error}; please report it, with the level`,
   }),
   openWork: async (settings) => (await import('./work.ts')).openDifficulty(settings as unknown as MeasureSettings),
