@@ -31,7 +31,7 @@ export {
   type TitledOriginal,
 } from './export-original.ts';
 export { enteringFolder, leavingFolder } from './folder-rules.ts';
-export type { FitReport, ForecastReport } from './forecast-report.ts';
+export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './forecast-report.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';

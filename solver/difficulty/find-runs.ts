@@ -21,13 +21,23 @@ const FOUND = 3;
 /**
  * Finds the runs that forgive most, beginning with the level's own. Half of the effort is for that; the other half is spent only if
  * there is no run by then.
- * @param effort ticks to simulate at most
+ * @param scene the compiled level
+ * @param goal what a run has to achieve
+ * @param options ticks to simulate at most, the seed of the search, and the longest that a run may last in ticks
  */
 export function findRuns(
   scene: Scene,
   goal: Goal,
-  { effort, seed, maxTicks }: { readonly effort: number; readonly seed: number; readonly maxTicks: number },
+  options: {
+    /** Ticks to simulate at most. */
+    readonly effort: number;
+    /** Seed of the search, a whole number. */
+    readonly seed: number;
+    /** The longest a run may last, ticks. */
+    readonly maxTicks: number;
+  },
 ): FoundRuns {
+  const { effort, seed, maxTicks } = options;
   const known = scene.level.runs.map(({ holds }) => holds).filter((holds) => verifyRun(scene, holds, goal, maxTicks) !== null);
   const solver = createSolver(scene, { goal, seed, maxTicks, objective: 'robust', count: FOUND, known });
   solver.advance(Math.ceil(effort / 2));

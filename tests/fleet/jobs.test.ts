@@ -246,10 +246,10 @@ describe('a plan for a command', () => {
 });
 
 describe('a replay', () => {
-  // a replay of difficulty takes 100 ms: outside of hunts, one in so many changes is tried
+  // a replay of difficulty takes half a second: outside of hunts, one in so many changes is tried
   it.each([
     ['solve', 5],
-    ['difficulty', 17],
+    ['difficulty', 67],
     ['verify', 1],
   ])('of gq %s notices any single change of a good result', async (job, stride) => {
     await inShards(job, 1, 1, job === 'verify' ? ['plays'] : ['set', ...EFFORT]);

@@ -14,7 +14,7 @@ const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {
   unknown: 'is most likely needed: no run without it was found',
 };
 
-function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, mineralsExtra }: Difficulty): Fact[] {
+function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, mineralsExtra, forecast }: Difficulty): Fact[] {
   const facts: Fact[] = [
     { label: 'length', value: `${seconds(length)}, ${plural(presses, 'press', 'presses')}` },
     { label: 'half of the attempts fail at', value: `${sigmaAtHalf.capped ? '> ' : ''}${sigmaAtHalf.ms.toFixed(0)} ms of noise` },
@@ -24,6 +24,10 @@ function factsOf({ sigmaAtHalf, smallestWindow, presses, length, randomPlay, min
     label: 'random play completes',
     value: `${percent(randomPlay.share)} of ${randomPlay.samples.toLocaleString('en')}`,
   });
+  if (forecast !== null) {
+    const first = percent(forecast.attempts[0].pass.p);
+    facts.push({ label: 'synthetic players pass at first', value: `${first}, not calibrated` });
+  }
   if (mineralsExtra !== null) {
     const { time, presses: more } = mineralsExtra;
     facts.push({ label: 'collecting all minerals', value: extraInWords(time, more) });
