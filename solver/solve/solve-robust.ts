@@ -113,7 +113,6 @@ export class RobustWork {
     this.publish();
     for (;;) {
       const found = yield* this.gather(pending.splice(0));
-      yield* this.admitFromClouds();
       const changed = this.change();
       yield* this.race(found, NEW_FINALISTS);
       yield* this.race(changed, CHANGED_FINALISTS);
@@ -125,11 +124,16 @@ export class RobustWork {
         this.admit(holdsOf(local.edges), local.seed);
         yield;
       }
-      yield* this.improve();
-      if (this.spent > REPORT_GROWTH * this.reportedAt || this.looksPerfect()) {
+      yield* this.polish();
+      // Certificates and clouds take long, so that what is known is reported before.
+      this.publishIfDue();
+      yield* this.certify();
+      if (this.looksPerfect()) {
         this.publish();
         if (this.isPerfect()) return;
       }
+      yield* this.admitFromClouds();
+      this.publishIfDue();
     }
   }
 
@@ -238,7 +242,7 @@ export class RobustWork {
     this.candidates = different.slice(0, Math.max(KEPT, 2 * this.session.count));
   }
 
-  private *improve(): Generator<void, void> {
+  private *polish(): Generator<void, void> {
     const { session } = this;
     for (const candidate of this.candidates) {
       if (candidate.idle >= IDLE || candidate.p === 1 || candidate.p < POLISHED * this.candidates[0].p) continue;
@@ -246,6 +250,10 @@ export class RobustWork {
       yield;
     }
     this.sort();
+  }
+
+  private *certify(): Generator<void, void> {
+    const { session } = this;
     for (const candidate of this.candidates.slice(0, session.count)) {
       if (candidate.p < LEAST_CERTIFIED || candidate.certificate !== 'unknown' || (candidate.idle < IDLE && candidate.p < 1))
         continue;
@@ -270,6 +278,10 @@ export class RobustWork {
       if (unsure === undefined) return;
       makeSure(this.session, unsure);
     }
+  }
+
+  private publishIfDue(): void {
+    if (this.spent > REPORT_GROWTH * this.reportedAt) this.publish();
   }
 
   private publish(): void {
