@@ -35,10 +35,22 @@ export function originalLevels(file: string, recoil = true): NamedLevel[] {
   return imported.levels.map(({ slug, file: level }) => ({ name: slug, level: resolveLevel(level) }));
 }
 
-/** The levels that the command line asks for: `--originals FILE [--recoil off]`, `--levels DIR`, or else the shipped levels. */
+/** `--recoil on|off`; null where it is left out. */
+function askedRecoil(): boolean | null {
+  const given = optionValue('--recoil');
+  if (given === null) return null;
+  if (given === 'on' || given === 'off') return given === 'on';
+  throw new Error(`expected on or off after --recoil, found ${given}`);
+}
+
+/**
+ * The levels that the command line asks for: `--originals FILE`, `--levels DIR`, or else the shipped levels. `--recoil on|off`
+ * changes all of them; left out, the originals have recoil, and other levels what their files say.
+ */
 export function askedLevels(): NamedLevel[] {
   const originals = optionValue('--originals');
-  return originals === null
-    ? packLevels(optionValue('--levels') ?? undefined)
-    : originalLevels(originals, optionValue('--recoil') !== 'off');
+  const recoil = askedRecoil();
+  if (originals !== null) return originalLevels(originals, recoil ?? true);
+  const levels = packLevels(optionValue('--levels') ?? undefined);
+  return recoil === null ? levels : levels.map(({ name, level }) => ({ name, level: { ...level, recoil } }));
 }

@@ -12,6 +12,14 @@ export {
   successProbability,
   toSuccess,
 } from './success-probability.ts';
-export { drawShift, extremeNoise, normalBeyondHalf, type TickNoise, tickNoise, uniformOf } from './tick-noise.ts';
+export {
+  drawShift,
+  extremeNoise,
+  FIRST_TO_CHOOSE_BY,
+  normalBeyondHalf,
+  type TickNoise,
+  tickNoise,
+  uniformOf,
+} from './tick-noise.ts';
 export { createTrials, playFrom, type Trials } from './trials.ts';
 export { wilsonInterval, Z_90 } from './wilson.ts';

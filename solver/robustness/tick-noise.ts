@@ -100,6 +100,12 @@ export function drawShift(noise: TickNoise, uint32: number): number {
 }
 
 /**
+ * Attempts with this number and above are for choosing among runs, those below for measuring the chosen one, whatever the seed.
+ * A share of successes is unbiased only when nothing has been chosen by the same attempts.
+ */
+export const FIRST_TO_CHOOSE_BY = 1_073_741_824;
+
+/**
  * A uniform 32-bit number that depends only on seed, sample and edge. Attempt n of every run gets the same errors, so that runs
  * are compared under the same noise (common random numbers), whatever their number of edges. The mixing steps are those of
  * MurmurHash3's finalizer (A. Appleby).

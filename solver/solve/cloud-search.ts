@@ -2,7 +2,7 @@ import { createSimulation, type Scene, type Simulation, STATE_SIZE } from '../..
 import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
-import { drawShift, type TickNoise, tickNoise, uniformOf } from '../robustness/index.ts';
+import { drawShift, FIRST_TO_CHOOSE_BY, type TickNoise, tickNoise, uniformOf } from '../robustness/index.ts';
 import type { HeatMap } from '../search/index.ts';
 
 /** A run that the search has found. */
@@ -15,15 +15,6 @@ export interface CloudRun {
 
 /** Attempts that are simulated together. The first has no noise; the others form pairs with opposite noise. */
 const CLOUD = 8;
-
-/**
- * Standard deviation of the noise of each edge, ms. It is less than the noise by which runs are judged, because so few attempts
- * must not all be unlucky.
- */
-const SIGMA = 30;
-
-/** A path that keeps a smaller share of its attempts is abandoned. */
-const LEAST_SHARE = 0.5;
 
 /** Ticks between the edges that are tried, and the shortest and longest stretch. */
 const STRIDE = 8;
@@ -61,7 +52,7 @@ export class CloudSearch {
   private readonly maxTicks: number;
   private readonly seed: number;
   private readonly random: Random;
-  private readonly noise: TickNoise = tickNoise(SIGMA);
+  private readonly noise: TickNoise;
   private readonly cloud: readonly Simulation[];
   private readonly place: number;
   private readonly speed: number;
@@ -69,6 +60,8 @@ export class CloudSearch {
   private readonly tournament: number;
   /** The share of lost attempts that one edge is worth in the choice of a path. */
   private readonly edgeCost: number;
+  /** A path that keeps a smaller share of its attempts is abandoned. */
+  private readonly leastShare: number;
   private readonly mostWays: number;
   private ways = 0;
   private readonly cells = new Map<string, NoisyWay>();
@@ -78,26 +71,41 @@ export class CloudSearch {
   private readonly heat: HeatMap;
   private found: CloudRun[] = [];
 
-  /** @param heat counts the places where attempts come by */
-  constructor(scene: Scene, goal: Goal, maxTicks: number, seed: number, heat: HeatMap) {
+  /**
+   * @param sigma standard deviation of the noise of each edge, ms
+   * @param heat counts the places where attempts come by
+   * @param beginning edges that every path begins with, ticks
+   */
+  constructor(
+    scene: Scene,
+    goal: Goal,
+    maxTicks: number,
+    { sigma, seed, heat, beginning }: { sigma: number; seed: number; heat: HeatMap; beginning: readonly number[] },
+  ) {
     this.scene = scene;
     this.heat = heat;
     this.needed = mineralsNeeded(goal, scene.minerals.count);
     this.maxTicks = maxTicks;
     this.seed = seed;
+    this.noise = tickNoise(sigma);
     this.random = createRandom(seed);
     // Coarse and fine cells, greedy and patient choices find different runs: vary them with the seed.
     this.place = 28 + 4 * this.random.below(10);
     this.speed = 18 + 2 * this.random.below(6);
     this.tournament = 3 + this.random.below(6);
     this.edgeCost = 0.08 + 0.03 * this.random.below(5);
+    this.leastShare = 0.25 * (1 + this.random.below(2));
     this.cloud = Array.from({ length: CLOUD }, () => createSimulation(scene));
     this.aliens = new Float64Array(3 * scene.aliens.count);
     const start = this.cloud[0].snapshot();
     this.mostWays = Math.max(16, Math.floor(MEMORY / (CLOUD * start.length)));
-    if (this.cloud[0].ending === null) {
-      this.open.push({ edges: [], states: this.cloud.map(() => start), share: 1, worth: 1, outdone: false });
+    for (const [depth, tick] of beginning.entries()) {
+      for (let i = 0; i < CLOUD; i++) this.playTo(i, depth, tick);
     }
+    const alive = this.cloud.filter(({ ending }) => ending === null).length;
+    if (this.cloud[0].ending !== null) return;
+    const states = beginning.length === 0 ? this.cloud.map(() => start) : this.cloud.map((simulation) => simulation.snapshot());
+    this.open.push({ edges: beginning, states, share: alive / CLOUD, worth: 1, outdone: false });
   }
 
   /** True when there is nothing left to follow. */
@@ -118,7 +126,7 @@ export class CloudSearch {
    */
   step(share: number): void {
     const way = this.select();
-    const least = Math.max(share, LEAST_SHARE);
+    const least = Math.max(share, this.leastShare);
     if (way === null || way.outdone || way.share < share) return;
     const { cloud } = this;
     const depth = way.edges.length;
@@ -133,8 +141,7 @@ export class CloudSearch {
       through = 0;
       let alive = 0;
       for (let i = 0; i < CLOUD; i++) {
-        const until = Math.min(this.maxTicks, tick + this.shift(depth, i));
-        if (cloud[i].ending === null && until > cloud[i].tick) this.ticks += cloud[i].advance(until - cloud[i].tick, held);
+        this.playTo(i, depth, tick);
         if (cloud[i].ending === null) alive++;
         else if (this.meetsGoal(cloud[i])) through++;
       }
@@ -143,6 +150,13 @@ export class CloudSearch {
       this.keep(way, tick, left, held);
     }
     if (through > 0) this.found.push({ holds: toHolds(way.edges, tick), share: through / CLOUD });
+  }
+
+  /** Continues an attempt to its own time of an edge. */
+  private playTo(execution: number, edge: number, tick: number): void {
+    const simulation = this.cloud[execution];
+    const until = Math.min(this.maxTicks, tick + this.shift(edge, execution));
+    if (simulation.ending === null && until > simulation.tick) this.ticks += simulation.advance(until - simulation.tick, edge % 2 === 1);
   }
 
   private select(): NoisyWay | null {
@@ -166,7 +180,7 @@ export class CloudSearch {
   /** The error of an attempt at an edge, ticks. */
   private shift(edge: number, execution: number): number {
     if (execution === 0) return 0;
-    const late = drawShift(this.noise, uniformOf(this.seed, execution >> 1, edge));
+    const late = drawShift(this.noise, uniformOf(this.seed, FIRST_TO_CHOOSE_BY + (execution >> 1), edge));
     return execution % 2 === 0 ? late : -late;
   }
 

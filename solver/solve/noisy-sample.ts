@@ -1,5 +1,13 @@
 import type { Hold } from '../../schema/basics/index.ts';
-import { drawShift, judgeAll, shiftHolds, type TickNoise, type Trials, uniformOf } from '../robustness/index.ts';
+import {
+  drawShift,
+  FIRST_TO_CHOOSE_BY,
+  judgeAll,
+  shiftHolds,
+  type TickNoise,
+  type Trials,
+  uniformOf,
+} from '../robustness/index.ts';
 
 /** What timing noise did to a run. */
 export interface NoisySample {
@@ -33,7 +41,7 @@ export function sampleNoise(
   for (let i = from; i < to; i++) {
     const shift = new Int32Array(edges);
     for (let edge = 0; edge < edges; edge++) {
-      const late = drawShift(noise, uniformOf(seed, i >> 1, edge));
+      const late = drawShift(noise, uniformOf(seed, FIRST_TO_CHOOSE_BY + (i >> 1), edge));
       shift[edge] = i % 2 === 0 ? late : -late;
     }
     shifts.push(shift);

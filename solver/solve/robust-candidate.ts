@@ -3,8 +3,8 @@ import {
   clustersOf,
   countSuccesses,
   extremeNoise,
+  FIRST_TO_CHOOSE_BY,
   ShiftBox,
-  type Success,
   shiftsUpTo,
   tickNoise,
   toSuccess,
@@ -20,13 +20,17 @@ export const SIGMA = 40;
 /** The shifts that a solution's certificate covers, ticks. */
 const CERTIFIED_TICKS = 2;
 
-/** Attempts by which runs are compared, with the same noise for all runs. */
+/** Attempts by which runs are compared, with the same noise for all runs: at first, and before a run is reported. */
 const COMPARED = 192;
+const SURE = 960;
 const COMPARED_SEED = 1;
 
-/** Attempts that give the reported success. They differ from those by which the run was moved and compared. */
+/** Attempts that give the reported success. Nothing is chosen by them. */
 const REPORTED = 1000;
-const REPORTED_SEED = 2;
+
+/** Attempts of one step of a polish. After a polish without a gain the next one measures its steps better. */
+const POLISH_SAMPLES = [64, 192];
+const POLISH_STEPS = 3;
 
 /** A polish must raise success by more than this to count. */
 const GAIN = 0.002;
@@ -44,11 +48,13 @@ export interface RobustCandidate {
   verified: Candidate;
   /** Share of the compared attempts that met the goal. */
   p: number;
+  /** How many attempts were compared, and how many of the first `COMPARED` of them met the goal. */
+  tested: number;
+  early: number;
   /** Attempts used for polishing, and the number of polishes in a row without a gain. */
   used: number;
   idle: number;
   certificate: Certificate;
-  reported: Success | null;
   readonly seed: number;
 }
 
@@ -61,30 +67,40 @@ const noise = tickNoise(SIGMA);
 export function createRobustCandidate(session: SolverSession, holds: readonly Hold[], seed: number): RobustCandidate | null {
   const run = playable(session, holds);
   if (run === null) return null;
-  return { ...run, p: compared(session, run.holds), used: 0, idle: 0, certificate: 'unknown', reported: null, seed };
+  const early = succeeding(session, run.holds, 0, COMPARED);
+  return { ...run, p: early / COMPARED, tested: COMPARED, early, used: 0, idle: 0, certificate: 'unknown', seed };
 }
 
-const compared = (session: SolverSession, holds: readonly Hold[]): number =>
-  countSuccesses(session.trials, holds, noise, COMPARED_SEED, 0, COMPARED) / COMPARED;
+/** Successes among the attempts `from` to `to` of those that all runs are compared by. */
+const succeeding = (session: SolverSession, holds: readonly Hold[], from: number, to: number): number =>
+  countSuccesses(session.trials, holds, noise, COMPARED_SEED, FIRST_TO_CHOOSE_BY + from, FIRST_TO_CHOOSE_BY + to);
+
+/** Whether a run was compared by enough attempts to be reported. */
+export const isSure = ({ tested }: RobustCandidate): boolean => tested === SURE;
+
+/** Compares a run by as many attempts as one that is reported. */
+export function makeSure(session: SolverSession, candidate: RobustCandidate): void {
+  const { holds, p, tested } = candidate;
+  candidate.p = (Math.round(p * tested) + succeeding(session, holds, tested, SURE)) / SURE;
+  candidate.tested = SURE;
+}
 
 /** Moves the edges to where noise does less harm. */
 export function polish(session: SolverSession, candidate: RobustCandidate): void {
-  const samples = 64;
-  const steps = 3;
+  const samples = POLISH_SAMPLES[Math.min(candidate.idle, POLISH_SAMPLES.length - 1)];
   const holds = shiftToMean(session.trials, candidate.holds, noise, {
     seed: candidate.seed,
     from: candidate.used,
     samples,
-    steps,
+    steps: POLISH_STEPS,
   });
-  candidate.used += samples * steps;
-  const run = playable(session, holds);
-  const p = run === null ? 0 : compared(session, run.holds);
-  if (run === null || p <= candidate.p + GAIN) {
-    candidate.idle++;
-    return;
-  }
-  Object.assign(candidate, run, { p, idle: 0, certificate: 'unknown', reported: null });
+  candidate.used += samples * POLISH_STEPS;
+  candidate.idle++;
+  const moved = createRobustCandidate(session, holds, candidate.seed);
+  if (moved === null || moved.early < candidate.early) return;
+  if (isSure(candidate)) makeSure(session, moved);
+  if (moved.p <= candidate.p + GAIN) return;
+  Object.assign(candidate, moved, { used: candidate.used });
 }
 
 /**
@@ -134,14 +150,22 @@ export function* certifyCandidate(
 /** The score by which candidates are ordered. */
 export const standing = (candidate: RobustCandidate): number => robustScore(candidate.p, candidate.certificate === 'proved');
 
-/** The solution to report. Its success is measured on attempts that had no part in choosing it. */
-export function toSolution(session: SolverSession, candidate: RobustCandidate): Solution {
-  candidate.reported ??= toSuccess(
-    SIGMA,
-    countSuccesses(session.trials, candidate.holds, noise, REPORTED_SEED, 0, REPORTED),
-    REPORTED,
-  );
-  const certified = candidate.certificate === 'proved';
-  const score = robustScore(candidate.reported.p, certified);
-  return { ...candidate.verified, holds: candidate.holds, score, p40: candidate.reported, certified };
+/** The solution to report, without a measured success. */
+export function toSolution(candidate: RobustCandidate): Solution {
+  return {
+    ...candidate.verified,
+    holds: candidate.holds,
+    score: standing(candidate),
+    p40: null,
+    certified: candidate.certificate === 'proved',
+  };
+}
+
+/**
+ * Measures the success of a solution that has been chosen, by the attempts of {@link measureRobustness} with the same seed.
+ * Nothing is chosen by the result, so it is as often too low as too high.
+ */
+export function measured(session: SolverSession, solution: Solution): Solution {
+  const successes = countSuccesses(session.trials, solution.holds, noise, session.seed, 0, REPORTED);
+  return { ...solution, p40: toSuccess(SIGMA, successes, REPORTED) };
 }

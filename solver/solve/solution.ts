@@ -12,11 +12,15 @@ export type Objective = 'robust' | 'presses' | 'time' | 'first';
  * player would hold on: otherwise a slightly late attempt would release too early.
  */
 export interface Solution extends Candidate {
-  /** Larger is better. Only scores of the same objective can be compared. */
+  /**
+   * Larger is better. Only scores of the same objective can be compared. Under `robust` all runs are compared under the same
+   * noise, and the best of them has often been lucky: `p40` says what a run is worth.
+   */
   readonly score: number;
   /**
-   * Success under timing noise of 40 ms; null for other objectives than `robust`. The best of many measured runs is kept, so
-   * this estimate is slightly too high; call {@link successProbability} with a different seed for an unbiased one.
+   * Success under timing noise of 40 ms; null for other objectives than `robust`. It was measured after the run had been chosen,
+   * by attempts that had no part in the choice, so it is as often too low as too high. {@link measureRobustness} with the
+   * solver's seed and 1000 samples gives the same.
    */
   readonly p40: Success | null;
   /**
@@ -28,5 +32,8 @@ export interface Solution extends Candidate {
 /** What a certificate adds to the score: as much as a success that is higher by 0.02. */
 const CERTIFICATE_WORTH = 0.02;
 
-/** The score of a run under `robust`. */
-export const robustScore = (p40: number, certified: boolean): number => p40 + (certified ? CERTIFICATE_WORTH : 0);
+/**
+ * The score of a run under `robust`.
+ * @param p success under timing noise of 40 ms, by the attempts that runs are compared by
+ */
+export const robustScore = (p: number, certified: boolean): number => p + (certified ? CERTIFICATE_WORTH : 0);

@@ -1,24 +1,36 @@
 import type { Hold } from '../../schema/basics/index.ts';
 import { createRandom, type Random } from '../random.ts';
 import { changeRun } from './change-run.ts';
-import { CloudSearch } from './cloud-search.ts';
+import { Clouds } from './clouds.ts';
 import { createLocalSearch, holdsOf, type LocalSearch, meanShiftStep } from './local-search.ts';
 import { isSameWay, mergeSolutions } from './merge-solutions.ts';
 import {
   centred,
   certifyCandidate,
   createRobustCandidate,
+  isSure,
+  makeSure,
+  measured,
   polish,
   type RobustCandidate,
+  SIGMA,
   standing,
   toSolution,
 } from './robust-candidate.ts';
+import { screen } from './screen.ts';
 import { playable, type SolverSession } from './solver-session.ts';
 
-/** New runs per round from each source. Clouds contribute the most, because what they find is robust from the start. */
-const FROM_SEARCH = 1;
-const FROM_CLOUD = 8;
+/** The most new runs per round from clouds, and from changes. */
+const FROM_CLOUDS = 24;
 const FROM_CHANGES = 6;
+
+/** Shares of all ticks that clouds and searches get. Clouds get the most, because what they find is robust from the start. */
+const CLOUD_SHARE = 0.5;
+const SEARCH_SHARE = 0.15;
+
+/** Ticks for clouds in the first round at least, and between two choices among what they have found. */
+const CLOUD_FIRST = 200_000;
+const CLOUD_ROUND = 2_000_000;
 
 /** Attempts per mean-shift step in each stage. Half of the runs go on to the next stage. */
 const STAGES = [12, 16, 24];
@@ -31,6 +43,11 @@ const STEPS = 2;
 const NEW_FINALISTS = 2;
 const CHANGED_FINALISTS = 1;
 
+const CLOUD_FINALISTS = 3;
+
+/** How much more noise the runs of a cloud are screened by than the cloud has. */
+const CLOUD_NOISE = 4 / 3;
+
 /** Candidates that are kept. */
 const KEPT = 6;
 
@@ -39,20 +56,18 @@ const KEPT = 6;
  */
 const MOST_SIGMA = 60;
 
-/**
- * Ticks for clouds: in the first round, at most in a later round (the limit grows with each round, so that easy levels are done
- * soon), and in the life of one cloud.
- */
-const CLOUD_FIRST_ROUND = 50_000;
-const CLOUD_ROUND = 800_000;
-const CLOUD_LIFE = 5_000_000;
-
-/** A cloud abandons paths whose share is lower than the best run's by more than this. */
-const CLOUD_MARGIN = 0.15;
+/** Runs that succeed less often fail with some shift by two ticks, so no certificate is tried. */
+const LEAST_CERTIFIED = 0.5;
 
 /** Share of all ticks that certificates may take, and the ticks granted at first. */
 const CERTIFICATE_SHARE = 0.2;
 const FIRST_CERTIFICATE = 2_000_000;
+
+/** Runs with less than this part of the best run's success are not polished. */
+const POLISHED = 0.9;
+
+/** Runs are reported when all ticks have grown by this factor since the last report. */
+const REPORT_GROWTH = 1.1;
 
 /** A run is no longer polished after this many polishes without a gain. */
 const IDLE = 2;
@@ -61,7 +76,7 @@ const IDLE = 2;
  * Searches for robust runs, the ones with the highest success under timing noise.
  *
  * The work proceeds in rounds. Each collects new runs from three sources: restarted searches ({@link Restarts}), clouds of
- * noisy attempts ({@link CloudSearch}), and random changes to the best runs so far; the first round begins with the level's own
+ * noisy attempts ({@link Clouds}), and random changes to the best runs so far; the first round begins with the level's own
  * runs. Every new run takes a few mean-shift steps, which move its edges to the mean of the attempts that succeed and never
  * lower the probability of success. After each stage the worse half drops out (successive halving). The survivors join the
  * candidates, which are polished further.
@@ -75,14 +90,14 @@ export class RobustWork {
   private readonly session: SolverSession;
   private readonly random: Random;
   private candidates: RobustCandidate[] = [];
-  private cloud: CloudSearch | null = null;
-  private clouds = 0;
-  private rounds = 0;
+  private readonly clouds: Clouds;
+  private reportedAt = 0;
   private localSearches = 0;
   private certificateTicks = 0;
 
   constructor(session: SolverSession) {
     this.session = session;
+    this.clouds = new Clouds(session);
     this.random = createRandom(session.seedOf(0));
   }
 
@@ -90,7 +105,7 @@ export class RobustWork {
     // Publish the first run at once.
     const pending = this.known();
     if (pending.length === 0) {
-      const first = yield* this.search();
+      const first = yield* this.search(Number.POSITIVE_INFINITY);
       if (first === null) return;
       pending.push(first);
     }
@@ -109,9 +124,16 @@ export class RobustWork {
         this.admit(holdsOf(local.edges), local.seed);
         yield;
       }
-      yield* this.improve();
-      this.publish();
-      if (this.isPerfect()) return;
+      yield* this.polish();
+      // Certificates and clouds take long, so that what is known is reported before.
+      this.publishIfDue();
+      yield* this.certify();
+      if (this.looksPerfect()) {
+        this.publish();
+        if (this.isPerfect()) return;
+      }
+      yield* this.admitFromClouds();
+      this.publishIfDue();
     }
   }
 
@@ -123,9 +145,10 @@ export class RobustWork {
     });
   }
 
-  private *search(): Generator<void, readonly Hold[] | null> {
+  /** Searches until a run is found, or all searches together have simulated `limit` ticks. */
+  private *search(limit: number): Generator<void, readonly Hold[] | null> {
     const { restarts } = this.session;
-    while (!restarts.exhausted) {
+    while (!restarts.exhausted && restarts.effort.ticks < limit) {
       const run = restarts.next();
       yield;
       if (run !== null) return playable(this.session, run.holds)?.holds ?? run.holds;
@@ -135,18 +158,33 @@ export class RobustWork {
 
   /** Collects new runs, beginning with the given ones. */
   private *gather(runs: (readonly Hold[])[]): Generator<void, LocalSearch[]> {
-    while (runs.length < FROM_SEARCH) {
-      const holds = yield* this.search();
-      if (holds === null) break;
-      runs.push(holds);
-    }
+    const searched = yield* this.search(SEARCH_SHARE * this.spent);
+    if (searched !== null) runs.push(searched);
     // Where she arrives with the button held, the last release is not needed, and one edge less can fail less often.
     for (const holds of [...runs]) {
       const heldOn = playable(this.session, withoutLastRelease(holds, this.session.maxTicks));
       if (heldOn !== null) runs.push(heldOn.holds);
     }
-    runs.push(...(yield* this.harvest()));
     return runs.map((holds) => this.localSearch(holds));
+  }
+
+  /** Lets clouds search until they have had their share, and admits the most robust of the runs that they find. */
+  private *admitFromClouds(): Generator<void, void> {
+    const { session, clouds } = this;
+    const share = Math.max(CLOUD_FIRST, (CLOUD_SHARE / (1 - CLOUD_SHARE)) * (this.spent - clouds.ticks));
+    while (clouds.ticks < share) {
+      const best = this.candidates.length > 0 ? this.candidates[0].p : 0;
+      const known = this.candidates.filter(({ p }) => p >= POLISHED * best).map(({ holds }) => holds);
+      const before = clouds.ticks;
+      const runs = yield* clouds.harvest(Math.min(CLOUD_ROUND, share - before), best, known, FROM_CLOUDS);
+      const seed = session.seedOf(++this.localSearches);
+      const sigma = Math.min(SIGMA, CLOUD_NOISE * clouds.noise);
+      for (const holds of yield* screen(session, runs, { sigma, finalists: CLOUD_FINALISTS, seed })) {
+        this.admit(holds, seed);
+        yield;
+      }
+      if (clouds.ticks === before) return;
+    }
   }
 
   private change(): LocalSearch[] {
@@ -162,31 +200,8 @@ export class RobustWork {
     return createLocalSearch(holds, this.session.seedOf(++this.localSearches));
   }
 
-  private *harvest(): Generator<void, (readonly Hold[])[]> {
-    const { session } = this;
-    const best = this.candidates.length > 0 ? this.candidates[0].p : 0;
-    if (this.cloud === null || this.cloud.exhausted || this.cloud.ticks > CLOUD_LIFE) {
-      this.cloud = new CloudSearch(
-        session.scene,
-        session.goal,
-        session.maxTicks,
-        session.seedOf(500_000 + this.clouds++),
-        session.cloudHeat,
-      );
-    }
-    const { cloud } = this;
-    const until = cloud.ticks + Math.min(CLOUD_ROUND, CLOUD_FIRST_ROUND * ++this.rounds);
-    while (cloud.ticks < until && !cloud.exhausted) {
-      const { ticks, runs } = cloud;
-      cloud.step(best - CLOUD_MARGIN);
-      session.trials.ticks += cloud.ticks - ticks;
-      session.trials.runs += cloud.runs - runs;
-      yield;
-    }
-    return cloud
-      .harvest()
-      .slice(0, FROM_CLOUD)
-      .map(({ holds }) => holds);
+  private get spent(): number {
+    return this.session.trials.ticks + this.session.restarts.effort.ticks;
   }
 
   /**
@@ -227,16 +242,21 @@ export class RobustWork {
     this.candidates = different.slice(0, Math.max(KEPT, 2 * this.session.count));
   }
 
-  private *improve(): Generator<void, void> {
+  private *polish(): Generator<void, void> {
     const { session } = this;
     for (const candidate of this.candidates) {
-      if (candidate.idle >= IDLE || candidate.p === 1 || candidate.p < this.candidates[0].p - 0.25) continue;
+      if (candidate.idle >= IDLE || candidate.p === 1 || candidate.p < POLISHED * this.candidates[0].p) continue;
       polish(session, candidate);
       yield;
     }
     this.sort();
+  }
+
+  private *certify(): Generator<void, void> {
+    const { session } = this;
     for (const candidate of this.candidates.slice(0, session.count)) {
-      if (candidate.certificate !== 'unknown' || (candidate.idle < IDLE && candidate.p < 1)) continue;
+      if (candidate.p < LEAST_CERTIFIED || candidate.certificate !== 'unknown' || (candidate.idle < IDLE && candidate.p < 1))
+        continue;
       const { ticks } = session.trials;
       const allowed = FIRST_CERTIFICATE + CERTIFICATE_SHARE * (ticks + session.restarts.effort.ticks) - this.certificateTicks;
       candidate.certificate = yield* certifyCandidate(session, candidate, allowed);
@@ -250,16 +270,40 @@ export class RobustWork {
     this.sort();
   }
 
+  /** Sorts the candidates, and compares those that may be reported by more attempts until the order holds. */
+  private compare(): void {
+    for (;;) {
+      this.sort();
+      const unsure = this.candidates.slice(0, this.session.count).find((candidate) => !isSure(candidate));
+      if (unsure === undefined) return;
+      makeSure(this.session, unsure);
+    }
+  }
+
+  private publishIfDue(): void {
+    if (this.spent > REPORT_GROWTH * this.reportedAt) this.publish();
+  }
+
   private publish(): void {
     const { session } = this;
-    const solutions = this.candidates.slice(0, Math.max(1, session.count)).map((candidate) => toSolution(session, candidate));
-    // A published solution stays until another one measures better.
-    session.solutions = mergeSolutions([session.solutions, solutions], { count: session.count });
+    this.compare();
+    this.reportedAt = this.spent;
+    const solutions = this.candidates.slice(0, session.count).map(toSolution);
+    // A published solution stays until another one compares better.
+    const merged = mergeSolutions([session.solutions, solutions], { count: session.count });
+    session.solutions = merged.map((solution) => (solution.p40 === null ? measured(session, solution) : solution));
+  }
+
+  private looksPerfect(): boolean {
+    const { candidates } = this;
+    const { count } = this.session;
+    return (
+      candidates.length >= count && candidates.slice(0, count).every(({ p, certificate }) => p === 1 && certificate === 'proved')
+    );
   }
 
   private isPerfect(): boolean {
-    const { solutions, count } = this.session;
-    return solutions.length >= count && solutions.every(({ p40, certified }) => p40?.p === 1 && certified);
+    return this.looksPerfect() && this.candidates.slice(0, this.session.count).every(isSure);
   }
 }
 

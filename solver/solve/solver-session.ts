@@ -11,6 +11,7 @@ import type { Objective, Solution } from './solution.ts';
 export interface SolverSession {
   readonly scene: Scene;
   readonly goal: Goal;
+  readonly seed: number;
   readonly maxTicks: number;
   readonly objective: Objective;
   readonly count: number;
