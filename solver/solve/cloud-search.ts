@@ -156,7 +156,8 @@ export class CloudSearch {
   private playTo(execution: number, edge: number, tick: number): void {
     const simulation = this.cloud[execution];
     const until = Math.min(this.maxTicks, tick + this.shift(edge, execution));
-    if (simulation.ending === null && until > simulation.tick) this.ticks += simulation.advance(until - simulation.tick, edge % 2 === 1);
+    if (simulation.ending === null && until > simulation.tick)
+      this.ticks += simulation.advance(until - simulation.tick, edge % 2 === 1);
   }
 
   private select(): NoisyWay | null {
