@@ -1,0 +1,1 @@
+export { type Chain, FAMILIES, type Family, makeChain } from './chain.ts';
