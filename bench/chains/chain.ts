@@ -3,7 +3,7 @@ import { type Asteroid, type Circle, type Hold, type Level, NO_OBJECTS } from '.
 import { verifyRun } from '../../solver/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
-/** What a chain asks for: see {@link makeChain}. */
+/** The kinds of chains, see {@link makeChain}. */
 export const FAMILIES = ['straight', 'alternating', 'recoil', 'aliens'] as const;
 
 export type Family = (typeof FAMILIES)[number];
@@ -21,14 +21,19 @@ const ASIDE = [45, 95] as const;
 /** The same for a straight chain, where all doors lie near the middle, px. */
 const STRAIGHT = 25;
 /** Half the height of a door, px. Her box is 32 px high and 20 px wide, and up to 38 px across its corners. */
-const HALF_DOOR = +(process.env.HD ?? 34);
+const HALF_DOOR = 26;
 /** Walls reach this far from the middle: beyond it she is lost. */
 const WALL = 320;
 
 /** How many ways from one wall to the next are tried, and how many are kept to go on from. */
 const TRIES = 4000;
 const KEPT = 150;
-const LONGEST_RUN = 5000;
+
+/** The longest run, ticks: twelve doors take about a minute. */
+export const LONGEST_RUN = 5400;
+
+/** A run that passes a wall at a greater slope would need a wide door. */
+const STEEPEST = 0.8;
 
 /** Where the run passed a wall, and the pieces of the script before: [ticks, held]. */
 interface Passage {
@@ -40,16 +45,18 @@ interface Passage {
 }
 
 /**
- * A chain of `doors` walls of novae, each with one narrow gap, and an asteroid between any two of them. The same arguments give
- * the same level on every machine.
+ * A chain of `doors` walls of novae, each with one narrow gap and an asteroid in it. The same arguments give the same level on
+ * every machine.
  *
- * A run is played first, among the asteroids alone: random presses from door to door, keeping what passes where the next door is
- * wanted. Then walls are built around it, and aliens placed where the run still passes. So every chain is completable, by `holds`.
+ * A run is played first, among the asteroids alone: random presses from wall to wall, keeping what passes where a door is wanted.
+ * Then walls are built around it, and aliens placed where the run still passes. So every chain is completable, by `holds`.
  *
- * - `straight`: all doors lie near the middle
- * - `alternating`: doors lie alternately high and low, so a swing one way is followed by a swing the other way
+ * - `straight`: all doors lie near the middle, where the asteroids are
+ * - `alternating`: doors lie alternately above and below their asteroids, so a swing one way is followed by a swing the other way
  * - `recoil`: alternating, and asteroids are pulled as she is
  * - `aliens`: alternating, with an alien in every second chamber
+ *
+ * @throws {Error} if no run was found to build around
  */
 export function makeChain(family: Family, doors: number, seed: number): Chain {
   for (let attempt = 0; attempt < 50; attempt++) {
@@ -94,7 +101,7 @@ function attemptChain(family: Family, doors: number, random: () => number): Chai
     blackHole: { x: wallAt(doors), y: round(last.y), radius: 18 },
     novae: passages.slice(0, doors).flatMap(({ y }, i) => wall(wallAt(i), round(y))),
   };
-  if (verifyRun(compile(level, "precise"), holds, undefined, LONGEST_RUN) === null) { if (process.env.DBG) console.log("walls hit"); return null; }
+  if (verifyRun(compile(level, 'precise'), holds, undefined, LONGEST_RUN) === null) return null;
   return { level: family === 'aliens' ? withAliens(level, holds, doors, random) : level, holds };
 }
 
@@ -116,7 +123,6 @@ function walk(
       const passage = tryPassage(simulation, passages[Math.floor(random() * passages.length)], wallAt(i), random);
       if (passage !== null && isWanted(i, passage.y)) next.push(passage);
     }
-    if (process.env.DBG) console.log(i, next.length);
     if (next.length === 0) return null;
     passages = next;
   }
@@ -136,17 +142,18 @@ function tryPassage(simulation: Simulation, from: Passage, x: number, random: ()
     for (let i = 0; i < ticks; i++) {
       simulation.advance(1, held);
       pieces[part][0]++;
-      if (simulation.ending !== null || simulation.tick > LONGEST_RUN - 100) return null;
+      if (simulation.ending !== null || simulation.tick > LONGEST_RUN - 400) return null;
       simulation.readState(state);
       if (state[0] < x) continue;
       // a gap lets her through only if she flies across the wall rather than along it
-      if (Math.abs(state[3]) > +(process.env.SL ?? 1.2) * state[2]) return null;
+      if (Math.abs(state[3]) > STEEPEST * state[2]) return null;
       return { y: state[1], before: from, snapshot: simulation.snapshot(), pieces: [...from.pieces, ...pieces] };
     }
   }
   return null;
 }
 
+/** Joins the pieces of a script. */
 function holdsOf(pieces: Passage['pieces']): Hold[] {
   const holds: [number, number][] = [];
   let tick = 0;
@@ -160,12 +167,12 @@ function holdsOf(pieces: Passage['pieces']): Hold[] {
 }
 
 /** Novae above and below a gap around `y`, without another gap between them. */
-function wall(x: number, y: number): Circle[] {
+function wall(x: number, y: number, half = HALF_DOOR): Circle[] {
   const novae: Circle[] = [];
   for (const side of [-1, 1]) {
-    let edge = y + side * HALF_DOOR;
+    let edge = y + side * half;
     while (side * edge < WALL) {
-      const radius = Math.abs(edge - y) > HALF_DOOR + 60 ? 32 : 16;
+      const radius = Math.abs(edge - y) > half + 60 ? 32 : 16;
       novae.push({ id: null, x, y: edge + side * radius, radius });
       edge += side * (2 * radius - 2);
     }
@@ -181,10 +188,32 @@ function withAliens(level: Level, holds: readonly Hold[], doors: number, random:
       const x = round(wallAt(chamber) - APART / 2 + (random() - 0.5) * 40);
       const y = round((random() - 0.5) * 360);
       const more: Level = { ...populated, aliens: [...populated.aliens, { id: null, x, y, radius: 25 }] };
-      if (verifyRun(compile(more, "precise"), holds, undefined, LONGEST_RUN) === null) continue;
+      if (verifyRun(compile(more, 'precise'), holds, undefined, LONGEST_RUN) === null) continue;
       populated = more;
       break;
     }
   }
   return populated;
+}
+
+/**
+ * A chain whose asteroids lie in the middle between the walls, so that she has to be turned before each door and after it. Each
+ * chamber is the mirror image of the one before. Nobody knows up to how many doors it can be completed.
+ */
+export function makeTurns(doors: number): Level {
+  const wide = 200;
+  const aside = 30;
+  const side = (i: number) => (i % 2 === 0 ? -1 : 1);
+  return {
+    name: `turns-${doors}`,
+    description: '',
+    astronaut: { x: -wide / 2, y: aside, vx: 45, vy: 0 },
+    blackHole: { x: doors * wide + 60, y: 0, radius: 18 },
+    range: 250,
+    recoil: false,
+    ...NO_OBJECTS,
+    asteroids: Array.from({ length: doors + 1 }, (_, i) => ({ id: null, x: i * wide, y: 0, radius: 16, hot: false })),
+    novae: Array.from({ length: doors }, (_, i) => wall((i + 0.5) * wide, side(i) * aside, 30)).flat(),
+    runs: [],
+  };
 }

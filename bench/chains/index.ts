@@ -1,1 +1,1 @@
-export { type Chain, FAMILIES, type Family, makeChain } from './chain.ts';
+export { FAMILIES, LONGEST_RUN, makeChain, makeTurns } from './chain.ts';

@@ -43,6 +43,9 @@ const HOLD_STRIDE = 16;
 const COAST_STRIDE = 120;
 const STEP = 1.1;
 
+/** So many sets of equally many minerals are told apart. */
+const SETS = 1000;
+
 /** A stretch of a guided search counts as this many ticks more, so that states about to end do not get too many. */
 const STRETCH = 60;
 
@@ -89,6 +92,8 @@ export interface SearchTask {
  * - During every hold the search asks whether a release now would bring her into the black hole. It first tests a straight line
  *   against circles ({@link LineOfFlight}) and simulates only what passes.
  * - When everything has been tried, cells shrink and all nodes are tried again.
+ * - With a {@link Guide}, nodes are divided into strata by how far they have to go, the nearest first. Each stratum has its share of
+ *   the effort and cells of its own size, and during holds a release is tried where a straight line leads through a door.
  *
  * The search may guess and cut corners, because {@link Reports} replays every run from the start before it is reported.
  */
@@ -318,17 +323,16 @@ export class CellSearch {
     return guide === null ? 0 : guide.bandAt(state[0], state[1], this.minerals.missing);
   }
 
-  /** The part of the frontier that the state belongs to. */
+  /** The part of the frontier that the state belongs to: those with fewer missing minerals first, then by band. */
   private stratumNow(): number {
-    const band = this.bandNow();
-    const { collected } = this.minerals;
-    if (this.guide === null || collected === 0) return band;
-    let set = this.sets.get(collected);
+    const { guide, minerals } = this;
+    if (guide === null) return 0;
+    let set = this.sets.get(minerals.collected);
     if (set === undefined) {
-      set = this.sets.size + 1;
-      this.sets.set(collected, set);
+      set = this.sets.size % SETS;
+      this.sets.set(minerals.collected, set);
     }
-    return set * BANDS + band;
+    return (Math.max(0, this.needed - minerals.size) * SETS + set) * BANDS + this.bandNow();
   }
 
   private strideFor(held: boolean, left: number): number {
@@ -446,10 +450,14 @@ export class CellSearch {
     const refined = this.frontier.refinedOf(this.stratum);
     if (refined !== this.refined) {
       this.refined = refined;
-      const shrink = SHRINK ** refined;
-      this.place = CELL_PLACE * shrink;
-      this.speed = CELL_SPEED * shrink;
-      this.patience = PATIENCE * 2 ** refined;
+      this.place = CELL_PLACE;
+      this.speed = CELL_SPEED;
+      this.patience = PATIENCE;
+      for (let i = 0; i < refined; i++) {
+        this.place *= SHRINK;
+        this.speed *= SHRINK;
+        this.patience *= 2;
+      }
     }
     const { hash } = this.minerals;
     this.key.find(this.simulation, this.state, this.place, this.speed, this.guide === null ? hash : hash ^ (refined << 24));
@@ -478,4 +486,3 @@ export class CellSearch {
     return node;
   }
 }
-

@@ -1,4 +1,4 @@
-import type { Scene } from '../../engine/index.ts';
+import { type Scene, TICK_RATE } from '../../engine/index.ts';
 import type { LineOfFlight } from './line-of-flight.ts';
 import { NO_WAY, WayMap } from './way-map.ts';
 
@@ -7,6 +7,9 @@ const BAND = 40;
 
 /** Bands of one set of minerals, at most. */
 export const BANDS = 1000;
+
+/** The bands of this many sets of missing minerals are kept. */
+const MOST_KNOWN = 64;
 
 /** The longest drift that is looked along, ticks. */
 const DRIFT = 600;
@@ -23,6 +26,9 @@ export class Guide {
   private readonly toMineral: readonly Int32Array[];
   /** Lengths in a field that make a band. */
   private readonly band: number;
+  private readonly known = new Map<number, Uint16Array>();
+  private lastMissing = -1;
+  private last: Uint16Array = new Uint16Array(0);
 
   private constructor(scene: Scene, map: WayMap, aims: number) {
     const { minerals, box, level } = scene;
@@ -47,7 +53,8 @@ export class Guide {
    * @param missing the minerals still to be collected, one bit per index; 0 when only the black hole is left
    */
   bandAt(x: number, y: number, missing: number): number {
-    return this.bandOf(this.map.squareAt(x, y), missing);
+    const square = this.map.squareAt(x, y);
+    return square < 0 ? BANDS - 1 : this.bandsFor(missing)[square];
   }
 
   /**
@@ -56,12 +63,13 @@ export class Guide {
    */
   bandAhead(state: Float64Array, missing: number, below: number, line: LineOfFlight): number {
     const { map } = this;
+    const bands = this.bandsFor(missing);
     const speed = Math.sqrt(state[2] * state[2] + state[3] * state[3]);
     if (!(speed > 1)) return BANDS;
     const step = map.size;
     const ux = (state[2] / speed) * step;
     const uy = (state[3] / speed) * step;
-    const most = Math.floor((speed * DRIFT) / 60 / step);
+    const most = Math.floor((speed * DRIFT) / TICK_RATE / step);
     let x = state[0];
     let y = state[1];
     let best = below;
@@ -71,7 +79,7 @@ export class Guide {
       y += uy;
       const square = map.squareAt(x, y);
       if (!map.isFree(square)) break;
-      const band = this.bandOf(square, missing);
+      const band = bands[square];
       if (band >= best) continue;
       best = band;
       at = i;
@@ -81,15 +89,28 @@ export class Guide {
     return line.isClear(at * step) ? best : BANDS;
   }
 
-  private bandOf(square: number, missing: number): number {
-    if (square < 0) return BANDS - 1;
-    let length = NO_WAY;
-    if (missing === 0) length = this.toHole[square];
-    else {
-      for (let i = 0; i < this.toMineral.length; i++) {
-        if ((missing >> i) & 1) length = Math.min(length, this.toMineral[i][square]);
-      }
+  /** The band of each square of the map. */
+  private bandsFor(missing: number): Uint16Array {
+    if (missing === this.lastMissing) return this.last;
+    let bands = this.known.get(missing);
+    if (bands === undefined) {
+      bands = this.measure(missing);
+      if (this.known.size >= MOST_KNOWN) this.known.clear();
+      this.known.set(missing, bands);
     }
-    return Math.min(BANDS - 1, Math.floor(length / this.band));
+    this.lastMissing = missing;
+    this.last = bands;
+    return bands;
+  }
+
+  private measure(missing: number): Uint16Array {
+    const fields = missing === 0 ? [this.toHole] : this.toMineral.filter((_, i) => (missing >> i) & 1);
+    const bands = new Uint16Array(this.toHole.length);
+    for (let square = 0; square < bands.length; square++) {
+      let length = NO_WAY;
+      for (const field of fields) if (field[square] < length) length = field[square];
+      bands[square] = Math.min(BANDS - 1, Math.floor(length / this.band));
+    }
+    return bands;
   }
 }

@@ -8,8 +8,8 @@ import { MineralSet } from './mineral-set.ts';
 import { Reports } from './reports.ts';
 import type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';
 
-/** Ticks after which the guided search joins in. Most levels are solved by then. */
-const HEAD_START = 100_000;
+/** Ticks after which the guided search joins in. By then almost every level that has a run is solved. */
+const HEAD_START = 500_000;
 
 /** Makes the seed of the guided search another one than that of the plain search. */
 const GUIDED_SEED = 0.5;
