@@ -2,7 +2,7 @@ import { compile } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { createSearch, verifyRun } from '../solver/index.ts';
 import { FAMILIES, LONGEST_RUN, makeChain, makeTurns } from './chains/index.ts';
-import { atMost, optionValue, publish, spread } from './harness.ts';
+import { atMost, optionValue, publish } from './harness.ts';
 
 // counts the ticks to a first run through chains of narrow doors; ticks are the same on every machine
 
@@ -30,7 +30,7 @@ function rowOf(family: string, doors: number, ticks: readonly number[]): (string
     family,
     doors,
     Number.isFinite(median) ? median : null,
-    found.length > 0 ? spread(found).median : null,
+    found.length > 0 ? Math.max(...found) : null,
     ticks.length - found.length,
   ];
 }
@@ -52,7 +52,7 @@ for (const doors of TURNS) rows.push(rowOf('turns (perhaps impossible)', doors, 
 
 publish({
   title: `Ticks to a first run through chains of narrow doors, ${SEEDS} seeds each, precise`,
-  columns: ['family', 'doors', 'median', 'median of those found', 'not found'],
+  columns: ['family', 'doors', 'median', 'most of those found', 'not found'],
   rows,
   claims: FAMILIES.map((family) => atMost(`${family}: searches without a run in ${MOST} ticks`, missed.get(family) ?? 0, 0)),
   notes: [`Chains are built around a run that is replayed first, except turns, which nobody knows to be completable.`],
