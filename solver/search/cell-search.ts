@@ -1,17 +1,16 @@
 import { createSimulation, type Scene, type Simulation, STATE_SIZE, TICK_RATE } from '../../engine/index.ts';
-import { mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
-import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { Approach } from './approach.ts';
 import { CellKey } from './cell-key.ts';
 import { CellTable } from './cell-table.ts';
+import { Frontier } from './frontier.ts';
+import { BANDS, type Guide } from './guide.ts';
 import { HeatMap } from './heat-map.ts';
 import { LineOfFlight } from './line-of-flight.ts';
 import { MineralSet } from './mineral-set.ts';
 import { NodeList } from './node-list.ts';
-import { OpenList } from './open-list.ts';
-import { Reports } from './reports.ts';
-import type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';
+import type { Reports } from './reports.ts';
+import type { Closest, Effort } from './search.ts';
 import { SnapshotPool } from './snapshot-pool.ts';
 
 // What has been tried from a node.
@@ -44,6 +43,15 @@ const HOLD_STRIDE = 16;
 const COAST_STRIDE = 120;
 const STEP = 1.1;
 
+/** So many sets of equally many minerals are told apart. */
+const SETS = 1000;
+
+/** A stretch of a guided search counts as this many ticks more, so that states about to end do not get too many. */
+const STRETCH = 60;
+
+/** Ticks between two looks along the line of flight, in a hold of a guided search. */
+const LOOK = 3;
+
 /** A stretch ends after this many samples in known cells. */
 const FAMILIAR_HOLD = 15;
 const FAMILIAR_COAST = 3;
@@ -64,6 +72,16 @@ const RICH_SHARE = 0.5;
 /** A node at this tick is half as good a choice as one at the start. */
 const FAR_TICKS = 300;
 
+/** What the lanes of a search have in common. */
+export interface SearchTask {
+  readonly scene: Scene;
+  /** How many minerals a run has to collect. */
+  readonly needed: number;
+  /** The longest a run may last, ticks. */
+  readonly maxTicks: number;
+  readonly reports: Reports;
+}
+
 /**
  * Searches for runs by exploration, in the manner of Go-Explore (A. Ecoffet et al., 2019).
  *
@@ -74,13 +92,17 @@ const FAR_TICKS = 300;
  * - During every hold the search asks whether a release now would bring her into the black hole. It first tests a straight line
  *   against circles ({@link LineOfFlight}) and simulates only what passes.
  * - When everything has been tried, cells shrink and all nodes are tried again.
+ * - With a {@link Guide}, nodes are divided into strata by how far they have to go, the nearest first. Each stratum has its share of
+ *   the effort and cells of its own size, and during holds a release is tried where a straight line leads through a door.
  *
  * The search may guess and cut corners, because {@link Reports} replays every run from the start before it is reported.
  */
-class CellSearch implements Search {
-  readonly scene: Scene;
+export class CellSearch {
+  readonly heat: HeatMap;
+  private readonly scene: Scene;
   private readonly simulation: Simulation;
   private readonly reports: Reports;
+  private readonly guide: Guide | null;
   private readonly random: Random;
   private readonly needed: number;
   private readonly maxTicks: number;
@@ -93,41 +115,42 @@ class CellSearch implements Search {
   private readonly minerals: MineralSet;
   private readonly key: CellKey;
   private readonly cells = new CellTable();
-  private readonly heat: HeatMap;
-  private readonly toPress = new OpenList();
-  private readonly toCoast = new OpenList();
+  private readonly frontier = new Frontier();
   private readonly toCoastFirst: number[] = [];
   private nodes = new NodeList();
   private runs = 0;
   private ticks = 0;
-  private asked = 0;
   private place = CELL_PLACE;
   private speed = CELL_SPEED;
   private patience = PATIENCE;
+  private refined = 0;
+  /** The part of the frontier that the last cell belongs to. */
+  private stratum = 0;
+  /** The lowest band reached on this stretch, or ahead of it. */
+  private lowest = 0;
+  /** Numbers of the sets of minerals seen so far. */
+  private readonly sets = new Map<number, number>();
   private readonly approach: Approach;
 
-  constructor(scene: Scene, options: SearchOptions) {
-    const goal = options.goal ?? { minerals: 'any' };
+  /** @param guide by what the frontier is divided; null for a search that prefers no place */
+  constructor({ scene, needed, maxTicks, reports }: SearchTask, seed: number, guide: Guide | null) {
     this.scene = scene;
     this.simulation = createSimulation(scene);
-    this.needed = mineralsNeeded(goal, scene.minerals.count);
-    this.maxTicks = options.maxTicks ?? DEFAULT_MAX_TICKS;
-    this.reports = new Reports(createReplay(scene, goal, this.maxTicks));
-    this.random = createRandom(options.seed ?? 0);
+    this.needed = needed;
+    this.maxTicks = maxTicks;
+    this.reports = reports;
+    this.guide = guide;
+    this.random = createRandom(seed);
     this.start = this.simulation.snapshot();
     this.scratch = this.simulation.snapshot();
     this.pool = new SnapshotPool(this.start.length);
     this.capacity = Math.max(2, Math.floor(MEMORY / this.start.length));
     this.approach = new Approach(scene);
     this.line = new LineOfFlight(scene);
-    this.minerals = new MineralSet(scene, this.needed > 0);
+    this.minerals = new MineralSet(scene, this.needed);
     this.key = new CellKey(scene);
     this.heat = new HeatMap(scene.level.astronaut.x, scene.level.astronaut.y);
     this.restart();
-  }
-
-  get solutions(): readonly Candidate[] {
-    return this.reports.solutions;
   }
 
   get effort(): Effort {
@@ -138,30 +161,16 @@ class CellSearch implements Search {
     return this.approach.closest(this.nodes);
   }
 
-  get explored(): Explored {
-    return this.heat.explored();
-  }
-
   get exhausted(): boolean {
     return this.nodes.count === 0;
-  }
-
-  advance(ticks: number): number {
-    const before = this.reports.solutions.length;
-    this.asked += ticks;
-    while (this.ticks < this.asked && this.step());
-    return this.reports.solutions.length - before;
   }
 
   private restart(): void {
     this.approach.closest(this.nodes);
     this.cells.clear();
     this.nodes = new NodeList();
-    this.toPress.clear();
-    this.toCoast.clear();
+    this.frontier.clear();
     this.toCoastFirst.length = 0;
-    this.place = CELL_PLACE;
-    this.speed = CELL_SPEED;
     this.simulation.restore(this.start);
     this.minerals.read(this.simulation);
     this.simulation.readState(this.state);
@@ -172,28 +181,35 @@ class CellSearch implements Search {
   }
 
   /** Simulates one stretch from one node. Returns false when there is nothing to try. */
-  private step(): boolean {
+  step(): boolean {
     const { nodes } = this;
     if (nodes.count === 0) return false;
     if (nodes.count >= this.capacity) this.restart();
     const first = this.toCoastFirst.pop();
     if (first !== undefined) {
-      this.sweep(first, false);
+      this.explore(first, false);
       return true;
     }
+    const stratum = this.frontier.least();
     let held = this.random.unit() < PRESS_SHARE;
-    let node = this.select(held);
+    let node = this.select(stratum, held);
     if (node < 0) {
       held = !held;
-      node = this.select(held);
+      node = this.select(stratum, held);
     }
-    if (node < 0) this.refine();
-    else this.sweep(node, held);
+    if (node < 0) this.refine(stratum);
+    else this.explore(node, held);
     return true;
   }
 
+  private explore(node: number, held: boolean): void {
+    const before = this.ticks;
+    this.sweep(node, held);
+    this.frontier.spend(this.nodes.stratum[node], this.ticks - before + STRETCH);
+  }
+
   /** Picks a node from which this has not been tried: of a few at random, the one in the least visited square. */
-  private select(held: boolean): number {
+  private select(stratum: number, held: boolean): number {
     const { nodes, heat } = this;
     const tried = held ? PRESSED : COASTED;
     const rich = this.needed > 0 && this.random.unit() < RICH_SHARE;
@@ -203,7 +219,7 @@ class CellSearch implements Search {
       const h = heat.visits[nodes.square[node]] * (tick + FAR_TICKS);
       return rich ? h - 1e10 * nodes.minerals[node] : h;
     };
-    return (held ? this.toPress : this.toCoast).take(this.random, CANDIDATES, score);
+    return this.frontier.take(stratum, held, this.random, CANDIDATES, score);
   }
 
   /** Simulates a stretch from a node with the button held or not, and stores the new states on the way. */
@@ -222,9 +238,12 @@ class CellSearch implements Search {
     let dotBefore = 0;
     let hit = false;
     let aimed = 0;
+    if (this.guide !== null) this.findCell();
+    this.lowest = this.bandNow();
     while (simulation.tick < until) {
       const stride = this.strideFor(held, until - simulation.tick);
-      this.ticks += simulation.advance(stride, held);
+      if (held && this.guide !== null) last = this.holdOn(this.guide, simulation.tick + stride, last);
+      else this.ticks += simulation.advance(stride, held);
       simulation.readState(state);
       minerals.update(simulation);
       const square = this.visit();
@@ -272,6 +291,48 @@ class CellSearch implements Search {
       // She is so slow that waiting longer shows nothing new.
       if (!held && stride === COAST_STRIDE) return;
     }
+  }
+
+  /**
+   * Holds on until a tick, and asks on the way whether a release would carry her through the next door, on a straight line into a
+   * lower band than any before on this stretch. Drifts that would are simulated first.
+   * @returns the last node on the stretch
+   */
+  private holdOn(guide: Guide, until: number, last: number): number {
+    const { simulation, state, minerals, nodes, line } = this;
+    let node = last;
+    while (simulation.tick < until && simulation.ending === null) {
+      this.ticks += simulation.advance(Math.min(LOOK, until - simulation.tick), true);
+      if (simulation.ending !== null) break;
+      simulation.readState(state);
+      minerals.update(simulation);
+      const band = guide.bandAhead(state, minerals.missing, this.lowest, line);
+      if (band >= this.lowest) continue;
+      this.lowest = band;
+      this.findCell();
+      nodes.flags[node] |= PRESSED;
+      node = this.store(node, true, this.visit());
+      this.toCoastFirst.push(node);
+    }
+    return node;
+  }
+
+  /** How far she still has to go. */
+  private bandNow(): number {
+    const { guide, state } = this;
+    return guide === null ? 0 : guide.bandAt(state[0], state[1], this.minerals.missing);
+  }
+
+  /** The part of the frontier that the state belongs to: those with fewer missing minerals first, then by band. */
+  private stratumNow(): number {
+    const { guide, minerals } = this;
+    if (guide === null) return 0;
+    let set = this.sets.get(minerals.collected);
+    if (set === undefined) {
+      set = this.sets.size % SETS;
+      this.sets.set(minerals.collected, set);
+    }
+    return (Math.max(0, this.needed - minerals.size) * SETS + set) * BANDS + this.bandNow();
   }
 
   private strideFor(held: boolean, left: number): number {
@@ -358,18 +419,15 @@ class CellSearch implements Search {
     this.ticks += reports.ticks - before;
   }
 
-  /** Everything has been tried: shrinks the cells and opens all nodes again. */
-  private refine(): void {
-    this.place *= SHRINK;
-    this.speed *= SHRINK;
-    this.patience *= 2;
-    this.cells.clear();
-    this.toPress.clear();
-    this.toCoast.clear();
+  /** Everything has been tried in a stratum: shrinks its cells and opens all its nodes again. */
+  private refine(stratum: number): void {
+    // Without strata all cells shrink, so that none of the old ones is needed.
+    if (this.guide === null) this.cells.clear();
     // This counts as work, so that a search with nowhere to go still ends.
     this.ticks++;
+    this.frontier.spend(stratum, 1);
     const { nodes, cells, key } = this;
-    for (let node = 0; node < nodes.count; node++) {
+    for (const node of this.frontier.refine(stratum)) {
       nodes.flags[node] &= ~TRIED;
       this.simulation.restore(this.pool.at(node));
       this.simulation.readState(this.state);
@@ -377,9 +435,7 @@ class CellSearch implements Search {
       this.findCell();
       const place = cells.find(key.low, key.high);
       if (cells.at(place) < 0) cells.put(place, key.low, key.high, node);
-      if (nodes.tick[node] >= this.maxTicks) continue;
-      this.toPress.add(node);
-      this.toCoast.add(node);
+      this.frontier.add(node, stratum, nodes.tick[node] < this.maxTicks);
     }
   }
 
@@ -390,7 +446,21 @@ class CellSearch implements Search {
   }
 
   private findCell(): void {
-    this.key.find(this.simulation, this.state, this.place, this.speed, this.minerals.hash);
+    this.stratum = this.stratumNow();
+    const refined = this.frontier.refinedOf(this.stratum);
+    if (refined !== this.refined) {
+      this.refined = refined;
+      this.place = CELL_PLACE;
+      this.speed = CELL_SPEED;
+      this.patience = PATIENCE;
+      for (let i = 0; i < refined; i++) {
+        this.place *= SHRINK;
+        this.speed *= SHRINK;
+        this.patience *= 2;
+      }
+    }
+    const { hash } = this.minerals;
+    this.key.find(this.simulation, this.state, this.place, this.speed, this.guide === null ? hash : hash ^ (refined << 24));
   }
 
   /**
@@ -409,32 +479,10 @@ class CellSearch implements Search {
 
   private store(parent: number, held: boolean, square: number): number {
     const { key, cells, simulation } = this;
-    const node = this.nodes.add(parent, simulation.tick, held, square, this.minerals.size);
+    const node = this.nodes.add(parent, simulation.tick, held, square, this.minerals.size, this.stratum);
     simulation.snapshot(this.pool.at(node));
     cells.put(cells.find(key.low, key.high), key.low, key.high, node);
-    if (simulation.tick < this.maxTicks) {
-      this.toPress.add(node);
-      this.toCoast.add(node);
-    }
+    this.frontier.add(node, this.stratum, simulation.tick < this.maxTicks);
     return node;
   }
-}
-
-/**
- * Creates a search for runs that meet a goal. It simulates nothing before the first call of `advance`.
- * @param scene the compiled level
- * @param options the goal, the seed and the longest run
- * @returns a search at its start
- * @example
- * ```ts
- * import { compile } from 'gravity-quest-toolkit';
- * import { createSearch } from 'gravity-quest-toolkit/solver';
- *
- * const search = createSearch(compile(level), { goal: { minerals: 'all' } });
- * while (search.solutions.length === 0 && search.effort.ticks < 2_000_000) search.advance(50_000);
- * console.log(search.solutions[0]?.holds ?? search.closest);
- * ```
- */
-export function createSearch(scene: Scene, options: SearchOptions = {}): Search {
-  return new CellSearch(scene, options);
 }

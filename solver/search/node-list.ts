@@ -17,14 +17,17 @@ export class NodeList {
   square: Int32Array = new Int32Array(256);
   /** How many different minerals she has, where the goal requires any. */
   minerals: Int32Array = new Int32Array(256);
+  /** The stratum of the frontier that the state belongs to. */
+  stratum: Int32Array = new Int32Array(256);
 
-  add(parent: number, tick: number, held: boolean, square: number, minerals: number): number {
+  add(parent: number, tick: number, held: boolean, square: number, minerals: number, stratum: number): number {
     if (this.count === this.parent.length) {
       this.parent = doubled(this.parent);
       this.tick = doubled(this.tick);
       this.flags = doubled(this.flags);
       this.square = doubled(this.square);
       this.minerals = doubled(this.minerals);
+      this.stratum = doubled(this.stratum);
     }
     const node = this.count++;
     this.parent[node] = parent;
@@ -32,6 +35,7 @@ export class NodeList {
     this.flags[node] = held ? 1 : 0;
     this.square[node] = square;
     this.minerals[node] = minerals;
+    this.stratum[node] = stratum;
     return node;
   }
 

@@ -1,0 +1,1 @@
+export { FAMILIES, LONGEST_RUN, makeChain, makeTurns } from './chain.ts';
