@@ -49,7 +49,7 @@ interface Stretch {
  * Recoil moves the asteroid along the same line; {@link driftOnFall} and {@link swingDrift} bound how far. In `arcade`,
  * rounding accumulates on slanted lines, and {@link mayBeRoundedOff} bounds it; at the very centre of an asteroid a frame
  * pushes her to the right, so only the fall in one direction is covered. Rests on the lemmas `line`, `upright`, `speed on a
- * line`, `fall drift`, `swing drift`, `arcade-axis`, `arcade-fall`, `jump` and `mouths`.
+ * line`, `fall drift`, `swing drift`, `in range`, `arcade-axis`, `arcade-fall`, `jump` and `mouths`.
  */
 export function proveLineTrap(setting: Setting, about: About, goal: Thing): Proof | null {
   const bound = boundBy(setting, about);
@@ -337,7 +337,8 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
 
 /**
  * How far she may be from the asteroid that holds her on the line, wherever recoil has carried it: no farther than from the
- * farther end of its drift, and never out of range, because then she is lost. In frames she may jump out of range.
+ * farther end of its drift, and never out of range, because then she is lost (lemma `in range`). In frames she may jump out of
+ * range.
  */
 function nearnessOf({ level, jump }: Setting, { centre }: Line, { back, ahead }: Drift) {
   const range = jump > 0 ? Number.POSITIVE_INFINITY : level.range + TUBE;

@@ -117,7 +117,7 @@ interface Part {
 /**
  * Divides the stretch by what bounds her distance from the target. Her place alone decides how far every other asteroid is.
  * In continuous time she is lost when her distance from the target, wherever recoil has carried it, exceeds the range (lemma
- * `way`): near the ends of the stretch, this is the bound. In the middle, the bound is her distance from the farther end of the
+ * `in range`): near the ends of the stretch, this is the bound. In the middle, the bound is her distance from the farther end of the
  * target's drift. Its square minus that of her distance from another asteroid is linear for each of both ends, so its greatest
  * values lie at the ends of the part.
  */
