@@ -1,6 +1,8 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
+import { compile, simulate, TICK } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
+import { proveImpossible } from '../../solver/index.ts';
 import { proveBy } from '../../solver/proofs/prove.ts';
 import { real } from '../real.ts';
 import { type Look, lingering, type Player, watch } from './watched-play.ts';
@@ -79,4 +81,52 @@ it('no play comes nearer to another asteroid that is as near to the line as the 
   // Otherwise nothing was at stake.
   expect(closest).toBeLessThan(10);
   expect(far).toBeGreaterThan(50);
+});
+
+it('a level that only the carried range opens is not proved impossible', () => {
+  const range = 100;
+  const withHole = (x: number) =>
+    resolveLevel({
+      version: 1,
+      name: 'opened by recoil',
+      range,
+      astronaut: { x: 0, y: 0 },
+      blackHole: { x, y: 0, radius: 18 },
+      recoil: true,
+      asteroids: [{ x: 70, y: 0, radius: 16 }],
+    });
+  const energy = (far: number) => PULL * (far - (far * far) / (2 * range));
+  /** She lingers at the end of the range beyond the asteroid, is turned back soon on this side, and lets go at last. */
+  const play = (within: number, letGo: number) => {
+    const held: [number, number][] = [];
+    let tick = 0;
+    const player: Player = ({ s, rocks }) => {
+      const at = s[0] - rocks[0];
+      const outwards = at < 0 ? -s[2] : s[2];
+      const turn = at < 0 ? 0.26 * range : range - within;
+      // where she would be after another tick
+      const next = Math.abs(at) + outwards * TICK;
+      const brakes = next > turn || (outwards * outwards) / 2 > energy(turn) - energy(next);
+      const falls = outwards * outwards < (at < 0 ? 0.05 : 0.56) * PULL * range;
+      const now = outwards < 0 ? falls : brakes && tick < letGo;
+      if (now && held.at(-1)?.[1] === tick) held[held.length - 1][1]++;
+      else if (now) held.push([tick, tick + 1]);
+      tick++;
+      return now;
+    };
+    const looks = watch(withHole(9000), 'precise', SECONDS * 60, player, () => 0);
+    return { held, farthest: Math.max(...looks.map(({ s }) => s[0])) };
+  };
+  const plays = [0.7, 1].flatMap((within) => Array.from({ length: 12 }, (_, i) => play(within, 60 * (34 + 2 * i))));
+  const { held, farthest } = plays.reduce((a, b) => (b.farthest > a.farthest ? b : a));
+  // Without recoil she would be lost at 170 px.
+  expect(farthest).toBeGreaterThan(174);
+
+  const opened = withHole(farthest + 10 + 18 - 0.1);
+  expect(simulate(compile(opened, 'precise'), held, { maxTime: SECONDS }).outcome).toBe('completed');
+  expect(proveImpossible(opened, { accuracy: 'precise', maxTime: SECONDS })).toBeNull();
+  const most = (1.01 * SECONDS * SECONDS) / (4 * 16);
+  expect(proveImpossible(withHole(70 + range + most + 10 + 18 + 0.1), { accuracy: 'precise', maxTime: SECONDS })?.code).toBe(
+    'line-trap',
+  );
 });
