@@ -49,7 +49,7 @@ interface Stretch {
  * Recoil moves the asteroid along the same line; {@link driftOnFall} and {@link swingDrift} bound how far. In `arcade`,
  * rounding accumulates on slanted lines, and {@link mayBeRoundedOff} bounds it; at the very centre of an asteroid a frame
  * pushes her to the right, so only the fall in one direction is covered. Rests on the lemmas `line`, `upright`, `speed on a
- * line`, `fall drift`, `swing drift`, `arcade-axis`, `arcade-fall`, `jump` and `mouths`.
+ * line`, `fall drift`, `swing drift`, `in range`, `arcade-axis`, `arcade-fall`, `jump` and `mouths`.
  */
 export function proveLineTrap(setting: Setting, about: About, goal: Thing): Proof | null {
   const bound = boundBy(setting, about);
@@ -306,19 +306,22 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
   const at = (s: number) => ({ x: s * line.ux, y: s * line.uy });
   const place = ({ x, y }: { x: number; y: number }) => ({ x: x - astronaut.x, y: y - astronaut.y });
 
-  // The difference of squared distances is linear along the line: what holds at both ends holds between them.
   const fall = isSwing(setting, { back, front }) ? 0 : driftOnFall(setting, line, to);
   const drift = isSwing(setting, { back, front }) ? driftOnSwing(setting, line, { back, front }) : { back: fall, ahead: fall };
-  const moved = [line.centre - drift.back, line.centre + drift.ahead];
+  const near = nearnessOf(setting, line, drift);
   const staysNearest = asteroids.every((asteroid, i) => {
     if (i === line.target) return true;
-    return [from, to].every((s) =>
-      moved.every((centre) => {
-        const near = Math.abs(s - centre);
-        const other = distance(at(s), place(asteroid));
-        return ties(s) ? near < other + TIE : surelyLess(near + 4 * TUBE, other);
-      }),
-    );
+    const other = place(asteroid);
+    // Where only the range bounds her distance from the asteroid, the other must be out of range.
+    const isOut = (a: number, b: number) => a > b || surelyLess(near.range + 4 * TUBE, distanceToStretch(line, a, b, other));
+    if (!isOut(from, Math.min(to, near.from)) || !isOut(Math.max(from, near.to), to)) return false;
+    const ends = [Math.max(from, near.from), Math.min(to, near.to)];
+    // The difference of squared distances is linear along the line: what holds at both ends holds between them.
+    if (ends[0] > ends[1]) return true;
+    return ends.every((s) => {
+      const far = distance(at(s), other);
+      return (s === from || s === to) && ties(s) ? near.at(s) < far + TIE : surelyLess(near.at(s) + 4 * TUBE, far);
+    });
   });
   if (!staysNearest) return false;
   const clear = [...repulsors, ...rimDiscs(level)].every((field) =>
@@ -330,6 +333,23 @@ function holds(setting: Setting, line: Line, { back, front }: Trap, goal: Thing)
   const upright = gapOf(box, goal.x, goal.y, 0, 0);
   const along = gapOf(box, goal.x * line.ux + goal.y * line.uy, goal.y * line.ux - goal.x * line.uy, from, to);
   return surelyLess(goal.radius + 4 * TUBE, upright) && surelyLess(goal.radius + 4 * TUBE, along);
+}
+
+/**
+ * How far she may be from the asteroid that holds her on the line, wherever recoil has carried it: no farther than from the
+ * farther end of its drift, and never out of range, because then she is lost (lemma `in range`). In frames she may jump out of
+ * range.
+ */
+function nearnessOf({ level, jump }: Setting, { centre }: Line, { back, ahead }: Drift) {
+  const range = jump > 0 ? Number.POSITIVE_INFINITY : level.range + TUBE;
+  return {
+    range,
+    /** Between these places along the line, px, she may be in range wherever the asteroid is. */
+    from: centre + ahead - range,
+    to: centre - back + range,
+    /** The greatest distance at a place between them, px. */
+    at: (s: number) => Math.max(s - centre + back, centre + ahead - s),
+  };
 }
 
 /** Distance from a place to the box swept from `from` to `to` along its x axis, px. */

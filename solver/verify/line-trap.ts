@@ -71,17 +71,22 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
   // A dead end begins where another asteroid is equally near: she is on the line up to there.
   const from = back.by?.kind === 'dead-end' ? back.at : back.at - TUBE;
   const to = front.by?.kind === 'dead-end' ? front.at : front.at + claim.jump + TUBE;
-  // The asteroid may have drifted either way. A difference of squared distances is linear in her place, so its extremes lie at
-  // the ends.
   for (const [i, asteroid] of asteroids.entries()) {
     if (i === target) continue;
     const other = claim.place(asteroid);
-    for (const at of [from, to]) {
-      const toTarget = Math.max(Math.abs(at - line.nearest), Math.abs(at - line.farthest));
-      const toOther = apart({ x: at, y: 0 }, { x: line.along(other), y: line.aside(other) });
-      const isDeadEnd = (at === to ? front : back).by?.kind === 'dead-end';
-      const isNearer = isDeadEnd ? toTarget < toOther + TIE : less(toTarget + 2 * TUBE, toOther);
-      if (!isNearer) return `${objectName('asteroid', i)} may be the nearer one on the stretch`;
+    for (const { start, end, most } of partsInRange(claim, line, from, to)) {
+      if (most !== null) {
+        if (!less(most + 2 * TUBE, gap(line, other, start, end, 0, 0)))
+          return `${objectName('asteroid', i)} may be the nearer one on the stretch`;
+        continue;
+      }
+      for (const at of [start, end]) {
+        const toTarget = Math.max(Math.abs(at - line.nearest), Math.abs(at - line.farthest));
+        const toOther = apart({ x: at, y: 0 }, { x: line.along(other), y: line.aside(other) });
+        const isDeadEnd = (at === to && front.by?.kind === 'dead-end') || (at === from && back.by?.kind === 'dead-end');
+        const isNearer = isDeadEnd ? toTarget < toOther + TIE : less(toTarget + 2 * TUBE, toOther);
+        if (!isNearer) return `${objectName('asteroid', i)} may be the nearer one on the stretch`;
+      }
     }
   }
   for (const [i, field] of repulsors.entries()) {
@@ -99,6 +104,32 @@ export function checkLineTrap(claim: Claim, { target, back, front, drift }: Line
   if (!less(claim.thing.radius + TUBE, apart(upright, START))) return 'she may touch it at the start';
   const swept = gap(line, claim.thing, from, to, halfWidth, halfHeight);
   return less(claim.thing.radius + 2 * TUBE, swept) ? null : 'she may touch it on the stretch';
+}
+
+/** A part of the stretch, px from the start along the line. */
+interface Part {
+  readonly start: number;
+  readonly end: number;
+  /** The greatest distance from the target at which she is not lost, px; null where it bounds nothing. */
+  readonly most: number | null;
+}
+
+/**
+ * Divides the stretch by what bounds her distance from the target. Her place alone decides how far every other asteroid is.
+ * In continuous time she is lost when her distance from the target, wherever recoil has carried it, exceeds the range (lemma
+ * `in range`): near the ends of the stretch, this is the bound. In the middle, the bound is her distance from the farther end of the
+ * target's drift. Its square minus that of her distance from another asteroid is linear for each of both ends, so its greatest
+ * values lie at the ends of the part.
+ */
+function partsInRange({ frames, level }: Claim, { nearest, farthest }: Line, from: number, to: number): Part[] {
+  if (frames) return [{ start: from, end: to, most: null }];
+  const most = level.range + TUBE / 2;
+  const [low, high] = [farthest - most, nearest + most];
+  return [
+    { start: from, end: Math.min(to, low), most },
+    { start: Math.max(from, low), end: Math.min(to, high), most: null },
+    { start: Math.max(from, high), end: to, most },
+  ].filter(({ start, end }) => start <= end);
 }
 
 /**

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, compile, createSimulation, TICK } from '../../engine/index.ts';
+import { TICK } from '../../engine/index.ts';
 import { type Level, NO_OBJECTS, rulesOf } from '../../schema/index.ts';
 import { swingDrift } from '../../solver/proofs/swing-drift.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
@@ -9,6 +9,7 @@ import { accuracyNames } from '../levels/shipped-pack.ts';
 import { real } from '../real.ts';
 import { windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
+import { type Look, lingering, type Player, watch } from './watched-play.ts';
 
 // More lemmas, see lemmas.test.ts: those about where she was and how she moved.
 
@@ -30,34 +31,6 @@ const level = (asteroids: Level['asteroids'], more: Partial<Level> = {}): Level 
   runs: [],
   ...more,
 });
-
-interface Look {
-  readonly s: readonly number[];
-  readonly rocks: readonly number[];
-}
-
-/** Whether the button is held in the next tick, given the state at its start. */
-type Player = (look: Look, luck: number) => boolean;
-
-/** Her state and the asteroids' places at each tick while the run goes on. */
-function watch(of: Level, accuracy: AccuracyName, ticks: number, player: Player, luck: () => number): Look[] {
-  const simulation = createSimulation(compile(of, accuracy));
-  const state = new Float64Array(6);
-  const places = new Float64Array(2 * of.asteroids.length);
-  const looks: Look[] = [];
-  const look = (): Look => {
-    simulation.readState(state);
-    simulation.readAsteroids(places);
-    return { s: [...state], rocks: [...places] };
-  };
-  looks.push(look());
-  for (let tick = 0; tick < ticks; tick++) {
-    simulation.advance(1, player(looks[tick], luck()));
-    if (simulation.ending !== null) break;
-    looks.push(look());
-  }
-  return looks;
-}
 
 /** A button that changes now and then. */
 const script = fc.array(whole(1, 60), { minLength: 5, maxLength: 30 });
@@ -189,6 +162,39 @@ describe('swing drift: an asteroid through which she swings drifts no farther th
       { numRuns: 6 },
     );
     expect(most).toBeGreaterThan(0.05);
+  });
+});
+
+describe('in range: while the run goes on she is in range of the asteroid, wherever recoil has carried it', () => {
+  it.each(continuousNames)('%s', (accuracy) => {
+    let farthest = 0;
+    let carried = 0;
+    fc.assert(
+      fc.property(
+        real(5, 245),
+        real(0, 6.3),
+        fc.constantFrom(0.5, 4, 16),
+        fc.constantFrom([1], [-1], [1, -1]),
+        fc.constantFrom(-0.5, 0.01, 0.5, 5),
+        fc.constantFrom({}, { recoil: 20 }, { pull: 200 }),
+        (d, turn, radius, sides, within, rules) => {
+          const [ux, uy] = [Math.cos(turn), Math.sin(turn)];
+          const of = level([rock(d * ux, d * uy, radius)], { rules, recoil: true });
+          const along = ({ s, rocks }: Look) => (s[0] - rocks[0]) * ux + (s[1] - rocks[1]) * uy;
+          const speed = ({ s }: Look) => s[2] * ux + s[3] * uy;
+          const player = lingering(rulesOf(of).pull, RANGE, along, speed, sides, within);
+          for (const { s, rocks } of watch(of, accuracy, 3600, player, () => 0)) {
+            const far = Math.hypot(s[0] - rocks[0], s[1] - rocks[1]);
+            if (far > RANGE + 1e-6) expect.fail(`${far} px from the asteroid`);
+            farthest = Math.max(farthest, far);
+            carried = Math.max(carried, Math.hypot(rocks[0] - d * ux, rocks[1] - d * uy));
+          }
+        },
+      ),
+      { numRuns: 12 },
+    );
+    expect(farthest).toBeGreaterThan(RANGE - 1);
+    expect(carried).toBeGreaterThan(100);
   });
 });
 

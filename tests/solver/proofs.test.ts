@@ -166,6 +166,14 @@ const CASES: [what: string, code: Proof['code'], covers: string[], wrong: Partia
     { recoil: true, asteroids: [at(60, 0), at(0, 100)], novae: [at(120, 0), at(-60, 0)] },
     { recoil: true, asteroids: [at(60, 0), at(0, 90)], novae: [at(120, 0), at(-60, 0)] },
   ],
+  // Recoil carries the first asteroid up to 56.8 px either way. Where she is lost, she is 250 px from it.
+  [
+    'recoil carries the end of the range along, and another asteroid is out of range there',
+    'line-trap',
+    CONTINUOUS,
+    { recoil: true, blackHole: { x: 150, y: 35 }, asteroids: [at(60, 0), at(310, 251)] },
+    { recoil: true, blackHole: { x: 150, y: 35 }, asteroids: [at(60, 0), at(310, 249)] },
+  ],
   [
     'a field pushes her off the line',
     'line-trap',

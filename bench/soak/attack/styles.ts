@@ -167,7 +167,9 @@ function onLine(d: Dice): Level {
     ...(d.chance(0.25) ? [circle(d.between(0.3, 0.8) * target.x, d.between(-20, 20), d.pick(5, 16))] : []),
   ];
   const side = d.chance(0.5) ? 1 : -1;
-  const others = d.chance(0.3) ? [rock(target.x + d.between(-50, 300), side * d.between(60, 600), 16)] : [];
+  // With recoil, also about where the range ends.
+  const beside = () => target.x + (recoil ? d.between(-1.2, 1.2) * range : d.between(-50, 300));
+  const others = d.chance(0.3) ? [rock(beside(), side * d.between(60, 600), 16)] : [];
   const repulsors = d.chance(0.2) ? [circle(d.between(-100, 300), d.between(33, 200), 32)] : [];
   return {
     ...EMPTY,

@@ -300,6 +300,13 @@ describe('line-trap with recoil', () => {
     levelWith({ asteroids: [on(20, 0, radius)], novae: [on(-46), on(80)], blackHole: spot(4000, 0), recoil: true });
   const claimed = (drift: Drift | null, radius = 50, to = 64) =>
     whyNot(level(radius), trap(nova(-30, 0), nova(to, 1), drift), asked);
+  /** The same rock and back, but beyond the rock nothing stops her before the end of the range. */
+  const untilLost = (more: Partial<LevelFile>) =>
+    whyNot(
+      levelWith({ asteroids: [on(20, 0, 50)], novae: [on(-46)], blackHole: spot(4000, 0), recoil: true, ...more }),
+      trap(nova(-30, 0), range(289.011), { back: 19, ahead: 19 }),
+      asked,
+    );
   const may = 'the asteroid may drift farther than it says';
 
   it('needs both numbers, and no more than what the time allows', () => {
@@ -370,6 +377,54 @@ describe('line-trap with recoil', () => {
       truth: 30 + 20 + 19,
       safe: 'above',
       slack: [0.0299, 0.0301],
+      says: 'asteroid 2 may be the nearer one on the stretch',
+    },
+    // Carried 19 px either way, the rock holds her up to 289 px along the line, and up to 251 px wherever it is.
+    'another rock beside the places where the range may end': {
+      why: (d) => untilLost({ asteroids: [on(20, 0, 50), on(270, d)] }),
+      truth: RANGE,
+      safe: 'above',
+      slack: [0.0249, 0.0251],
+      says: 'asteroid 2 may be the nearer one on the stretch',
+    },
+    'another rock at the other side of them': {
+      why: (d) => untilLost({ asteroids: [on(20, 0, 50), on(270, -d)] }),
+      truth: RANGE,
+      safe: 'above',
+      slack: [0.0249, 0.0251],
+      says: 'asteroid 2 may be the nearer one on the stretch',
+    },
+    'another rock beyond the last of them': {
+      why: (d) => untilLost({ asteroids: [on(20, 0, 50), on(289 + d)] }),
+      truth: RANGE,
+      safe: 'above',
+      // It tests the stretch up to 0.01 px beyond its end, which is 0.011 px beyond the range.
+      slack: [0.0459, 0.0461],
+      says: 'asteroid 2 may be the nearer one on the stretch',
+    },
+    // From the place 251 px along the line, 24 px across for 7 px back.
+    'another rock before the first of them': {
+      why: (d) => untilLost({ asteroids: [on(20, 0, 50), on(251 - 0.28 * d, 0.96 * d)] }),
+      truth: RANGE,
+      safe: 'above',
+      slack: [0.0149, 0.0352],
+      says: 'asteroid 2 may be the nearer one on the stretch',
+    },
+    'another rock beside the places where the range may end behind': {
+      why: (d) =>
+        whyNot(
+          levelWith({
+            asteroids: [on(20, 0, 50), on(-230, d)],
+            novae: [on(500), on(80)],
+            blackHole: spot(4000, 0),
+            recoil: true,
+          }),
+          trap(range(-249.011), nova(64, 1), { back: 19, ahead: 19 }),
+          asked,
+        ),
+      truth: RANGE,
+      safe: 'above',
+      slack: [0.0249, 0.0251],
       says: 'asteroid 2 may be the nearer one on the stretch',
     },
     'a fall to where recoil may have brought the centre': {
