@@ -56,6 +56,8 @@ export {
   type LineEnd,
   type LineTrap,
   OUTDONE_WARNINGS,
+  type OrbitGrid,
+  type Orbits,
   type PipeGrid,
   type PipePart,
   type PipeStep,

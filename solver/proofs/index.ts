@@ -14,6 +14,8 @@ export type {
   Flowpipe,
   LineEnd,
   LineTrap,
+  OrbitGrid,
+  Orbits,
   PipeGrid,
   PipePart,
   PipeStep,

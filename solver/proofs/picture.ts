@@ -113,6 +113,8 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
         lines: [{ points: [at(back.at), at(front.at)], closed: false, role: 'stretch' }, ...beyond],
       };
     }
+    case 'orbits':
+      return { discs: [touch], lines: [] };
     case 'doomed':
     case 'flowpipe': {
       const { axis, cell } = certificate.grid;

@@ -8,6 +8,7 @@ import { proveEnclosed } from './enclosure.ts';
 import { proveFlowpipe } from './flowpipe.ts';
 import { proveOutOfRange } from './islands.ts';
 import { proveDeadEnds, proveLineTrap } from './line.ts';
+import { proveOrbits } from './orbits/index.ts';
 import type { About, Proof, Prover } from './proof.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
@@ -69,6 +70,7 @@ export const PROVERS = {
   'dead-end': proveDeadEnds,
   doomed: proveDoomed,
   flowpipe: proveFlowpipe,
+  orbits: proveOrbits,
 } as const satisfies Record<Prover, Kind>;
 
 /**
