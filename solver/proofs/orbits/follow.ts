@@ -7,6 +7,9 @@ import type { Setting, Thing } from '../setting.ts';
 import { Layer, NUMBERS } from './layer.ts';
 
 const SLACK = 1e-6;
+const BEND = 0.12;
+const NEAR_PART = 0.1;
+const MOST_PARTS = 8;
 const RANGE: Blocker = { kind: 'range' };
 export const TUNE = { inner: 16, omega: 3, hyst: 1.0, debug: false };
 
@@ -46,7 +49,10 @@ class OrbitFan {
   why = '';
   private readonly setting: Setting;
   private readonly grid: OrbitGrid;
-  private readonly h: number;
+  /** Length of a step and of the present part of one, s. */
+  private readonly step: number;
+  private h = 0;
+  private isPolar = false;
   private readonly turns: number;
   private readonly turn: number;
   private readonly rocks: readonly { x: number; y: number; k: number; hot: boolean; radius: number }[];
@@ -85,7 +91,7 @@ class OrbitFan {
     const { level, rules } = setting;
     this.setting = setting;
     this.grid = grid;
-    this.h = grid.frames * TICK;
+    this.step = grid.frames * TICK;
     this.turns = Math.max(4, Math.round((2 * Math.PI * 100) / grid.place));
     this.turn = (2 * Math.PI) / this.turns;
     const { x, y } = level.astronaut;
@@ -98,7 +104,7 @@ class OrbitFan {
     this.goal = { x: goal.x, y: goal.y, r: goal.touch };
     this.crowded = this.rocks.length > 1 || this.fields.length > 0 || this.winds.length > 0;
     this.fastest = easySpeed(rules);
-    this.reach = level.range + this.fastest * this.h;
+    this.reach = level.range + this.fastest * this.step;
     const cells = 2 * Math.ceil(this.reach / grid.place) + 4;
     const speeds = 2 * Math.ceil(this.fastest / grid.speed) + 4;
     const momenta = 2 * Math.ceil((1.5 * this.reach * this.fastest) / grid.momentum) + 4;
@@ -137,7 +143,7 @@ class OrbitFan {
 
   advance(now: Layer, step: number, next: Layer): boolean {
     const { raw, box, rocks, setting } = this;
-    const time = step * this.h;
+    const time = step * this.step;
     this.drift = rocks.map((_, i) => driftAfter(setting, i, time));
     this.shift = rocks.map(({ k }) => k * (time + TICK));
     raw.clear();
@@ -146,10 +152,25 @@ class OrbitFan {
       setting.budget.look(cost);
       for (let n = 0, o = b * NUMBERS; n < NUMBERS; n++, o++) box[n] = now.boxes[o];
       const chart = now.charts[b];
-      const fine = chart % 2 === 0 ? this.advancePolar(chart >> 1) : this.advanceNear(chart >> 1);
-      if (!fine) return false;
+      if (!this.move(chart >> 1, chart % 2 === 0)) return false;
     }
     return this.settle(next);
+  }
+
+  /** Follows the present box through a step, in parts that are short where she turns quickly, and puts it into its cells. */
+  private move(i: number, isPolar: boolean): boolean {
+    const { box } = this;
+    this.mark = 0;
+    this.isPolar = isPolar;
+    const lm = Math.max(-box[8], box[9]);
+    const rate = isPolar ? (lm / box[0] + Math.max(-box[4], box[5])) / box[0] / BEND : 1 / NEAR_PART;
+    const parts = Math.max(1, Math.min(MOST_PARTS, Math.ceil(this.step * rate - 1e-9)));
+    this.h = this.step / parts;
+    for (let n = 0; n < parts; n++) {
+      if (!(this.isPolar ? this.movePolar(i) : this.moveNear(i))) return false;
+      if (this.isPolar && !agree(box)) return true;
+    }
+    return this.isPolar ? this.putPolar(this.raw, i, box, false) : this.putNear(this.raw, i, box, false);
   }
 
   // ---------------------------------------------------------------- geometry
@@ -280,7 +301,6 @@ class OrbitFan {
 
   /** The accelerations of everything but the asteroid itself, in the rectangle's frame. */
   private forces(i: number, isPolar: boolean): void {
-    this.mark = 0;
     const { rocks, drift } = this;
     const { pull, push } = this.setting.rules;
     this.inField = false;
@@ -310,7 +330,7 @@ class OrbitFan {
       this.include(0, 0, 0, 0);
       const { range } = this.setting.level;
       for (let j = 0; j < rocks.length; j++) {
-        if (j === i || !this.mayBeNearer(i, j) || !this.mayCross(i, j, isPolar)) continue;
+        if (j === i || !this.mayBeNearer(i, j) || !((this.mark & (1 << (j & 31))) !== 0 || this.mayCross(i, j, isPolar))) continue;
         this.foreign = true;
         this.mark |= 1 << (j & 31);
         const D = drift[i] + drift[j];
@@ -346,7 +366,7 @@ class OrbitFan {
   private spots: readonly Spot[] | null = null;
 
   // ---------------------------------------------------------------- steps
-  private advancePolar(i: number): boolean {
+  private movePolar(i: number): boolean {
     const { box, h, rocks, setting } = this;
     const [d0, d1, t0, t1, w0, w1, , , l0, l1] = box;
     const k = rocks[i].k;
@@ -356,7 +376,7 @@ class OrbitFan {
     const A = strongest + k;
     const lm = Math.max(-l0, l1);
     const wm = Math.max(-w0, w1);
-    const v = Math.sqrt(wm * wm + (lm / d0) * (lm / d0)) + A * h;
+    const v = Math.sqrt(Math.min(wm * wm + (lm / d0) * (lm / d0), 2 * box[11])) + A * h;
     if (v > this.fastest) {
       this.why = 'speed';
       return false;
@@ -365,7 +385,8 @@ class OrbitFan {
     const e0 = Math.min(d0, d0 + w0 * h - 0.5 * A * h * h);
     if (e0 < 2) {
       this.toNear(box, i);
-      return this.advanceNear(i);
+      this.isPolar = false;
+      return this.moveNear(i);
     }
     let m = lm + dl;
     let c1 = (m * m) / (e0 * e0 * e0);
@@ -379,7 +400,6 @@ class OrbitFan {
     let R1 = 0;
     let T0 = 0;
     let T1 = 0;
-    this.mark = 0;
     if (this.crowded) this.forces(i, true);
     const isForeign = this.crowded && this.foreign;
     if (isForeign) {
@@ -449,17 +469,17 @@ class OrbitFan {
       box[11] += Math.max(0, -a * (w0 + Math.min(0, h * (c0 + low)))) + 1e-4;
     }
     if (box[0] < 2) box[0] = 2;
-    return this.putPolar(this.raw, i, box, false);
+    return true;
   }
 
-  private advanceNear(i: number): boolean {
+  private moveNear(i: number): boolean {
     const { box, h, rocks, setting } = this;
     const [x0, x1, y0, y1, u0, u1, v0, v1, l0, l1] = box;
     const k = rocks[i].k;
     const { pull } = setting.rules;
     const { range } = setting.level;
     const A = setting.strongest + k;
-    if (Math.max(-u0, u1) ** 2 + Math.max(-v0, v1) ** 2 > this.fastest ** 2) {
+    if (Math.min(2 * box[11], Math.max(-u0, u1) ** 2 + Math.max(-v0, v1) ** 2) > this.fastest ** 2) {
       this.why = 'speed';
       return false;
     }
@@ -526,7 +546,7 @@ class OrbitFan {
     box[7] = v1 + h * ay1 + SLACK;
     box[8] = n0;
     box[9] = n1;
-    return this.putNear(this.raw, i, box, false);
+    return true;
   }
 
   // ---------------------------------------------------------------- cells
@@ -857,5 +877,8 @@ function agree(part: Float64Array): boolean {
   const l = part[1] * Math.sqrt(Math.max(0, 2 * part[11] - q0)) + 1e-3;
   if (part[9] > l) part[9] = l;
   if (part[8] < -l) part[8] = -l;
-  return part[8] <= part[9];
+  if (part[8] > part[9]) return false;
+  const d = (Math.sqrt(leastSquare(part[8], part[9])) - 1e-3) / Math.sqrt(Math.max(1e-9, 2 * part[11] - q0 + 1e-3));
+  if (part[0] < d) part[0] = d;
+  return part[0] <= part[1];
 }
