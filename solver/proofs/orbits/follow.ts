@@ -5,43 +5,88 @@ import type { About, Blocker, OrbitGrid } from '../proof.ts';
 import { mouthDiscs, RIM_SLACK } from '../rims.ts';
 import type { Setting, Thing } from '../setting.ts';
 import { Layer, NUMBERS } from './layer.ts';
+import { atan2, cos, sin } from './trigonometry.ts';
 
 const SLACK = 1e-6;
+/** In a part of a step, distance changes by about this share of itself, or direction by this many rad. */
 const BEND = 0.12;
+/** Length of a part near the centre, s. */
 const NEAR_PART = 0.1;
 const MOST_PARTS = 8;
+/** Boxes are Cartesian nearer than this, px, or where she may turn about the centre more quickly than this, rad/s. */
+const INNER = 16;
+const QUICK = 3;
 const RANGE: Blocker = { kind: 'range' };
-export const TUNE = { inner: 16, omega: 3, hyst: 1.0, debug: false };
 
-interface Spot { readonly x: number; readonly y: number; readonly r: number }
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
 
+interface Spot extends Place {
+  readonly r: number;
+}
+
+/** Everything that she may do from the start, as far as it was followed. */
 export interface OrbitResult {
+  /** Every run has ended, and none came near the object. */
   readonly closed: boolean;
+  /** Number of complete steps. */
   readonly steps: number;
+  /** Number of boxes in all layers. */
   readonly boxes: number;
+  /** Why it gave up; empty when it did not. */
   readonly why: string;
+  /** What ended runs; `range` stands for the end of the range. */
   readonly endedBy: readonly Blocker[];
 }
 
-export interface OrbitLimits { readonly steps: number; readonly boxes: number }
+/** What is told on the way, for tests and pictures. */
+export interface OrbitWatch {
+  /** Called with the boxes at the start of each step, which is numbered from 0. */
+  readonly layer?: (layer: Layer, step: number) => void;
+  /** Called with rectangles that contain the places of a part of a step: least and greatest x and y, px from the start. */
+  readonly places?: (x0: number, x1: number, y0: number, y1: number) => void;
+}
 
-export function followOrbits(setting: Setting, about: About, goal: Thing, grid: OrbitGrid, most: OrbitLimits, watch?: (layer: Layer, step: number) => void): OrbitResult {
-  const fan = new OrbitFan(setting, about, goal, grid);
-  const end = (closed: boolean, steps: number, why: string): OrbitResult => ({ closed, steps, boxes, why, endedBy: [...fan.endedBy] });
+/**
+ * Computes the reachable set from the start, step by step, about the nearest asteroid. A box holds distance, direction, radial
+ * speed and angular momentum about one asteroid, and half the square of the speed. The last number depends on the others, but
+ * nothing that only turns her path changes it, so it keeps boxes from growing on the way past an asteroid. Near the centre, where
+ * directions change quickly, a box holds place and velocity along the axes instead of the first three. After each step boxes are
+ * divided along the grid, and those of one cell are joined; where another asteroid may be the nearest, a box is put into that
+ * asteroid's chart as well. It gives up when she may come near the object or a mouth, or after the given number of steps or boxes.
+ */
+export function followOrbits(
+  setting: Setting,
+  about: About,
+  goal: Thing,
+  grid: OrbitGrid,
+  most: { readonly steps: number; readonly boxes: number },
+  watch: OrbitWatch = {},
+): OrbitResult {
+  const fan = new OrbitFan(setting, about, goal, grid, watch);
   let boxes = 0;
-  if (!fan.fits() || !isEasyFor(setting, grid.frames * TICK)) return end(false, 0, 'fit');
+  const end = (closed: boolean, steps: number, why: string): OrbitResult => ({
+    closed,
+    steps,
+    boxes,
+    why,
+    endedBy: [...fan.endedBy],
+  });
+  if (!fan.fits() || !isEasyFor(setting, grid.frames * TICK)) return end(false, 0, 'the grid is too fine or she is too fast');
   let now = fan.start();
   let next = new Layer();
   for (let step = 0; step <= most.steps; step++) {
-    watch?.(now, step);
+    watch.layer?.(now, step);
     if (now.size === 0) return end(true, step, '');
     boxes += now.size;
-    if (boxes > most.boxes) return end(false, step, 'boxes');
+    if (boxes > most.boxes) return end(false, step, 'there are too many boxes');
     next.clear();
     if (!fan.advance(now, step + 1, next)) return end(false, step, fan.why);
     [now, next] = [next, now];
   }
-  return end(false, most.steps, 'time');
+  return end(false, most.steps, 'runs go on');
 }
 
 class OrbitFan {
@@ -49,6 +94,7 @@ class OrbitFan {
   why = '';
   private readonly setting: Setting;
   private readonly grid: OrbitGrid;
+  private readonly watch: OrbitWatch;
   /** Length of a step and of the present part of one, s. */
   private readonly step: number;
   private h = 0;
@@ -75,9 +121,15 @@ class OrbitFan {
   private ca = 1;
   private sa = 0;
   private delta = 0;
-  private X0 = 0; private X1 = 0; private Y0 = 0; private Y1 = 0;
+  private X0 = 0;
+  private X1 = 0;
+  private Y0 = 0;
+  private Y1 = 0;
   // accelerations
-  private ax0 = 0; private ax1 = 0; private ay0 = 0; private ay1 = 0;
+  private ax0 = 0;
+  private ax1 = 0;
+  private ay0 = 0;
+  private ay1 = 0;
   private inField = false;
   private mark = 0;
   private foreign = false;
@@ -85,9 +137,13 @@ class OrbitFan {
   private readonly box = new Float64Array(NUMBERS);
   private readonly part = new Float64Array(NUMBERS);
   private readonly made = new Float64Array(NUMBERS);
-  private vx0 = 0; private vx1 = 0; private vy0 = 0; private vy1 = 0;
+  private vx0 = 0;
+  private vx1 = 0;
+  private vy0 = 0;
+  private vy1 = 0;
 
-  constructor(setting: Setting, about: About, goal: Thing, grid: OrbitGrid) {
+  constructor(setting: Setting, about: About, goal: Thing, grid: OrbitGrid, watch: OrbitWatch) {
+    this.watch = watch;
     const { level, rules } = setting;
     this.setting = setting;
     this.grid = grid;
@@ -95,7 +151,13 @@ class OrbitFan {
     this.turns = Math.max(4, Math.round((2 * Math.PI * 100) / grid.place));
     this.turn = (2 * Math.PI) / this.turns;
     const { x, y } = level.astronaut;
-    this.rocks = level.asteroids.map((a) => ({ x: a.x - x, y: a.y - y, k: level.recoil ? (1.01 * rules.recoil) / (2 * a.radius) : 0, hot: a.hot, radius: a.radius }));
+    this.rocks = level.asteroids.map((a) => ({
+      x: a.x - x,
+      y: a.y - y,
+      k: level.recoil ? (1.01 * rules.recoil) / (2 * a.radius) : 0,
+      hot: a.hot,
+      radius: a.radius,
+    }));
     this.hazards = standingCircles(setting, about).map((c) => ({ x: c.x, y: c.y, r: c.radius + setting.leastHalf, of: c.of }));
     this.own = level.asteroids.map((a, index) => (a.hot ? { kind: 'asteroid', index } : null));
     this.fields = level.repulsors.map((c) => ({ x: c.x - x, y: c.y - y, r: c.radius }));
@@ -122,15 +184,21 @@ class OrbitFan {
     this.shift = this.rocks.map(() => 0);
     for (const [i, rock] of this.rocks.entries()) {
       const { made } = this;
-      made[0] = -rock.x - SLACK; made[1] = -rock.x + SLACK;
-      made[2] = -rock.y - SLACK; made[3] = -rock.y + SLACK;
-      made[4] = vx - SLACK; made[5] = vx + SLACK;
-      made[6] = vy - SLACK; made[7] = vy + SLACK;
+      made[0] = -rock.x - SLACK;
+      made[1] = -rock.x + SLACK;
+      made[2] = -rock.y - SLACK;
+      made[3] = -rock.y + SLACK;
+      made[4] = vx - SLACK;
+      made[5] = vx + SLACK;
+      made[6] = vy - SLACK;
+      made[7] = vy + SLACK;
       const L = -rock.x * vy + rock.y * vx;
       const s = this.slackL(L);
-      made[8] = L - s; made[9] = L + s;
+      made[8] = L - s;
+      made[9] = L + s;
       const E = (vx * vx + vy * vy) / 2;
-      made[10] = E - 1e-4 - 1e-8 * E; made[11] = E + 1e-4 + 1e-8 * E;
+      made[10] = E - 1e-4 - 1e-8 * E;
+      made[11] = E + 1e-4 + 1e-8 * E;
       // source is a Cartesian box about i
       this.convert(made.slice(), 2 * i + 1, i, layer);
     }
@@ -178,10 +246,10 @@ class OrbitFan {
     this.alpha = (t0 + t1) / 2;
     const delta = (t1 - t0) / 2;
     this.delta = delta;
-    this.ca = Math.cos(this.alpha);
-    this.sa = Math.sin(this.alpha);
-    const c = delta < Math.PI ? Math.cos(delta) : -1;
-    const s = delta < Math.PI / 2 ? Math.sin(delta) : 1;
+    this.ca = cos(this.alpha);
+    this.sa = sin(this.alpha);
+    const c = delta < Math.PI ? cos(delta) : -1;
+    const s = delta < Math.PI / 2 ? sin(delta) : 1;
     this.X0 = c > 0 ? d0 * c : d1 * c;
     this.X1 = d1;
     this.Y0 = -d1 * s;
@@ -189,11 +257,17 @@ class OrbitFan {
   }
 
   private setPlain(x0: number, x1: number, y0: number, y1: number): void {
-    this.alpha = 0; this.delta = 0; this.ca = 1; this.sa = 0;
-    this.X0 = x0; this.X1 = x1; this.Y0 = y0; this.Y1 = y1;
+    this.alpha = 0;
+    this.delta = 0;
+    this.ca = 1;
+    this.sa = 0;
+    this.X0 = x0;
+    this.X1 = x1;
+    this.Y0 = y0;
+    this.Y1 = y1;
   }
 
-  private near(i: number, s: Spot): number {
+  private near(i: number, s: Place): number {
     const rx = s.x - this.rocks[i].x;
     const ry = s.y - this.rocks[i].y;
     const x = rx * this.ca + ry * this.sa;
@@ -203,7 +277,7 @@ class OrbitFan {
     return Math.sqrt(dx * dx + dy * dy);
   }
 
-  private far(i: number, s: Spot): number {
+  private far(i: number, s: Place): number {
     const rx = s.x - this.rocks[i].x;
     const ry = s.y - this.rocks[i].y;
     const x = rx * this.ca + ry * this.sa;
@@ -237,7 +311,7 @@ class OrbitFan {
     const ox = rocks[j].x - rocks[i].x;
     const oy = rocks[j].y - rocks[i].y;
     const o = Math.sqrt(ox * ox + oy * oy);
-    this.velocity(this.box, isPolar, Math.atan2(oy, ox));
+    this.velocity(this.box, isPolar, atan2(oy, ox));
     const D = drift[i] + drift[j];
     const V = shift[i] + shift[j];
     const gain = h * (this.setting.strongest + rocks[i].k);
@@ -278,17 +352,29 @@ class OrbitFan {
 
   /** Whether she may touch what nobody follows. */
   private isClear(i: number): boolean {
+    if (this.watch.places !== undefined) this.tellPlaces(i, this.watch.places);
     if (this.near(i, this.goal) - this.drift[i] <= this.goal.r + SLACK) {
-      this.why = 'goal';
+      this.why = 'she may come near the object';
       return false;
     }
     for (const mouth of this.mouths) {
       if (this.near(i, mouth) - this.drift[i] <= mouth.r + RIM_SLACK) {
-        this.why = 'mouth';
+        this.why = 'she may enter a mouth';
         return false;
       }
     }
     return true;
+  }
+
+  private tellPlaces(i: number, places: NonNullable<OrbitWatch['places']>): void {
+    const { ca, sa, X0, X1, Y0, Y1 } = this;
+    const { x, y } = this.rocks[i];
+    const D = this.drift[i];
+    const x0 = Math.min(X0 * ca, X1 * ca) - Math.max(Y0 * sa, Y1 * sa);
+    const x1 = Math.max(X0 * ca, X1 * ca) - Math.min(Y0 * sa, Y1 * sa);
+    const y0 = Math.min(X0 * sa, X1 * sa) + Math.min(Y0 * ca, Y1 * ca);
+    const y1 = Math.max(X0 * sa, X1 * sa) + Math.max(Y0 * ca, Y1 * ca);
+    places(x + x0 - D, x + x1 + D, y + y0 - D, y + y1 + D);
   }
 
   // ---------------------------------------------------------------- forces
@@ -324,29 +410,40 @@ class OrbitFan {
       const g0 = push / far;
       const g1 = push / near;
       const D = drift[i];
-      this.include(least(this.X0 - x - D, g0, g1), greatest(this.X1 - x + D, g0, g1), least(this.Y0 - y - D, g0, g1), greatest(this.Y1 - y + D, g0, g1));
+      this.include(
+        least(this.X0 - x - D, g0, g1),
+        greatest(this.X1 - x + D, g0, g1),
+        least(this.Y0 - y - D, g0, g1),
+        greatest(this.Y1 - y + D, g0, g1),
+      );
     }
     if (!this.inField) {
       this.include(0, 0, 0, 0);
       const { range } = this.setting.level;
       for (let j = 0; j < rocks.length; j++) {
-        if (j === i || !this.mayBeNearer(i, j) || !((this.mark & (1 << (j & 31))) !== 0 || this.mayCross(i, j, isPolar))) continue;
+        if (j === i || !this.mayBeNearer(i, j) || !((this.mark & (1 << (j & 31))) !== 0 || this.mayCross(i, j, isPolar)))
+          continue;
         this.foreign = true;
         this.mark |= 1 << (j & 31);
         const D = drift[i] + drift[j];
-        const near = this.near(i, this.rockSpots[j]) - D;
+        const near = this.near(i, rocks[j]) - D;
         if (near < 1) {
           this.include(-pull, pull, -pull, pull);
           continue;
         }
-        const far = this.far(i, this.rockSpots[j]) + D;
+        const far = this.far(i, rocks[j]) + D;
         const g0 = Math.max(0, pull * (1 / far - 1 / range));
         const g1 = Math.max(0, pull * (1 / near - 1 / range));
         const rx = rocks[j].x - rocks[i].x;
         const ry = rocks[j].y - rocks[i].y;
         const x = rx * this.ca + ry * this.sa;
         const y = ry * this.ca - rx * this.sa;
-        this.include(least(x - D - this.X1, g0, g1), greatest(x + D - this.X0, g0, g1), least(y - D - this.Y1, g0, g1), greatest(y + D - this.Y0, g0, g1));
+        this.include(
+          least(x - D - this.X1, g0, g1),
+          greatest(x + D - this.X0, g0, g1),
+          least(y - D - this.Y1, g0, g1),
+          greatest(y + D - this.Y0, g0, g1),
+        );
       }
     }
     for (const wind of this.winds) {
@@ -361,9 +458,10 @@ class OrbitFan {
       this.windY1 += isIn ? y : Math.max(0, y);
     }
   }
-  private windX0 = 0; private windX1 = 0; private windY0 = 0; private windY1 = 0;
-  private get rockSpots(): readonly Spot[] { return this.spots ??= this.rocks.map(({ x, y }) => ({ x, y, r: 0 })); }
-  private spots: readonly Spot[] | null = null;
+  private windX0 = 0;
+  private windX1 = 0;
+  private windY0 = 0;
+  private windY1 = 0;
 
   // ---------------------------------------------------------------- steps
   private movePolar(i: number): boolean {
@@ -378,7 +476,7 @@ class OrbitFan {
     const wm = Math.max(-w0, w1);
     const v = Math.sqrt(Math.min(wm * wm + (lm / d0) * (lm / d0), 2 * box[11])) + A * h;
     if (v > this.fastest) {
-      this.why = 'speed';
+      this.why = 'she may be too fast';
       return false;
     }
     const dl = this.crowded ? h * (d1 + v * h) * strongest : 0;
@@ -403,8 +501,8 @@ class OrbitFan {
     if (this.crowded) this.forces(i, true);
     const isForeign = this.crowded && this.foreign;
     if (isForeign) {
-      const c = Math.cos(this.delta);
-      const s = Math.sin(this.delta);
+      const c = cos(this.delta);
+      const s = sin(this.delta);
       const xm = Math.max(-this.ax0, this.ax1, 0);
       const ym = Math.max(-this.ay0, this.ay1, 0);
       R0 = Math.min(this.ax0, this.ax0 * c) - ym * s;
@@ -418,8 +516,8 @@ class OrbitFan {
     let high = isForeign ? Math.max(R1, this.inField ? R1 : 0) : 0;
     let low = lowPull;
     if (isForeign && this.winds.length > 0) {
-      const c = Math.cos(this.delta);
-      const s = Math.sin(this.delta);
+      const c = cos(this.delta);
+      const s = sin(this.delta);
       const xm = Math.max(-this.windX0, this.windX1);
       const ym = Math.max(-this.windY0, this.windY1);
       low += Math.min(this.windX0, this.windX0 * c) - ym * s;
@@ -434,7 +532,8 @@ class OrbitFan {
       n0 += h * Math.min(0, T0 * e1, T0 * e0);
       n1 += h * Math.max(0, T1 * e1, T1 * e0);
       const s = this.slackL(Math.max(-n0, n1));
-      n0 -= s; n1 += s;
+      n0 -= s;
+      n1 += s;
     }
     m = Math.max(-n0, n1);
     const sq1 = m * m;
@@ -479,12 +578,18 @@ class OrbitFan {
     const { pull } = setting.rules;
     const { range } = setting.level;
     const A = setting.strongest + k;
-    if (Math.min(2 * box[11], Math.max(-u0, u1) ** 2 + Math.max(-v0, v1) ** 2) > this.fastest ** 2) {
-      this.why = 'speed';
+    const square = mostSquare(u0, u1) + mostSquare(v0, v1);
+    if (Math.min(2 * box[11], square) > this.fastest * this.fastest) {
+      this.why = 'she may be too fast';
       return false;
     }
     const bend = 0.5 * A * h * h;
-    this.setPlain(Math.min(x0, x0 + h * u0 - bend), Math.max(x1, x1 + h * u1 + bend), Math.min(y0, y0 + h * v0 - bend), Math.max(y1, y1 + h * v1 + bend));
+    this.setPlain(
+      Math.min(x0, x0 + h * u0 - bend),
+      Math.max(x1, x1 + h * u1 + bend),
+      Math.min(y0, y0 + h * v0 - bend),
+      Math.max(y1, y1 + h * v1 + bend),
+    );
     if (!this.isClear(i)) return false;
     this.windX0 = this.windX1 = this.windY0 = this.windY1 = 0;
     this.forces(i, false);
@@ -498,21 +603,33 @@ class OrbitFan {
     const strength = this.inField ? 0 : pull;
     if (near < 0.5) {
       const a = strength + k;
-      ax0 = Math.min(ax0, -a); ax1 = Math.max(ax1, a); ay0 = Math.min(ay0, -a); ay1 = Math.max(ay1, a);
+      ax0 = Math.min(ax0, -a);
+      ax1 = Math.max(ax1, a);
+      ay0 = Math.min(ay0, -a);
+      ay1 = Math.max(ay1, a);
     } else {
       const g1 = Math.max(0, strength * (1 / near - 1 / range) + k / near);
       const own = [Math.min(0, -X1 * g1), Math.max(0, -X0 * g1), Math.min(0, -Y1 * g1), Math.max(0, -Y0 * g1)];
       const cap = strength + k;
       for (let n = 0; n < 4; n++) own[n] = Math.max(-cap, Math.min(cap, own[n]));
       if (this.inField) {
-        ax0 += own[0]; ax1 += own[1]; ay0 += own[2]; ay1 += own[3];
+        ax0 += own[0];
+        ax1 += own[1];
+        ay0 += own[2];
+        ay1 += own[3];
       } else {
         // The recoil of a field's push acts together with it.
         const more = this.fields.length > 0 && isForeign ? k : 0;
-        ax0 = Math.min(ax0 - more, own[0]); ax1 = Math.max(ax1 + more, own[1]); ay0 = Math.min(ay0 - more, own[2]); ay1 = Math.max(ay1 + more, own[3]);
+        ax0 = Math.min(ax0 - more, own[0]);
+        ax1 = Math.max(ax1 + more, own[1]);
+        ay0 = Math.min(ay0 - more, own[2]);
+        ay1 = Math.max(ay1 + more, own[3]);
       }
     }
-    ax0 += this.windX0; ax1 += this.windX1; ay0 += this.windY0; ay1 += this.windY1;
+    ax0 += this.windX0;
+    ax1 += this.windX1;
+    ay0 += this.windY0;
+    ay1 += this.windY1;
     let n0 = l0;
     let n1 = l1;
     if (isForeign) {
@@ -525,7 +642,7 @@ class OrbitFan {
     const xu1 = Math.max(X0 * (u0 - gu), X0 * (u1 + gu), X1 * (u0 - gu), X1 * (u1 + gu));
     const yv0 = Math.min(Y0 * (v0 - gu), Y0 * (v1 + gu), Y1 * (v0 - gu), Y1 * (v1 + gu));
     const yv1 = Math.max(Y0 * (v0 - gu), Y0 * (v1 + gu), Y1 * (v0 - gu), Y1 * (v1 + gu));
-    const fastest = Math.sqrt(Math.max(-u0, u1) ** 2 + Math.max(-v0, v1) ** 2) + h * A;
+    const fastest = Math.sqrt(square) + h * A;
     let gain = h * fastest * (A + (isForeign ? setting.strongest : 0));
     let loss = gain;
     if (!isForeign && near >= 0.5) {
@@ -559,8 +676,14 @@ class OrbitFan {
     const c1 = Math.floor(box[5] / speed);
     const l0 = Math.floor(box[8] / momentum);
     const l1 = Math.floor(box[9] / momentum);
-    if (c0 + radix[2] / 2 < 0 || c1 + radix[2] / 2 >= radix[2] || l0 + radix[4] / 2 < 0 || l1 + radix[4] / 2 >= radix[4] || a1 >= radix[0]) {
-      this.why = 'index';
+    if (
+      c0 + radix[2] / 2 < 0 ||
+      c1 + radix[2] / 2 >= radix[2] ||
+      l0 + radix[4] / 2 < 0 ||
+      l1 + radix[4] / 2 >= radix[4] ||
+      a1 >= radix[0]
+    ) {
+      this.why = 'a box is off the grid';
       return false;
     }
     for (let a = Math.max(0, Math.floor(box[0] / place)); a <= a1; a++) {
@@ -589,7 +712,8 @@ class OrbitFan {
             part[10] = box[10];
             part[11] = box[11];
             if (!agree(part)) continue;
-            const key = ((((2 * i * radix[0] + a) * radix[1] + bb) * radix[2] + c + radix[2] / 2) * radix[3]) * radix[4] + l + radix[4] / 2;
+            const key =
+              (((2 * i * radix[0] + a) * radix[1] + bb) * radix[2] + c + radix[2] / 2) * radix[3] * radix[4] + l + radix[4] / 2;
             layer.join(key, 2 * i, this.mark, part);
           }
         }
@@ -608,9 +732,14 @@ class OrbitFan {
     const b1 = Math.floor(box[3] / place);
     const c1 = Math.floor(box[5] / speed);
     const e1 = Math.floor(box[7] / speed);
-    const first = [Math.floor(box[0] / place), Math.floor(box[2] / place), Math.floor(box[4] / speed), Math.floor(box[6] / speed)];
+    const first = [
+      Math.floor(box[0] / place),
+      Math.floor(box[2] / place),
+      Math.floor(box[4] / speed),
+      Math.floor(box[6] / speed),
+    ];
     if (first[0] < -ra || first[1] < -rb || first[2] < -rc || first[3] < -rc || a1 >= ra || b1 >= rb || c1 >= rc || e1 >= rc) {
-      this.why = 'index';
+      this.why = 'a box is off the grid';
       return false;
     }
     for (let a = first[0]; a <= a1; a++) {
@@ -679,14 +808,14 @@ class OrbitFan {
       const border = this.border(box[8], box[9]);
       if (isPolar) {
         if (box[1] <= border ? !this.convert(box, chart, i, next) : !this.putPolar(next, i, box, true)) return false;
-      } else if (near >= border * TUNE.hyst ? !this.convert(box, chart, i, next) : !this.putNear(next, i, box, true)) return false;
+      } else if (near >= border ? !this.convert(box, chart, i, next) : !this.putNear(next, i, box, true)) return false;
     }
     return true;
   }
 
   private border(l0: number, l1: number): number {
     const m = (Math.abs(l0) + Math.abs(l1)) / 2;
-    return Math.max(TUNE.inner, Math.sqrt(m / TUNE.omega));
+    return Math.max(INNER, Math.sqrt(m / QUICK));
   }
 
   private rectOf(box: Float64Array, isPolar: boolean): void {
@@ -705,10 +834,10 @@ class OrbitFan {
   private velocity(box: Float64Array, isPolar: boolean, beta: number): void {
     if (isPolar) {
       const mid = (box[2] + box[3]) / 2;
-      const s = Math.sin(Math.min(Math.PI / 2, (box[3] - box[2]) / 2));
-      const q = 1 - Math.cos(Math.min(Math.PI, (box[3] - box[2]) / 2));
-      const c = Math.cos(mid - beta);
-      const t = Math.sin(mid - beta);
+      const s = sin(Math.min(Math.PI / 2, (box[3] - box[2]) / 2));
+      const q = 1 - cos(Math.min(Math.PI, (box[3] - box[2]) / 2));
+      const c = cos(mid - beta);
+      const t = sin(mid - beta);
       const p0 = box[8] >= 0 ? box[8] / box[1] : box[8] / box[0];
       const p1 = box[9] >= 0 ? box[9] / box[0] : box[9] / box[1];
       const x0 = Math.min(box[4] * c, box[5] * c) - Math.max(p0 * t, p1 * t);
@@ -723,8 +852,8 @@ class OrbitFan {
       this.vy1 = y1 + xm * s + ym * q + SLACK;
       return;
     }
-    const c = Math.cos(beta);
-    const t = Math.sin(beta);
+    const c = cos(beta);
+    const t = sin(beta);
     this.vx0 = Math.min(box[4] * c, box[5] * c) + Math.min(box[6] * t, box[7] * t) - SLACK;
     this.vx1 = Math.max(box[4] * c, box[5] * c) + Math.max(box[6] * t, box[7] * t) + SLACK;
     this.vy0 = Math.min(box[6] * c, box[7] * c) - Math.max(box[4] * t, box[5] * t) - SLACK;
@@ -767,7 +896,7 @@ class OrbitFan {
     let l1 = box[9];
     if (i !== j) {
       const o = Math.sqrt(ox * ox + oy * oy);
-      this.velocity(box, isPolar, Math.atan2(oy, ox));
+      this.velocity(box, isPolar, atan2(oy, ox));
       const speed = Math.max(-this.vx0, this.vx1) + Math.max(-this.vy0, this.vy1);
       const more = farY * V + (o + D) * V + D * speed + 1e-4;
       l0 += o * this.vy0 - more;
@@ -792,21 +921,21 @@ class OrbitFan {
     if (!nearOnly && near > 6 && mid > border) {
       if (near > this.setting.level.range) return null;
       // Direction
-      const beta = Math.atan2((Y0 + Y1) / 2, (X0 + X1) / 2);
-      const cb = Math.cos(beta);
-      const sb = Math.sin(beta);
+      const beta = atan2((Y0 + Y1) / 2, (X0 + X1) / 2);
+      const cb = cos(beta);
+      const sb = sin(beta);
       let delta = 0;
       for (let n = 0; n < 4; n++) {
         const px = n & 1 ? X1 : X0;
         const py = n & 2 ? Y1 : Y0;
         const along = px * cb + py * sb;
         const across = Math.abs(py * cb - px * sb);
-        delta = Math.max(delta, Math.atan2(across, along));
+        delta = Math.max(delta, atan2(across, along));
       }
       if (delta < 1.5) {
         this.velocity(box, isPolar, alpha + beta);
-        const c = Math.cos(delta);
-        const s = Math.sin(delta);
+        const c = cos(delta);
+        const s = sin(delta);
         const ym = Math.max(-this.vy0, this.vy1) + V;
         const vx0 = this.vx0 - V;
         const vx1 = this.vx1 + V;
