@@ -33,6 +33,7 @@ const UNDERSTOOD: Readonly<Record<Prover, readonly string[]>> = {
   'dead-end': GAME.filter((name) => name !== 'recoil'),
   doomed: GAME,
   flowpipe: GAME,
+  orbits: GAME,
 };
 
 /** The rules from which bounds are derived. A level that sets any other rule has no proof. */

@@ -14,6 +14,8 @@ export type {
   Flowpipe,
   LineEnd,
   LineTrap,
+  OrbitGrid,
+  Orbits,
   PipeGrid,
   PipePart,
   PipeStep,
@@ -23,4 +25,4 @@ export type {
   Strip,
   ThingRef,
 } from './proof.ts';
-export { PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';
+export { FINEST, PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';

@@ -5,10 +5,14 @@ import { placesIn } from './dead-end.ts';
 import { mostOf } from './doomed.ts';
 import { followFan } from './fan.ts';
 import { MOST_PIPES } from './flowpipe.ts';
+import { followOrbits, MOST_ORBITS } from './orbits/index.ts';
 import { followPipes } from './pipe.ts';
 import type { Proof } from './proof.ts';
 import { distance } from './rounding.ts';
 import { settingOf, thingOf } from './setting.ts';
+
+/** Side of the squares that show where an orbit may lead, px. */
+const SQUARE = 8;
 
 interface Place {
   readonly x: number;
@@ -111,6 +115,31 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
       return {
         discs: [...(atRange ? ranges([target]) : []), ...blocked([back.by, front.by], 0), touch],
         lines: [{ points: [at(back.at), at(front.at)], closed: false, role: 'stretch' }, ...beyond],
+      };
+    }
+    case 'orbits': {
+      const { grid, steps } = certificate;
+      const squares = new Map<string, readonly Place[]>();
+      const places = (x0: number, x1: number, y0: number, y1: number) => {
+        for (let i = Math.floor(x0 / SQUARE); i * SQUARE <= x1; i++) {
+          for (let j = Math.floor(y0 / SQUARE); j * SQUARE <= y1; j++) {
+            const x = level.astronaut.x + i * SQUARE;
+            const y = level.astronaut.y + j * SQUARE;
+            const corners = [
+              { x, y },
+              { x: x + SQUARE, y },
+              { x: x + SQUARE, y: y + SQUARE },
+              { x, y: y + SQUARE },
+            ];
+            squares.set(`${i} ${j}`, corners);
+          }
+        }
+      };
+      const setting = settingOf(level, maxTime, false);
+      const { endedBy } = followOrbits(setting, about, thingOf(level, thing), grid, { steps, boxes: MOST_ORBITS }, { places });
+      return {
+        discs: [...blocked(endedBy, leastHalf), touch],
+        lines: [...squares.values()].map((points) => ({ points, closed: true, role: 'reach' })),
       };
     }
     case 'doomed':

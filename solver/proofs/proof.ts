@@ -168,6 +168,34 @@ export interface Flowpipe {
   readonly layers: readonly (readonly (readonly [pressed: PipeStep, free: PipeStep])[])[];
 }
 
+/** The grid of an `orbits` certificate. */
+export interface OrbitGrid {
+  /**
+   * Cells of the distance from an asteroid, px. Directions are divided into cells that are about as wide at a distance of
+   * 100 px: a turn has `round(2 pi 100 / place)` of them.
+   */
+  readonly place: number;
+  /** Cells of the radial speed, px/s. */
+  readonly speed: number;
+  /** Cells of the angular momentum about an asteroid, px²/s. */
+  readonly momentum: number;
+  /** Length of a step, ticks of 1/60 s. */
+  readonly frames: number;
+}
+
+/**
+ * The certificate of an `orbits` proof: where to divide distance, direction, radial speed and angular momentum about the nearest
+ * asteroid. The checker computes by itself the sets that contain every state she can reach.
+ */
+export interface Orbits {
+  /** The kind of the certificate. */
+  readonly kind: 'orbits';
+  /** The grid of the sets. */
+  readonly grid: OrbitGrid;
+  /** Every run has ended after this many steps. */
+  readonly steps: number;
+}
+
 /** The kinds of proof. See {@link Certificate} for what each of them rests on. */
 export type ProofCode =
   | 'nothing-in-range'
@@ -177,7 +205,8 @@ export type ProofCode =
   | 'line-trap'
   | 'doomed'
   | 'covered'
-  | 'flowpipe';
+  | 'flowpipe'
+  | 'orbits';
 
 /** The provers by name. `dead-end` makes proofs of the kind `line-trap`. */
 export type Prover = ProofCode | 'dead-end';
@@ -216,6 +245,7 @@ export type Certificate =
   | LineTrap
   | Doomed
   | Flowpipe
+  | Orbits
   | {
       /** Hazards cover the object. The level alone shows it. */
       readonly kind: 'covered';
