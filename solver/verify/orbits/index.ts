@@ -1,0 +1,141 @@
+import { TICK } from '../../../engine/index.ts';
+import { farFromLimit } from '../assumptions.ts';
+import type { OrbitGrid, Orbits } from '../../proofs/index.ts';
+import type { Claim } from '../claim.ts';
+import { isCount, isFrom } from '../turned-scene.ts';
+import { Stepper } from './advance.ts';
+import { Boxes, SIZE } from './boxes.ts';
+import { Forces, isFar } from './forces.ts';
+import { Places } from './places.ts';
+import { ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
+import { asteroidOf, isNear, Sorter } from './sort-in.ts';
+
+/** The most boxes of all times together, and the most pieces of boxes to examine. */
+const MOST_BOXES = 600_000;
+const MOST_PIECES = 12_000_000;
+
+/** Beyond this, px, rounding errors of squares are too large. */
+const FAR_OUT = 1e6;
+
+/**
+ * Checks `orbits`.
+ */
+export function checkOrbits(claim: Claim, { grid, steps }: Orbits): string | null {
+  if (claim.frames || claim.steps) return 'with fixed steps her angular momentum is not preserved';
+  if (!isGrid(grid)) return 'its grid is not valid';
+  if (!isCount(1, 10_000, steps)) return 'its number of steps is not valid';
+  const sets = new OrbitSets(claim, grid);
+  for (let step = 0; step < steps && sets.boxes.count > 0; step++) {
+    const why = sets.advance();
+    if (why !== null) return why;
+  }
+  return sets.boxes.count > 0 ? `some runs may continue after ${steps} steps` : null;
+}
+
+const isGrid = (grid: OrbitGrid | undefined): grid is OrbitGrid =>
+  isFrom(0.25, 50, grid?.place) &&
+  isFrom(0.25, 1000, grid?.speed) &&
+  isFrom(1, 1e6, grid?.momentum) &&
+  isCount(1, 60, grid?.frames);
+
+/** The sets of states that she can reach, a step at a time. */
+export class OrbitSets {
+  /** What she can reach after the steps so far. */
+  boxes = new Boxes();
+  /** Steps so far. */
+  step = 0;
+  /** Boxes so far. */
+  total = 0;
+  private next = new Boxes();
+  private readonly claim: Claim;
+  private readonly scene: Scene;
+  private readonly stepper: Stepper;
+  private readonly sorter: Sorter;
+  private readonly box = new Float64Array(SIZE);
+  private why: string | null = null;
+
+  constructor(claim: Claim, grid: OrbitGrid) {
+    this.claim = claim;
+    this.scene = sceneOf(claim, grid.frames * TICK);
+    const places = new Places();
+    this.stepper = new Stepper(this.scene, places, new Forces(this.scene, places));
+    this.sorter = new Sorter(this.scene, grid, MOST_PIECES);
+    this.why = this.start();
+  }
+
+  /** Puts in the start: a point, in the chart of the nearest asteroid, in x and y. */
+  private start(): string | null {
+    const { scene, claim, box } = this;
+    const { vx, vy } = claim.level.astronaut;
+    const { charts } = scene;
+    if (charts.length === 0) return 'there is no asteroid';
+    if (!(scene.range <= FAR_OUT)) return 'the range is too large';
+    const i = charts.reduce((best, { start }, k) => (start.r < charts[best].start.r ? k : best), 0);
+    const { x, y, r } = charts[i].start;
+    if (!(r <= FAR_OUT)) return 'she starts too far from every asteroid';
+    const momentum = x * vy - y * vx;
+    const blur = 1e-6 + 1e-6 * (r + Math.sqrt(vx * vx + vy * vy));
+    const bounds = [x, y, vx, vy].map((n) => [n - ROUNDING, n + ROUNDING]).flat();
+    box.set([...bounds, momentum - blur, momentum + blur]);
+    this.sorter.into(this.boxes, 0);
+    this.sorter.near(i, box);
+    this.total = this.boxes.count;
+    return null;
+  }
+
+  /** Makes one step. Returns why nothing is proved, if so. */
+  advance(): string | null {
+    if (this.why !== null) return this.why;
+    const { scene, box, boxes, next, sorter, stepper } = this;
+    const time = ++this.step * scene.seconds;
+    next.clear();
+    stepper.endAt(time);
+    sorter.into(next, time);
+    const drifts = Float64Array.from(scene.charts, (_, i) => scene.drift(i, time));
+    const isSafe = (i: number) => this.isSafe(i, drifts[i]);
+    for (let n = 0; n < boxes.count; n++) {
+      const chart = boxes.chartOf(n);
+      const i = asteroidOf(chart);
+      boxes.read(n, box);
+      if (this.isTooFast(chart, box, time)) return 'she may reach the speed limit';
+      const isDone = isNear(chart) ? stepper.near(i, box, isSafe) : stepper.polar(i, box, isSafe);
+      if (this.why !== null) return this.why;
+      if (!isDone) return 'its steps are too long near an asteroid';
+      if (isNear(chart)) sorter.near(i, box);
+      else sorter.polar(i, box);
+      if (sorter.isTooMuch || this.total + next.count > MOST_BOXES) return 'following her takes too many boxes';
+    }
+    this.total += next.count;
+    this.boxes = next;
+    this.next = boxes;
+    return null;
+  }
+
+  /** Whether she stays away from the object and from wormholes at the places of a step. */
+  private isSafe(i: number, drift: number): boolean {
+    const { places } = this.stepper;
+    const { thing, mouths } = this.scene.charts[i];
+    const touch = thing.radius + drift + ROUNDING;
+    if (!isFar(thing, places, touch)) {
+      places.look(thing.x, thing.y, thing.r);
+      if (!(places.near > touch)) this.why = `she may touch it in step ${this.step}`;
+    }
+    for (const mouth of mouths) {
+      const reach = mouth.radius + drift + ON_RIM;
+      if (isFar(mouth, places, reach)) continue;
+      places.look(mouth.x, mouth.y, mouth.r);
+      if (!(places.near > reach)) this.why = `she may enter a wormhole in step ${this.step}`;
+    }
+    return this.why === null;
+  }
+
+  /** Whether she could come to the speed limit within a step that begins in this box and ends at some time. */
+  private isTooFast(chart: number, box: Float64Array, time: number): boolean {
+    const { scene, claim } = this;
+    const square = (k: number) => Math.max(box[k] * box[k], box[k + 1] * box[k + 1]);
+    const speed = isNear(chart) ? Math.sqrt(square(4) + square(6)) : Math.sqrt(square(4) + square(6) / (box[0] * box[0]));
+    const absolute = speed + scene.recoil * time;
+    if (this.step > 1 && !(absolute <= farFromLimit(claim.rules))) return true;
+    return !(absolute + claim.push * (scene.seconds + TICK) <= claim.rules.speedLimit);
+  }
+}
