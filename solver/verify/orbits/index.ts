@@ -7,12 +7,13 @@ import { Stepper } from './advance.ts';
 import { Boxes, SIZE } from './boxes.ts';
 import { Forces, isFar } from './forces.ts';
 import { Places } from './places.ts';
-import { ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
+import { type Body, ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
 import { asteroidOf, isNear, Sorter } from './sort-in.ts';
 
 /** The most boxes of all times together, and the most pieces of boxes to examine. */
 const MOST_BOXES = 600_000;
-const MOST_PIECES = 12_000_000;
+const MOST_PIECES = 24_000_000;
+const TOO_MANY = 'following her takes too many boxes';
 
 /** Beyond this, px, rounding errors of squares are too large. */
 const FAR_OUT = 1e6;
@@ -25,11 +26,8 @@ export function checkOrbits(claim: Claim, { grid, steps }: Orbits): string | nul
   if (!isGrid(grid)) return 'its grid is not valid';
   if (!isCount(1, 10_000, steps)) return 'its number of steps is not valid';
   const sets = new OrbitSets(claim, grid);
-  for (let step = 0; step < steps && sets.boxes.count > 0; step++) {
-    const why = sets.advance();
-    if (why !== null) return why;
-  }
-  return sets.boxes.count > 0 ? `some runs may continue after ${steps} steps` : null;
+  while (sets.why === null && sets.boxes.count > 0 && sets.step < steps) sets.advance();
+  return sets.why ?? (sets.boxes.count > 0 ? `some runs may continue after ${steps} steps` : null);
 }
 
 const isGrid = (grid: OrbitGrid | undefined): grid is OrbitGrid =>
@@ -37,6 +35,19 @@ const isGrid = (grid: OrbitGrid | undefined): grid is OrbitGrid =>
   isFrom(0.25, 1000, grid?.speed) &&
   isFrom(1, 1e6, grid?.momentum) &&
   isCount(1, 60, grid?.frames);
+
+/** All numbers between two. */
+type Interval = readonly [number, number];
+
+/** A set of states relative to an asteroid, wherever recoil has moved it: places in px, velocities in px/s, angles in rad. */
+export type OrbitBox = {
+  readonly asteroid: number;
+  /** Angular momentum, px²/s. */
+  readonly momentum: Interval;
+} & (
+  | { readonly kind: 'far'; readonly distance: Interval; readonly angle: Interval; readonly rate: Interval }
+  | { readonly kind: 'near'; readonly x: Interval; readonly y: Interval; readonly vx: Interval; readonly vy: Interval }
+);
 
 /** The sets of states that she can reach, a step at a time. */
 export class OrbitSets {
@@ -46,13 +57,14 @@ export class OrbitSets {
   step = 0;
   /** Boxes so far. */
   total = 0;
+  /** Why the sets do not contain everything or cannot be followed any further; null while all is well. */
+  why: string | null;
   private next = new Boxes();
   private readonly claim: Claim;
   private readonly scene: Scene;
   private readonly stepper: Stepper;
   private readonly sorter: Sorter;
   private readonly box = new Float64Array(SIZE);
-  private why: string | null = null;
 
   constructor(claim: Claim, grid: OrbitGrid) {
     this.claim = claim;
@@ -80,30 +92,49 @@ export class OrbitSets {
     this.sorter.into(this.boxes, 0);
     this.sorter.near(i, box);
     this.total = this.boxes.count;
-    return null;
+    return this.sorter.isTooMuch ? TOO_MANY : null;
   }
 
-  /** Makes one step. Returns why nothing is proved, if so. */
-  advance(): string | null {
-    if (this.why !== null) return this.why;
+  /** The boxes after the steps so far, for whoever wants to compare them with what she does. */
+  *all(): Generator<OrbitBox> {
+    for (let n = 0; n < this.boxes.count; n++) {
+      const b = new Float64Array(SIZE);
+      this.boxes.read(n, b);
+      const chart = this.boxes.chartOf(n);
+      const asteroid = asteroidOf(chart);
+      yield isNear(chart)
+        ? { kind: 'near', asteroid, momentum: [b[8], b[9]], x: [b[0], b[1]], y: [b[2], b[3]], vx: [b[4], b[5]], vy: [b[6], b[7]] }
+        : { kind: 'far', asteroid, momentum: [b[6], b[7]], distance: [b[0], b[1]], angle: [b[2], b[3]], rate: [b[4], b[5]] };
+    }
+  }
+
+  /** Makes one step, unless there is a reason not to. */
+  advance(): void {
+    this.why ??= this.advanced();
+  }
+
+  private advanced(): string | null {
     const { scene, box, boxes, next, sorter, stepper } = this;
     const time = ++this.step * scene.seconds;
     next.clear();
     stepper.endAt(time);
     sorter.into(next, time);
     const drifts = Float64Array.from(scene.charts, (_, i) => scene.drift(i, time));
-    const isSafe = (i: number) => this.isSafe(i, drifts[i]);
+    let touches: string | null = null;
+    const isSafe = (i: number) => {
+      touches = this.whyNotSafe(i, drifts[i]);
+      return touches === null;
+    };
     for (let n = 0; n < boxes.count; n++) {
       const chart = boxes.chartOf(n);
       const i = asteroidOf(chart);
       boxes.read(n, box);
       if (this.isTooFast(chart, box, time)) return 'she may reach the speed limit';
       const isDone = isNear(chart) ? stepper.near(i, box, isSafe) : stepper.polar(i, box, isSafe);
-      if (this.why !== null) return this.why;
-      if (!isDone) return 'its steps are too long near an asteroid';
+      if (!isDone) return touches ?? 'its steps are too long near an asteroid';
       if (isNear(chart)) sorter.near(i, box);
       else sorter.polar(i, box);
-      if (sorter.isTooMuch || this.total + next.count > MOST_BOXES) return 'following her takes too many boxes';
+      if (sorter.isTooMuch || this.total + next.count > MOST_BOXES) return TOO_MANY;
     }
     this.total += next.count;
     this.boxes = next;
@@ -111,22 +142,14 @@ export class OrbitSets {
     return null;
   }
 
-  /** Whether she stays away from the object and from wormholes at the places of a step. */
-  private isSafe(i: number, drift: number): boolean {
+  /** What she may touch at the places of the step that is being made: the object or a wormhole; else null. */
+  private whyNotSafe(i: number, drift: number): string | null {
     const { places } = this.stepper;
     const { thing, mouths } = this.scene.charts[i];
-    const touch = thing.radius + drift + ROUNDING;
-    if (!isFar(thing, places, touch)) {
-      places.look(thing.x, thing.y, thing.r);
-      if (!(places.near > touch)) this.why = `she may touch it in step ${this.step}`;
-    }
-    for (const mouth of mouths) {
-      const reach = mouth.radius + drift + ON_RIM;
-      if (isFar(mouth, places, reach)) continue;
-      places.look(mouth.x, mouth.y, mouth.r);
-      if (!(places.near > reach)) this.why = `she may enter a wormhole in step ${this.step}`;
-    }
-    return this.why === null;
+    if (!isBeyond(places, thing, thing.radius + drift + ROUNDING)) return `she may touch it in step ${this.step}`;
+    return mouths.every((mouth) => isBeyond(places, mouth, mouth.radius + drift + ON_RIM))
+      ? null
+      : `she may enter a wormhole in step ${this.step}`;
   }
 
   /** Whether she could come to the speed limit within a step that begins in this box and ends at some time. */
@@ -138,4 +161,11 @@ export class OrbitSets {
     if (this.step > 1 && !(absolute <= farFromLimit(claim.rules))) return true;
     return !(absolute + claim.push * (scene.seconds + TICK) <= claim.rules.speedLimit);
   }
+}
+
+/** Whether all places are farther from an object than this, px. */
+function isBeyond(places: Places, body: Body, radius: number): boolean {
+  if (isFar(body, places, radius)) return true;
+  places.look(body.x, body.y, body.r);
+  return places.near > radius;
 }

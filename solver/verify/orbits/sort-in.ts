@@ -1,4 +1,5 @@
 import type { OrbitGrid } from '../../proofs/index.ts';
+import { cosineAndSine } from './angles.ts';
 import { Boxes, SIZE } from './boxes.ts';
 import { Sight, Vector } from './convert.ts';
 import { isFar } from './forces.ts';
@@ -50,7 +51,10 @@ export class Sorter {
   private readonly velocity = new Vector();
   private readonly turned = new Vector();
   private readonly sight = new Sight();
+  private readonly axes = new Float64Array(2);
   private readonly made = new Float64Array(SIZE);
+  /** A direction, and bounds of the velocity along it: what has other velocities is not in the box that is sorted in. */
+  private readonly along = { x: 0, y: 0, least: 0, most: 0 };
 
   /**
    * @param most - the most pieces to look at; no more are put into the boxes
@@ -294,6 +298,11 @@ export class Sorter {
         const vy0 = Math.max(box[6], e * speed);
         const vy1 = Math.min(box[7], (e + 1) * speed);
         const yRate = Math.max(Math.abs(e), Math.abs(e + 1)) * speed;
+        if (stays) {
+          const { x, y, least: slow, most: fast } = this.along;
+          if (Math.min(x * vx0, x * vx1) + Math.min(y * vy0, y * vy1) > fast + ROUNDING) continue;
+          if (Math.max(x * vx0, x * vx1) + Math.max(y * vy0, y * vy1) < slow - ROUNDING) continue;
+        }
         piece[0] = x0;
         piece[1] = x1;
         piece[2] = y0;
@@ -395,6 +404,14 @@ export class Sorter {
     const { places, velocity, made, target, grid, scene } = this;
     const [d0, d1, t0, t1, w0, w1, L0, L1] = this.piece;
     this.measureVelocity(d0, d1, t0, t1, w0, w1, L0, L1);
+    const slip = i === j ? 0 : scene.recoil * this.time;
+    velocity.widen(slip);
+    const { along } = this;
+    along.least = velocity.a0;
+    along.most = velocity.a1;
+    cosineAndSine((t0 + t1) / 2, this.axes, 0);
+    along.x = this.axes[0];
+    along.y = this.axes[1];
     velocity.onAxesTurnedBy(-(t0 + t1) / 2);
     places.sector(d0, d1, t0, t1);
     places.look(1, 0, 1);
@@ -410,7 +427,6 @@ export class Sorter {
       const from = this.rock(i, j);
       ({ x, y, r } = from);
       blur = Math.max(this.moved[i], this.moved[j]);
-      velocity.widen(scene.recoil * this.time);
       this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
       made[0] -= x + blur;
       made[1] += blur - x;
