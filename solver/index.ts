@@ -52,6 +52,7 @@ export {
   type Doomed,
   type Drift,
   type FanGrid,
+  FINEST,
   type Flowpipe,
   type LineEnd,
   type LineTrap,

@@ -5,18 +5,29 @@ import { distance } from './rounding.ts';
 import { subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
-/** Grids to try: ticks per step, and sides of the squares in px and px/s. The coarse one usually suffices. */
+/** Grids to try by fineness: ticks per step, and sides of the squares in px and px/s. The coarse one usually suffices. */
 const GRIDS = [
-  { cell: 8, bin: 16, frames: 6 },
-  { cell: 4, bin: 8, frames: 4 },
+  [
+    { cell: 8, bin: 16, frames: 6 },
+    { cell: 4, bin: 8, frames: 4 },
+  ],
+  [
+    { cell: 4, bin: 8, frames: 4 },
+    { cell: 3, bin: 6, frames: 3 },
+  ],
 ] as const;
 
-/** The longest time to follow, s, and the most boxes. The second limit keeps a certificate below 1 MB of JSON. */
+/** The longest time to follow, s. */
 const LONGEST = 8;
-const MOST_BOXES = 10_000;
 
-/** How far the reachable set is followed on a grid. */
-export const mostOf = ({ frames }: FanGrid) => ({ steps: Math.floor(LONGEST / (frames * TICK)), boxes: MOST_BOXES });
+/** The most boxes by fineness, which keeps a certificate below 1 or 2 MB of JSON. */
+const MOST_BOXES = [10_000, 20_000] as const;
+
+/** How far the reachable set is followed on a grid; the farthest of all without a fineness. */
+export const mostOf = ({ frames }: FanGrid, fineness = 1) => ({
+  steps: Math.floor(LONGEST / (frames * TICK)),
+  boxes: MOST_BOXES[Math.min(fineness, 1)],
+});
 
 /** Farther out than this, px, places are rounded too coarsely in frames. */
 const FAR_OUT = 1e6;
@@ -30,17 +41,18 @@ const FAR_OUT = 1e6;
  * places it passes. That covers continuous time and frames alike, because every method adds up accelerations of places on the
  * path, with positive weights of the right sum (lemma `pushes`). The certificate holds all boxes, so nobody has to trust how
  * they were cut and joined. Rests on the lemmas `reach`, `pushes`, `drift`, `speed limit`, `mouths` and `winds`.
+ * @param fineness 0, or 1 for finer grids and larger certificates
  */
-export function proveDoomed(setting: Setting, about: About, goal: Thing): Proof | null {
+export function proveDoomed(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
   const { level, maxTime } = setting;
   const { vx, vy } = level.astronaut;
   const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
   // At rest she can wait for any time.
   if (vx === 0 && vy === 0 && !pushed) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
-  for (const fineness of GRIDS) {
-    const grid: FanGrid = { ...fineness, axis: startAxis(setting) };
-    const { closed, layers, endedBy } = followFan(setting, about, goal, grid, mostOf(grid));
+  for (const sizes of GRIDS[Math.min(fineness, 1)]) {
+    const grid: FanGrid = { ...sizes, axis: startAxis(setting) };
+    const { closed, layers, endedBy } = followFan(setting, about, goal, grid, mostOf(grid, fineness));
     if (!closed) continue;
     return {
       code: 'doomed',

@@ -1,12 +1,11 @@
-import { compile, createSimulation, TICK, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
-import type { Level } from '../../schema/basics/index.ts';
-import { createRandom } from '../random.ts';
+import { TICK } from '../../engine/index.ts';
 import { easySpeed } from './assumptions.ts';
 import { startAxis, whatEnds } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
 import { subject } from './say.ts';
 import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
+import { longestPlay } from './soon-over.ts';
 
 /** Ticks per step, and the number of parts of half a turn by which sets are separated. */
 const FRAMES = 2;
@@ -15,8 +14,8 @@ const TURNS = 8;
 /** Side of a cell when everything ends within a second, px; it grows with the horizon. */
 const CELL = 3.5;
 
-/** The longest horizon, s. Sets grow with time, so longer ones are not tried. */
-const LONGEST = 2.5;
+/** The longest horizon by fineness, s. Sets grow with time, so longer ones are not tried. */
+const LONGEST = [2.5, 4] as const;
 
 /** Horizons to try: how much later than the longest sampled play everything may have ended, as a factor and s. */
 const HORIZONS = [
@@ -24,11 +23,14 @@ const HORIZONS = [
   [1.3, 0.3],
 ] as const;
 
-/** Random plays that are sampled first. */
-const PLAYS = 120;
+/** The most sets and parts by fineness; beyond them the prover gives up, so that certificates stay small. */
+const MOST = [
+  { sets: 2000, parts: 25_000 },
+  { sets: 10_000, parts: 100_000 },
+] as const;
 
-/** The most sets and parts; beyond them the prover gives up, so that certificates stay small. */
-export const MOST_PIPES = { sets: 2000, parts: 25_000 } as const;
+/** The most sets and parts of any proof. */
+export const MOST_PIPES = MOST[1];
 
 /**
  * `flowpipe`: from a moving start, every run ends at a hazard, at an alien or out of range within seconds, and none comes near
@@ -39,14 +41,17 @@ export const MOST_PIPES = { sets: 2000, parts: 25_000 } as const;
  * sets would need much room, so the certificate carries hints instead: where sets are cut, which strips hazards take off, and
  * which parts are joined. The checker computes the sets by itself and tests each hint. It is tried last, and only if random
  * plays all end within 2.5 s. Rests on the lemmas `reach`, `pushes`, `chasers`, `drift`, `speed limit` and `mouths`.
+ * @param fineness 0, or 1 for plays of up to 4 s and larger certificates
  */
-export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proof | null {
+export function proveFlowpipe(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
+  const most = MOST[Math.min(fineness, 1)];
+  const longest = LONGEST[Math.min(fineness, 1)];
   const { level, rules, jump, maxTime, strongest } = setting;
   const { vx, vy } = level.astronaut;
-  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST;
+  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * longest;
   // At rest she can wait for any time.
   if (jump > 0 || (vx === 0 && vy === 0) || fastest > easySpeed(rules)) return null;
-  const last = longestPlay(level, setting.budget);
+  const last = longestPlay(level, longest, setting.budget);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {
     const horizon = share * last + more;
@@ -57,7 +62,7 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
       steps: Math.ceil(horizon / (FRAMES * TICK)),
       turns: TURNS,
     };
-    const { closed, hopeless, layers, endedBy } = followPipes(setting, about, goal, grid, MOST_PIPES);
+    const { closed, hopeless, layers, endedBy } = followPipes(setting, about, goal, grid, most);
     if (hopeless) return null;
     if (!closed) continue;
     const seconds = Math.ceil(layers.length * grid.frames * TICK * 10) / 10;
@@ -73,26 +78,4 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing): Proo
     };
   }
   return null;
-}
-
-/**
- * Length of the longest of some random plays, s; null when one lasts longer than the longest horizon or completes the level.
- */
-function longestPlay(level: Level, budget: WorkBudget): number | null {
-  const simulation = createSimulation(compile(level), budget);
-  const random = createRandom(0);
-  let longest = 0;
-  for (let play = 0; play < PLAYS; play++) {
-    simulation.reset();
-    let held = play % 2 === 1;
-    // The first two plays are an endless hold and an endless drift.
-    const most = play < 2 ? LONGEST * TICK_RATE : 8 << (play % 4);
-    while (simulation.ending === null && simulation.tick < LONGEST * TICK_RATE) {
-      simulation.advance(play < 2 ? most : 1 + random.below(most), held);
-      held = !held;
-    }
-    if (simulation.ending === null || simulation.ending.outcome === 'completed') return null;
-    longest = Math.max(longest, simulation.ending.time);
-  }
-  return longest;
 }

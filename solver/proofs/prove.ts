@@ -8,7 +8,7 @@ import { proveEnclosed } from './enclosure.ts';
 import { proveFlowpipe } from './flowpipe.ts';
 import { proveOutOfRange } from './islands.ts';
 import { proveDeadEnds, proveLineTrap } from './line.ts';
-import { proveOrbits } from './orbits/index.ts';
+import { FINEST_ORBITS, proveOrbits } from './orbits/index.ts';
 import type { About, Proof, Prover } from './proof.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
@@ -25,9 +25,17 @@ export interface ProveOptions {
   readonly maxTime?: number;
   /** Limits the work; when it is spent, no more proofs are found. There is no limit by default. */
   readonly budget?: WorkBudget;
+  /**
+   * How finely `doomed`, `orbits` and `flowpipe` divide what they follow: 0, the default, is coarse and takes about a second at
+   * most; each next number is finer and takes several times as long. Numbers above {@link FINEST} are the same as that.
+   */
+  readonly fineness?: number;
 }
 
-type Kind = (setting: Setting, about: About, goal: Thing) => Proof | null;
+/** The greatest {@link ProveOptions.fineness} at which any prover differs from a lower one. */
+export const FINEST = FINEST_ORBITS;
+
+type Kind = (setting: Setting, about: About, goal: Thing, fineness?: number) => Proof | null;
 
 // Proofs that a designer understands at a glance come first.
 const CHEAP: readonly Prover[] = ['nothing-in-range', 'starts-in-hazard', 'out-of-range', 'line-trap'];
@@ -39,8 +47,8 @@ const DEAR: readonly Prover[] = ['covered', 'enclosed', 'dead-end'];
 const MOST_MINERALS = 64;
 
 /**
- * Tries to prove that the black hole cannot be reached. The provers are tried from cheap to expensive; `doomed` and `flowpipe`,
- * which may take seconds, come last.
+ * Tries to prove that the black hole cannot be reached. The provers are tried from cheap to expensive; `doomed`, `orbits` and
+ * `flowpipe`, which may take seconds, come last.
  * @param level the level
  * @param options the accuracy, the length of the longest run and a limit on the work
  * @returns a proof, or null when none was found; the black hole may then still be out of reach
@@ -116,7 +124,8 @@ export function proveMineralsUnreachable(
 /** The provers that may take seconds and apply only to a moving start. The one that covers frames as well comes first. */
 function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing, options: ProveOptions): Proof | null {
   return (
-    prove(settings.slice(0, 1), ['doomed'], about, goal, options) ?? prove(settings.slice(-1), ['flowpipe'], about, goal, options)
+    prove(settings.slice(0, 1), ['doomed'], about, goal, options) ??
+    prove(settings.slice(-1), ['flowpipe', 'orbits'], about, goal, options)
   );
 }
 
@@ -132,12 +141,12 @@ function prove(
   provers: readonly Prover[],
   about: About,
   goal: Thing,
-  { accuracy }: ProveOptions,
+  { accuracy, fineness = 0 }: ProveOptions,
 ): Proof | null {
   for (const setting of settings) {
     for (const prover of provers) {
       if (whyNotTried(prover, setting.effects) !== null) continue;
-      const proof = withinBudget(PROVERS[prover], setting, about, goal);
+      const proof = withinBudget(PROVERS[prover], setting, about, goal, fineness);
       if (proof !== null && (accuracy === undefined || proof.covers.includes(accuracy))) return proof;
     }
   }
@@ -145,12 +154,12 @@ function prove(
 }
 
 /** Runs one prover; null when it finds no proof, or when that would take more work than is left. */
-function withinBudget(kind: Kind, setting: Setting, about: About, goal: Thing): Proof | null {
+function withinBudget(kind: Kind, setting: Setting, about: About, goal: Thing, fineness: number): Proof | null {
   const { level, budget } = setting;
   try {
     // Every prover examines all objects a few times.
     budget.look((level.asteroids.length + level.novae.length + level.repulsors.length + level.aliens.length) >> 1);
-    return kind(setting, about, goal);
+    return kind(setting, about, goal, fineness);
   } catch (error) {
     if (error instanceof WorkLimitReached) return null;
     throw error;

@@ -14,7 +14,7 @@ const ROUNDING = 1e-7;
 const ON_RIM = 1e-6;
 
 /** The most parts of sets in a certificate, and the largest number, px. */
-const MOST = 25_000;
+const MOST = 100_000;
 const LARGEST = 1e9;
 
 /** The number of directions; direction n + 4 is opposite to direction n. */

@@ -63,6 +63,14 @@ const EXPLANATIONS: Readonly<Record<ProofCode, Pick<ProofExplanation, 'title' | 
       'of her collision box, and aliens. All runs end at hazards or out of range, and none comes near the object.',
     fix: 'Let her start slower, elsewhere or in another direction, or clear her path.',
   },
+  orbits: {
+    title: 'every run ends before she can reach the object (a proof over a longer time)',
+    why:
+      'As in doomed, all runs are followed at once, but around the asteroid that is the nearest at each time: while the gun pulls ' +
+      'her towards one asteroid, her angular momentum about it stays the same, so all runs stay close together for longer. All of ' +
+      'them end at hazards or out of range, and none comes near the object. The proof covers the accuracy precise only.',
+    fix: 'Let her start slower, elsewhere or in another direction, or clear her path.',
+  },
 };
 
 /** The kinds of proof, in the order of docs/proofs.md. */

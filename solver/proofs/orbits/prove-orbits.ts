@@ -1,0 +1,63 @@
+import { TICK } from '../../../engine/index.ts';
+import { whatEnds } from '../doomed.ts';
+import type { About, OrbitGrid, Proof } from '../proof.ts';
+import { distance } from '../rounding.ts';
+import { subject } from '../say.ts';
+import { EXACT, type Setting, type Thing } from '../setting.ts';
+import { longestPlay } from '../soon-over.ts';
+import { followOrbits } from './follow.ts';
+
+/** Random plays may last this long, s. */
+const LONGEST_PLAY = 12;
+
+/** How long she is followed at most, s: she may hover where random plays do not. */
+const LONGEST = 20;
+
+/** Grids by fineness, and how many boxes are followed on each. Too many boxes on a coarse grid hardly ever end. */
+const TRIES: readonly { readonly grid: OrbitGrid; readonly boxes: number }[] = [
+  { grid: { place: 6, speed: 6, momentum: 1500, frames: 12 }, boxes: 100_000 },
+  { grid: { place: 4, speed: 4, momentum: 1000, frames: 12 }, boxes: 250_000 },
+  { grid: { place: 3, speed: 3, momentum: 600, frames: 12 }, boxes: 400_000 },
+];
+
+/** The greatest fineness at which `orbits` differs from a lower one. */
+export const FINEST_ORBITS = TRIES.length - 1;
+
+/** The most boxes that are followed on any grid. */
+export const MOST_ORBITS = Math.max(...TRIES.map(({ boxes }) => boxes));
+
+/**
+ * `orbits`: from a moving start, every run ends at a hazard or out of range within seconds, and none comes near the object. It
+ * covers `precise` only.
+ *
+ * Like `doomed` it computes a reachable set with interval arithmetic, but in coordinates about the nearest asteroid
+ * ({@link followOrbits}): distance, direction, radial speed and angular momentum. While one asteroid stays the nearest and no
+ * field or wind acts, her angular momentum about it is constant whatever is pressed (lemma `momentum`), so the set stays thin for
+ * several seconds. The certificate names the grid only; the checker computes the sets by itself. Rests on the lemmas `reach`,
+ * `pushes`, `momentum`, `drift`, `speed limit`, `mouths` and `winds`.
+ * @param fineness 0 for a coarse grid that takes about a second at most, up to {@link FINEST_ORBITS} for finer ones that may take
+ * several
+ */
+export function proveOrbits(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
+  const { level, jump, maxTime, budget } = setting;
+  const { vx, vy } = level.astronaut;
+  const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
+  // At rest she can wait for any time.
+  if (jump > 0 || (vx === 0 && vy === 0 && !pushed)) return null;
+  if (longestPlay(level, LONGEST_PLAY, budget) === null) return null;
+  const { grid, boxes } = TRIES[Math.min(fineness, FINEST_ORBITS)];
+  const most = Math.ceil(LONGEST / (grid.frames * TICK));
+  const { closed, steps, endedBy } = followOrbits(setting, about, goal, grid, { steps: most, boxes });
+  if (!closed) return null;
+  const seconds = Math.ceil(steps * grid.frames * TICK * 10) / 10;
+  return {
+    code: 'orbits',
+    about,
+    reason:
+      `${subject(about)} is never reached: with her velocity at the start, every run ends within ${seconds} s ` +
+      `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`,
+    covers: EXACT,
+    maxTime: level.recoil ? maxTime : null,
+    certificate: { kind: 'orbits', grid, steps },
+  };
+}

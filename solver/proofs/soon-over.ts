@@ -1,0 +1,30 @@
+import { compile, createSimulation, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
+import type { Level } from '../../schema/basics/index.ts';
+import { createRandom } from '../random.ts';
+
+/** Random plays that are sampled. */
+const PLAYS = 120;
+
+/**
+ * Length of the longest of some random plays, s, from which provers guess how far they have to follow her; null when one lasts
+ * longer than `most` seconds or completes the level, so that following all plays is hopeless.
+ */
+export function longestPlay(level: Level, most: number, budget: WorkBudget): number | null {
+  const simulation = createSimulation(compile(level), budget);
+  const random = createRandom(0);
+  const last = Math.floor(most * TICK_RATE);
+  let longest = 0;
+  for (let play = 0; play < PLAYS; play++) {
+    simulation.reset();
+    let held = play % 2 === 1;
+    // The first two plays are an endless hold and an endless drift.
+    const piece = play < 2 ? last : 8 << (play % 4);
+    while (simulation.ending === null && simulation.tick < last) {
+      simulation.advance(play < 2 ? piece : 1 + random.below(piece), held);
+      held = !held;
+    }
+    if (simulation.ending === null || simulation.ending.outcome === 'completed') return null;
+    longest = Math.max(longest, simulation.ending.time);
+  }
+  return longest;
+}
