@@ -26,7 +26,10 @@ const EMPTY: Level = {
 const rock = (x: number, y: number, radius = 16, hot = false) => ({ id: null, x, y, radius, hot });
 
 /** Held or free, each for so many ticks; `pump` holds while she approaches the nearest asteroid, `brake` while she leaves it. */
-const script = fc.array(fc.tuple(whole(1, 40), fc.constantFrom('held', 'free', 'pump', 'brake')), { minLength: 8, maxLength: 16 });
+const script = fc.array(fc.tuple(whole(1, 40), fc.constantFrom('held', 'free', 'pump', 'brake')), {
+  minLength: 8,
+  maxLength: 16,
+});
 type Script = readonly (readonly [number, string])[];
 
 /** Her state relative to an asteroid. */
@@ -75,8 +78,7 @@ function momentsOf(level: Level, plan: Script): Moment[] {
   // The last moment is left out: it has no later one from which to see how fast asteroids are.
   return seen.slice(0, level.recoil ? -1 : undefined).map((now, k) => {
     const [x, y, vx, vy] = now.s;
-    const speed = (n: number) =>
-      k === 0 || !level.recoil ? 0 : (seen[k + 1].rocks[n] - seen[k - 1].rocks[n]) / (2 * TICK);
+    const speed = (n: number) => (k === 0 || !level.recoil ? 0 : (seen[k + 1].rocks[n] - seen[k - 1].rocks[n]) / (2 * TICK));
     const to = level.asteroids.map((_, i) => ({
       x: x - now.rocks[2 * i],
       y: y - now.rocks[2 * i + 1],
@@ -148,9 +150,7 @@ function isIn(box: OrbitBox, { x, y, vx, vy }: Relative, blur: number): boolean 
   const within = (n: number, [least, most]: readonly [number, number], slack: number) => n >= least - slack && n <= most + slack;
   if (!within(x * vy - y * vx, box.momentum, 1e-5 + blur * d)) return false;
   if (box.kind === 'near')
-    return (
-      within(x, box.x, 1e-8) && within(y, box.y, 1e-8) && within(vx, box.vx, 1e-7 + blur) && within(vy, box.vy, 1e-7 + blur)
-    );
+    return within(x, box.x, 1e-8) && within(y, box.y, 1e-8) && within(vx, box.vx, 1e-7 + blur) && within(vy, box.vy, 1e-7 + blur);
   const turns = Math.round(((box.angle[0] + box.angle[1]) / 2 - Math.atan2(y, x)) / (2 * Math.PI));
   return (
     within(d, box.distance, 1e-8) &&
@@ -175,13 +175,15 @@ const anyLevel = fc
     novae: fc.array(place, { maxLength: 2 }),
     rules: fc.option(someRules, { freq: 3, nil: undefined }),
   })
-  .map(({ level, fields, winds, novae, rules }): Level => ({
-    ...level,
-    repulsors: fields.map(([x, y]) => circle(x, y, 40)),
-    winds: winds.map(([[x, y], ax, ay]) => ({ ...circle(x, y, 60), ax, ay })),
-    novae: novae.filter(([x, y]) => Math.hypot(x, y) > 60).map(([x, y]) => circle(x, y, 32)),
-    ...(rules === undefined ? {} : { rules }),
-  }));
+  .map(
+    ({ level, fields, winds, novae, rules }): Level => ({
+      ...level,
+      repulsors: fields.map(([x, y]) => circle(x, y, 40)),
+      winds: winds.map(([[x, y], ax, ay]) => ({ ...circle(x, y, 60), ax, ay })),
+      novae: novae.filter(([x, y]) => Math.hypot(x, y) > 60).map(([x, y]) => circle(x, y, 32)),
+      ...(rules === undefined ? {} : { rules }),
+    }),
+  );
 
 describe('the sets contain everything that she can do', () => {
   it('in any level, over any grid, at the end of every step', () => {
@@ -275,7 +277,9 @@ describe('certificates', () => {
 
   it.each(['arcade', 'fast', 'standard'] as const)('does not cover %s', (accuracy) => {
     expect(whyNot(LEAVING, good, { covers: [accuracy] })).toBe('with fixed steps her angular momentum is not preserved');
-    expect(whyNot(LEAVING, good, { covers: ['precise', accuracy] })).toBe('with fixed steps her angular momentum is not preserved');
+    expect(whyNot(LEAVING, good, { covers: ['precise', accuracy] })).toBe(
+      'with fixed steps her angular momentum is not preserved',
+    );
   });
 
   it('with recoil it says for how long', () => {
@@ -284,15 +288,30 @@ describe('certificates', () => {
     expect(whyNot(recoil, good, { maxTime: 60 })).toBeNull();
   });
 
-  const WRONG = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY, -4, 0, 1e-300, 1e300, '4', null, undefined, [4], {}];
+  const WRONG = [
+    Number.NaN,
+    Number.POSITIVE_INFINITY,
+    Number.NEGATIVE_INFINITY,
+    -4,
+    0,
+    1e-300,
+    1e300,
+    '4',
+    null,
+    undefined,
+    [4],
+    {},
+  ];
 
   it.each(Object.keys(GRID))('a grid needs a sensible %s', (name) => {
-    for (const value of WRONG) expect(whyNot(LEAVING, { ...good, grid: { ...GRID, [name]: value } })).toBe('its grid is not valid');
+    for (const value of WRONG)
+      expect(whyNot(LEAVING, { ...good, grid: { ...GRID, [name]: value } })).toBe('its grid is not valid');
   });
 
   it('frames and steps are whole numbers, and there is a grid', () => {
     expect(whyNot(LEAVING, { ...good, grid: { ...GRID, frames: 2.5 } })).toBe('its grid is not valid');
-    for (const value of [...WRONG, 2.5]) expect(whyNot(LEAVING, { ...good, steps: value })).toBe('its number of steps is not valid');
+    for (const value of [...WRONG, 2.5])
+      expect(whyNot(LEAVING, { ...good, steps: value })).toBe('its number of steps is not valid');
     for (const grid of [undefined, null, 4, [], {}]) expect(whyNot(LEAVING, { ...good, grid })).toBe('its grid is not valid');
   });
 
@@ -310,7 +329,9 @@ describe('certificates', () => {
   });
 
   it('needs as many steps as it takes, and no more', () => {
-    const steps = Array.from({ length: 40 }, (_, n) => n + 1).find((n) => whyNot(LEAVING, { ...good, steps: n }) === null) as number;
+    const steps = Array.from({ length: 40 }, (_, n) => n + 1).find(
+      (n) => whyNot(LEAVING, { ...good, steps: n }) === null,
+    ) as number;
     expect(whyNot(LEAVING, { ...good, steps: steps - 1 })).toBe(`some runs may continue after ${steps - 1} steps`);
     expect(whyNot(LEAVING, { ...good, steps: 10_000 })).toBeNull();
   });

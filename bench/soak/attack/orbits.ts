@@ -40,7 +40,12 @@ const HOLE: About = { kind: 'blackHole' };
 function someOrbits(random: () => number): Orbits {
   const pick = (...of: number[]) => of[Math.floor(random() * of.length)];
   const place = pick(3, 4, 6, 10, 20, 50);
-  const grid = { place, speed: place * pick(0.5, 1, 1, 3), momentum: place * pick(20, 50, 100, 300), frames: pick(2, 3, 4, 6, 12) };
+  const grid = {
+    place,
+    speed: place * pick(0.5, 1, 1, 3),
+    momentum: place * pick(20, 50, 100, 300),
+    frames: pick(2, 3, 4, 6, 12),
+  };
   return { kind: 'orbits', grid, steps: pick(40, 60, 90) };
 }
 
@@ -103,8 +108,7 @@ export function attackOrbits(seed: number, { grids, plays, ticks, searchTicks }:
       tally.searched++;
       const search = createSearch(compile(of), { seed });
       search.advance(searchTicks);
-      if (search.solutions.length > 0)
-        tally.wrong.push({ seed, level: of, about: HOLE, proof: proofOf(certificate, HOLE, 60) });
+      if (search.solutions.length > 0) tally.wrong.push({ seed, level: of, about: HOLE, proof: proofOf(certificate, HOLE, 60) });
     }
   }
 }

@@ -1,6 +1,6 @@
 import { TICK } from '../../../engine/index.ts';
-import { farFromLimit } from '../assumptions.ts';
 import type { OrbitGrid, Orbits } from '../../proofs/index.ts';
+import { farFromLimit } from '../assumptions.ts';
 import type { Claim } from '../claim.ts';
 import { isCount, isFrom } from '../turned-scene.ts';
 import { Stepper } from './advance.ts';
@@ -19,7 +19,16 @@ const TOO_MANY = 'following her takes too many boxes';
 const FAR_OUT = 1e6;
 
 /**
- * Checks `orbits`.
+ * Checks `orbits`: it computes by itself the sets of states that she can reach, from the grid alone, until nothing is left.
+ *
+ * Around the nearest asteroid her angular momentum is preserved, held or not and with recoil (lemma `momentum`), so states are
+ * boxes of distance, angle, rate of distance and angular momentum about one asteroid; near its centre, of x, y, their velocities
+ * and angular momentum. What other asteroids, fields and winds can do is added as accelerations along both axes, so a box may
+ * stay with its asteroid until another one is certainly nearer. Recoil moves asteroids by at most their drift (lemma `drift`),
+ * and only one at a time, which widens every place and velocity that is taken from one asteroid to another.
+ *
+ * After each step boxes are cut along the grid, and those of one cell are joined. A piece has ended when all of it lies in one
+ * hazard or out of every range. No place of a step may touch the object or a wormhole. Aliens only end runs and are ignored.
  */
 export function checkOrbits(claim: Claim, { grid, steps }: Orbits): string | null {
   if (claim.frames || claim.steps) return 'with fixed steps her angular momentum is not preserved';
@@ -87,7 +96,7 @@ export class OrbitSets {
     if (!(r <= FAR_OUT)) return 'she starts too far from every asteroid';
     const momentum = x * vy - y * vx;
     const blur = 1e-6 + 1e-6 * (r + Math.sqrt(vx * vx + vy * vy));
-    const bounds = [x, y, vx, vy].map((n) => [n - ROUNDING, n + ROUNDING]).flat();
+    const bounds = [x, y, vx, vy].flatMap((n) => [n - ROUNDING, n + ROUNDING]);
     box.set([...bounds, momentum - blur, momentum + blur]);
     this.sorter.into(this.boxes, 0);
     this.sorter.near(i, box);

@@ -4,7 +4,7 @@ import { Boxes, SIZE } from './boxes.ts';
 import { Sight, Vector } from './convert.ts';
 import { isFar } from './forces.ts';
 import { Places } from './places.ts';
-import { type Chart, type Rock, ROUNDING, type Scene, TIE } from './scene.ts';
+import { type Chart, ROUNDING, type Rock, type Scene, TIE } from './scene.ts';
 
 /** Nearer to an asteroid than this, px, boxes are in x and y; further away if she is fast. */
 const CLOSE = 32;
@@ -326,15 +326,7 @@ export class Sorter {
     }
   }
 
-  private joinNear(
-    i: number,
-    a: number,
-    b: number,
-    c: number,
-    e: number,
-    least: number,
-    piece: Float64Array,
-  ): void {
+  private joinNear(i: number, a: number, b: number, c: number, e: number, least: number, piece: Float64Array): void {
     const { scene, grid } = this;
     if (least < IN_CENTRE) restInCentre(piece, 1e-3 * Math.sqrt(scene.push + 1));
     const { momentum } = grid;
@@ -494,16 +486,7 @@ export class Sorter {
   }
 
   /** Sets `velocity` to that of a sector, along and across the direction to its middle. */
-  private measureVelocity(
-    d0: number,
-    d1: number,
-    t0: number,
-    t1: number,
-    w0: number,
-    w1: number,
-    L0: number,
-    L1: number,
-  ): void {
+  private measureVelocity(d0: number, d1: number, t0: number, t1: number, w0: number, w1: number, L0: number, L1: number): void {
     this.velocity.set(w0, w1, Math.min(L0 / d0, L0 / d1), Math.max(L1 / d0, L1 / d1));
     this.velocity.tilt((t1 - t0) / 2);
   }

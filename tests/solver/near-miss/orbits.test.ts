@@ -142,8 +142,7 @@ describe('orbits', () => {
       truth: playedEdge(
         20,
         90,
-        (d) =>
-          outcome(moving(200, 30, { range: 100, asteroids: [at(90, 0)], blackHole: spot(150, d) }), []) === 'completed',
+        (d) => outcome(moving(200, 30, { range: 100, asteroids: [at(90, 0)], blackHole: spot(150, d) }), []) === 'completed',
       ),
       safe: 'above',
       slack: [0, 16],
