@@ -4,7 +4,9 @@ import {
   ALL_ACCURACIES,
   ALL_PROVERS,
   attackLevel,
+  attackOrbits,
   attackSolvable,
+  emptyOrbits,
   emptySolvable,
   emptyTally,
   LARGE,
@@ -24,7 +26,8 @@ export function attackProofs(most: number): void {
   const out = optionValue('--out');
   const provers = ALL_PROVERS.filter((name) => name === (optionValue('--prover') ?? name));
   const accuracies = ALL_ACCURACIES.filter((name) => name === (optionValue('--accuracy') ?? name));
-  const pairs = provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length + accuracies.length;
+  const pairs =
+    provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length + accuracies.length + 1;
   const seconds = Number(optionValue('--claim-seconds') ?? most / pairs);
   const accepted: unknown[] = [];
   console.log('proof             accuracy  levels  claims  foreign  mutated    ruled  searched  accepted');
@@ -55,6 +58,14 @@ export function attackProofs(most: number): void {
       accepted.push(...tally.accepted);
     }
   }
+  const orbits = emptyOrbits();
+  const end = Date.now() + 1000 * seconds;
+  for (let seed = from; provers.includes('orbits') && Date.now() < end; seed++)
+    attackOrbits(seed, { grids: 2, plays: 4, ticks: 600, searchTicks: 3000 }, orbits);
+  console.log('\norbits, without a prover    levels  ending  claims  searched  accepted');
+  const { levels, ending, claims: asked, searched, wrong } = orbits;
+  console.log(`${' '.repeat(25)} ${[levels, ending, asked, searched, wrong.length].map((n) => String(n).padStart(8)).join('')}`);
+  accepted.push(...wrong);
   console.log('\nany level         accuracy  levels  completed  collected  proved  twins  accepted');
   for (const accuracy of accuracies) {
     const tally = emptySolvable();
@@ -71,6 +82,6 @@ export function attackProofs(most: number): void {
 
 /** Whether this kind of proof exists for the accuracy. */
 function covers(prover: Prover, accuracy: string): boolean {
-  if (prover === 'dead-end') return accuracy === 'precise';
+  if (prover === 'dead-end' || prover === 'orbits') return accuracy === 'precise';
   return accuracy !== 'arcade' || (prover !== 'flowpipe' && prover !== 'covered');
 }

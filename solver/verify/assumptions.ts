@@ -23,6 +23,7 @@ const KNOWS: ReadonlyMap<string, ReadonlySet<string>> = new Map<ProofCode, Reado
   ['line-trap', KNOWN],
   ['doomed', KNOWN],
   ['flowpipe', KNOWN],
+  ['orbits', KNOWN],
 ]);
 
 /** The rules that the checks read. */

@@ -9,6 +9,7 @@ import { checkDoomed } from './doomed.ts';
 import { checkEnclosed } from './enclosed.ts';
 import { checkFlowpipe } from './flowpipe.ts';
 import { checkLineTrap } from './line-trap.ts';
+import { checkOrbits } from './orbits/index.ts';
 import { checkOutOfRange } from './out-of-range.ts';
 import { isIndex } from './rounded.ts';
 
@@ -90,6 +91,8 @@ function check(claim: Claim, certificate: Certificate): string | null {
       return checkDoomed(claim, certificate);
     case 'flowpipe':
       return checkFlowpipe(claim, certificate);
+    case 'orbits':
+      return checkOrbits(claim, certificate);
     case 'covered':
       return checkCovered(claim);
   }

@@ -3,7 +3,9 @@ import {
   ALL_ACCURACIES,
   ALL_PROVERS,
   attackLevel,
+  attackOrbits,
   attackSolvable,
+  emptyOrbits,
   emptySolvable,
   emptyTally,
   type Prover,
@@ -40,6 +42,7 @@ const ACCURACIES: Readonly<Record<Prover, readonly AccuracyName[]>> = {
   'dead-end': ['precise'],
   doomed: isHunt ? ALL_ACCURACIES : ['arcade', 'fast'],
   flowpipe: isHunt ? CONTINUOUS : ['standard'],
+  orbits: ['precise'],
 };
 
 describe.each(ALL_PROVERS)('false claims: %s', (prover) => {
@@ -57,6 +60,17 @@ describe.each(ALL_PROVERS)('false claims: %s', (prover) => {
     expect(tally.levels).toBeGreaterThanOrEqual(levels);
     expect(tally.claims).toBeGreaterThanOrEqual(ENOUGH);
     expect(tally.foreign).toBeGreaterThanOrEqual(ENOUGH);
+  });
+});
+
+describe('orbits, without a prover', () => {
+  it('no grid proves that an object is out of reach which a run touches', () => {
+    const tally = emptyOrbits();
+    for (const seed of [1, 3, 4, 5, 10, 11]) attackOrbits(seed, { grids: 1, plays: 3, ticks: 300, searchTicks: 300 }, tally);
+    expect(tally.wrong.map(({ seed, about }) => ({ seed, about }))).toEqual([]);
+    // Otherwise the test would be vacuous.
+    expect(tally.ending).toBeGreaterThan(2);
+    expect(tally.claims).toBeGreaterThan(60);
   });
 });
 

@@ -118,6 +118,7 @@ const MAKERS: Readonly<Record<Prover, (dice: Dice) => Level>> = {
   },
   doomed: (d) => (d.chance(0.8) ? wall(d) : moving(d, false)),
   flowpipe: (d) => moving(d, true),
+  orbits: (d) => orbiting(d),
   covered: (d) => ({
     ...EMPTY,
     asteroids: [rock(d.between(60, 160), 0, 16), rock(d.between(-100, 200), d.between(80, 200), 16)],
@@ -211,6 +212,44 @@ function moving(d: Dice, finely: boolean): Level {
     asteroids: rocks,
     novae: novae.filter(apart),
     aliens: aliens.filter(apart),
+    repulsors,
+  };
+}
+
+/**
+ * Around an asteroid that a run soon ends at: it is hot, or its range is short, or novae stand around it. She starts at its very
+ * centre, at the end of its range, or anywhere else; others lie beside it, in the same place, or as near to her.
+ */
+function orbiting(d: Dice): Level {
+  const range = d.pick(40, 60, 80, 100, 150, 250, 2000);
+  const ends = d.pick('hot', 'range', 'ring', 'ring');
+  const reach = Math.min(range, ends === 'range' ? range : 120);
+  const far = d.pick(0, 1e-9, 0.3 * reach, d.between(0.1, 0.98) * reach, 0.999 * reach, ends === 'range' ? range : 20);
+  const speed = d.pick(15, 40, 60, 90, 150, 300, 480);
+  const turn = d.pick(0, 0, Math.PI, Math.PI / 2, d.between(0, 6.3));
+  const recoil = d.chance(0.3);
+  const size = () => (recoil ? d.pick(0.02, 0.5, 4, 16, 32) : d.pick(1, 16, 32));
+  const first = { ...rock(far, 0, size()), hot: ends === 'hot' };
+  const beside = d.pick(0, 1, d.between(5, 60), d.between(50, 250));
+  const side = d.between(0, 6.3);
+  const others = [
+    ...(d.chance(0.4) ? [rock(far + beside * Math.cos(side), beside * Math.sin(side), size(), d.chance(0.3))] : []),
+    // as near to the start as the first
+    ...(d.chance(0.15) ? [rock(far * Math.cos(side), far * Math.sin(side), size())] : []),
+  ];
+  const ring = d.between(45, 110);
+  const count = Math.ceil((2 * Math.PI * ring) / d.between(35, 75));
+  const novae = Array.from({ length: ends === 'ring' || d.chance(0.2) ? count : 0 }, (_, n) =>
+    circle(far + ring * Math.cos((6.2832 * n) / count), ring * Math.sin((6.2832 * n) / count), d.pick(16, 25, 32)),
+  );
+  const repulsors = d.chance(0.15) ? [circle(far + d.between(-80, 80), d.between(-80, 80), d.pick(32, 48))] : [];
+  return {
+    ...EMPTY,
+    range,
+    recoil,
+    astronaut: { x: 0, y: 0, vx: speed * Math.cos(turn), vy: speed * Math.sin(turn) },
+    asteroids: [ends === 'hot' && far < first.radius + 20 ? { ...first, hot: false } : first, ...others],
+    novae: novae.filter((c) => Math.hypot(c.x, c.y) > c.radius + 20),
     repulsors,
   };
 }
