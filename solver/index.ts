@@ -36,7 +36,10 @@ export {
   INGREDIENTS,
   type Ingredient,
   type LevelGenerator,
+  type Rejection,
   USUAL_INGREDIENTS,
+  type Variety,
+  varietyOf,
   type WantedDifficulty,
   type WantedSize,
 } from './generate/index.ts';
