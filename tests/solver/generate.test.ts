@@ -2,10 +2,26 @@ import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation, findWarnings, playScript, simulate } from '../../engine/index.ts';
-import { type Circle, DEFAULT_RULES, formatLevel, type Level, type LevelFile, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
+import {
+  type Circle,
+  DEFAULT_RULES,
+  formatLevel,
+  type Level,
+  type LevelFile,
+  OBJECT_LISTS,
+  readLevel,
+} from '../../schema/index.ts';
 import { specOf } from '../../solver/generate/generator-spec.ts';
 import { layOut } from '../../solver/generate/layout.ts';
-import { certify, createGenerator, findShortcuts, type Generated, type GeneratorOptions, varietyOf, verifyRun } from '../../solver/index.ts';
+import {
+  certify,
+  createGenerator,
+  findShortcuts,
+  type Generated,
+  type GeneratorOptions,
+  varietyOf,
+  verifyRun,
+} from '../../solver/index.ts';
 import { createRandom } from '../../solver/random.ts';
 import { isHunt } from '../is-hunt.ts';
 import { once } from '../once.ts';
