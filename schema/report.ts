@@ -286,6 +286,18 @@ export const generateReportSchema = z.strictObject({
     }),
   ),
   rejected: z.int().min(0).describe('Layouts that were thrown away.'),
+  reasons: z
+    .record(z.string(), z.int().min(0))
+    .describe(
+      'How many layouts were thrown away for each reason: noRoom, noRun, tooEasy, tooHard, unforgiving, noMinerals, warnings.',
+    ),
+  variety: z
+    .strictObject({
+      mean: share.describe('The mean distance between two levels: 0 the same up to symmetry, 1 nothing in common.'),
+      closest: z.strictObject({ distance: share, seeds: z.tuple([z.int(), z.int()]) }).describe('The two most similar levels.'),
+    })
+    .nullable()
+    .describe('How much the levels differ; null for fewer than two.'),
 });
 
 /** What `gq generate` prints as JSON. */

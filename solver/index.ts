@@ -63,7 +63,10 @@ export {
   INGREDIENTS,
   type Ingredient,
   type LevelGenerator,
+  type Rejection,
   USUAL_INGREDIENTS,
+  type Variety,
+  varietyOf,
   type WantedDifficulty,
   type WantedSize,
 } from './generate/index.ts';

@@ -1,6 +1,6 @@
 import { compile, simulate } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
-import { createGenerator, type Generated, type GeneratorOptions } from '../../solver/index.ts';
+import { createGenerator, type Generated, type GeneratorOptions, type Rejection } from '../../solver/index.ts';
 
 /** A task for a worker: to generate a level from a seed. */
 export interface GenerateTask {
@@ -19,6 +19,8 @@ export interface MadeLevel {
   /** The number of layouts that were begun; all but the last failed, and without a level the last one, too. */
   readonly attempts: number;
   readonly ticks: number;
+  /** How many layouts were given up for each reason. */
+  readonly rejected: Readonly<Record<Rejection, number>>;
 }
 
 const SLICE = 1_000_000;

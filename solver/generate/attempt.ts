@@ -1,63 +1,126 @@
 import type { Random } from '../random.ts';
-import { verifyRun } from '../verified-run.ts';
+import { successProbability } from '../robustness/index.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
 import { finish } from './finish.ts';
-import type { Attempt } from './generated.ts';
+import type { Attempt, Rejection } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { closeShortcuts, harden, withoutUnused } from './harden.ts';
 import { type Layout, layOut } from './layout.ts';
 import { addNovae } from './novae.ts';
 import { findRoute } from './route.ts';
 import { ANY, findWays, gradeRun, sceneOf, scoutOnePress, sortByP40 } from './scouting.ts';
-import { tubeOf } from './tube.ts';
+import { forgives, tubeOf } from './tube.ts';
 
 // The cost of the search for a route, ticks, about.
 const ROUTE_EFFORT = 500_000;
 
-// How often a level that is too easy gets more novae.
-const ROUNDS = 8;
+// How often a level is changed towards the wanted grade.
+const ROUNDS = 12;
 
-// The cost of grading, in runs, about.
+// Ticks to find easier runs after each change.
+const EASIER_EFFORT = 300_000;
+
+// Known runs that are kept from round to round.
+const WAYS = 6;
+
+// Runs that are graded.
+const GRADED = 3;
+
+// The cost of grading a run, in runs, about.
 const GRADING = 1000;
 
+const SAMPLES = 150;
+
+// How far success of the kept run stays above the least that is promised, since it is measured again in the end.
+const RESERVE = 0.04;
+
+// The least radius of the black hole, px, and by how much it shrinks at a time.
+const SMALLEST = 12;
+const SHRINK = 2;
+
 /**
- * Makes one attempt at a level that fulfils a spec. The run comes first and the level is built around it:
+ * Makes one attempt at a level that fulfils a spec. A run comes first and the level is built around it:
  *
  * 1. Lay out asteroids at random, and find a run through them that ends where the black hole is then placed ({@link
  *    findRoute}).
  * 2. Add novae outside a tube around the run, which holds the run's slightly mistimed variations as well.
- * 3. Put novae onto easier paths and onto those that random play finds, until the grade is as wanted ({@link harden}).
- * 4. Add minerals, measure the finished level and check everything that is claimed of it ({@link finish}).
+ * 3. Find other runs; the best of all says how hard the level is. While it is too easy, keep the run whose own grade is closest to
+ *    what is wanted, and close what is easier ({@link harden}). Where nothing can be closed, the black hole shrinks.
+ * 4. Remove idle objects, add minerals, measure the finished level and check everything that is claimed of it ({@link finish}).
  *
  * A level that fails any of the promises is discarded.
  */
 export function* attemptLevel(random: Random, spec: GeneratorSpec, description: string): Attempt {
   const empty = layOut(random, spec);
-  if (empty === null) return null;
+  if (empty === null) return 'noRoom';
   const route = findRoute(empty, spec, random);
   yield ROUTE_EFFORT;
-  if (route === null) return null;
-  const intended = route.run;
-  let layout: Layout = withoutUnused(route.layout, intended.holds);
+  if (route === null) return 'noRun';
+  let layout: Layout = withoutUnused(route.layout, route.run.holds);
+  layout = addNovae(layout, spec, tubeOf(sceneOf(layout), route.run.holds, spec.tube, random), spec.novae, random);
 
-  const tube = tubeOf(sceneOf(layout), intended.holds, spec.tube, random);
-  layout = addNovae(layout, spec, tube, spec.novae, random);
+  let known: readonly Candidate[] = [route.run];
+  let reason: Rejection = 'tooEasy';
   for (let round = 0; round < ROUNDS; round++) {
-    layout = closeShortcuts(layout, spec, tube, intended, random);
     const scene = sceneOf(layout);
-    const found = yield* findWays(scene, ANY, random.next());
-    const ways = sortByP40(scene, [...found, ...(verifyRun(scene, intended.holds) === null ? [] : [intended])]);
-    if (ways.length === 0) return null;
-    const grade = gradeRun(scene, ways[0], random.next());
-    yield GRADING * ways[0].tick;
-    if (grade.value > spec.grade[1]) return null;
-    const presses = scoutOnePress(scene, ways[0]);
-    if (grade.value >= spec.grade[0] && presses.count <= spec.onePress * presses.tried) {
-      const generated = yield* finish(layout, spec, ways, random, description);
-      if (generated !== null) return generated;
+    const still = known.filter(({ holds }) => verifyRun(scene, holds) !== null);
+    const found = yield* findWays(scene, ANY, random.next(), EASIER_EFFORT);
+    known = sortByP40(scene, different([...still, ...found])).slice(0, WAYS);
+    if (known.length === 0) return 'noRun';
+    const [best] = known;
+    const grades = known.slice(0, GRADED).map((way) => gradeRun(scene, way, 1).value);
+    yield GRADING * GRADED * best.tick;
+    if (grades[0] > spec.grade[1]) return 'tooHard';
+    const presses = scoutOnePress(scene, best);
+    const isHardEnough = grades[0] >= spec.grade[0];
+    if (isHardEnough && presses.count <= spec.onePress * presses.tried) {
+      const generated = yield* finish(layout, spec, known, random, description);
+      if (typeof generated !== 'string') return generated;
+      reason = generated;
+      if (reason !== 'tooEasy') return reason;
     }
-    const harder = harden(layout, spec, intended, ways, random);
-    if (harder === layout) return null;
-    layout = harder;
+    const kept = keptOf(layout, spec, known, grades, random);
+    if (kept === null) return 'unforgiving';
+    const tube = tubeOf(scene, kept.holds, spec.certifiedTicks, random);
+    const closed = closeShortcuts(layout, spec, tube, best, random);
+    const harder = closed === layout ? harden(layout, spec, kept, known, random) : closed;
+    const next = harder === layout ? shrunk(layout) : harder;
+    if (next === null) return reason;
+    layout = next;
   }
-  return null;
+  return reason;
+}
+
+/** The run to keep open: of those that forgive enough, the one whose grade is closest to the lower half of the wanted ones. */
+function keptOf(
+  layout: Layout,
+  spec: GeneratorSpec,
+  ways: readonly Candidate[],
+  grades: readonly number[],
+  random: Random,
+): Candidate | null {
+  const scene = sceneOf(layout);
+  const wanted = (spec.grade[0] + Math.min(spec.grade[1], spec.grade[0] + 2)) / 2;
+  let kept: Candidate | null = null;
+  let least = Number.POSITIVE_INFINITY;
+  for (const [i, grade] of grades.entries()) {
+    const off = Math.abs(grade - wanted);
+    if (off >= least) continue;
+    const { p } = successProbability(scene, ways[i].holds, ANY, 40, { samples: SAMPLES, seed: 1 });
+    if (p < spec.p40 + RESERVE || !forgives(scene, ways[i].holds, spec.certifiedTicks, random)) continue;
+    kept = ways[i];
+    least = off;
+  }
+  return kept;
+}
+
+/** The layout with a smaller black hole; null when it is small already. */
+function shrunk(layout: Layout): Layout | null {
+  const radius = layout.blackHole.radius - SHRINK;
+  return radius < SMALLEST ? null : { ...layout, blackHole: { ...layout.blackHole, radius } };
+}
+
+/** Runs without those that are the same. */
+function different(runs: readonly Candidate[]): Candidate[] {
+  return [...new Map(runs.map((run) => [run.holds.join(' '), run])).values()];
 }

@@ -3,8 +3,9 @@ import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import { measureRobustness } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
-import type { Attempt } from './generated.ts';
+import type { Attempt, Rejection } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
+import { withoutIdle } from './idle.ts';
 import type { Layout } from './layout.ts';
 import { toLevelFile } from './level-file.ts';
 import { placeMinerals } from './minerals.ts';
@@ -14,48 +15,57 @@ import { wayOf } from './tube.ts';
 
 const MINERALS = 3;
 
+// Ticks to find a run that collects all minerals.
+const COLLECTING = 800_000;
+
 // The cost of the measurements, in runs, about.
 const MEASURING = 8000;
 
-/** Places the minerals, finds a run that collects them all, and checks everything that is claimed. */
+/** Removes idle objects, measures the level, places the minerals, and checks everything that is claimed. */
 export function* finish(
-  layout: Layout,
+  hardened: Layout,
   spec: GeneratorSpec,
   ways: readonly Candidate[],
   random: Random,
   description: string,
 ): Attempt {
   const [solution] = ways;
+  const { layout, ticks } = withoutIdle(hardened, ways.slice(0, 3), random.next());
+  yield ticks;
   const bare = sceneOf(layout);
   const precise = compile(bare.level);
+  if (verifyRun(bare, solution.holds) === null || verifyRun(precise, solution.holds) === null) return 'unforgiving';
+  const grade = gradeRun(precise, solution, 1);
+  if (grade.value < spec.grade[0]) return 'tooEasy';
+  if (grade.value > spec.grade[1]) return 'tooHard';
   const arcade = measureRobustness(bare, solution.holds, ANY, { seed: 1 });
   const robustness = measureRobustness(precise, solution.holds, ANY, { seed: 1 });
-  const grade = gradeRun(precise, solution, 1);
   yield MEASURING * solution.tick;
-  if (grade.value < spec.grade[0] || grade.value > spec.grade[1]) return null;
   for (const { certifiedTicks, p40 } of [robustness, arcade]) {
-    if (certifiedTicks < spec.certifiedTicks || p40.p < spec.p40) return null;
+    if (certifiedTicks < spec.certifiedTicks || p40.p < spec.p40) return 'unforgiving';
   }
 
   // Put the minerals on several paths first, so that they have to be looked for. If no run collects them all, put them on the
   // path to the black hole.
   const several = Array.from({ length: MINERALS }, (_, i) => wayOf(bare, ways[i % ways.length].holds));
   const along = Array.from({ length: MINERALS }, () => wayOf(bare, solution.holds));
-  for (const mineralWays of ways.length > 1 ? [several, along] : [along]) {
+  let reason: Rejection = 'noMinerals';
+  for (const mineralWays of ways.length > 1 ? [several, along, along] : [along, along]) {
     const full = placeMinerals(layout, spec, mineralWays, random);
     if (full.minerals.length < MINERALS) continue;
-    const collecting = yield* findWays(sceneOf(full), ALL, random.next());
     const onTheWay = verifyRun(sceneOf(full), solution.holds, ALL);
-    const all = collecting[0] ?? onTheWay;
-    if (all === undefined || all === null) continue;
+    const collecting = onTheWay === null ? yield* findWays(sceneOf(full), ALL, random.next(), COLLECTING, [solution]) : [];
+    const all = onTheWay ?? collecting[0];
+    if (all === undefined) continue;
     const runs = [
       { name: 'solution', holds: solution.holds },
       { name: 'all-minerals', holds: all.holds },
     ];
     const level = toLevelFile(full, nameLevel(random), description, runs);
     if (holdsUp(level)) return { level, holds: solution.holds, robustness, arcade, grade };
+    reason = 'warnings';
   }
-  return null;
+  return reason;
 }
 
 /** Whether both runs of a finished file do what their names say at `precise` and `arcade`, and no warnings are left. */
@@ -68,5 +78,6 @@ function holdsUp(file: LevelFile): boolean {
     if (verifyRun(scene, solution.holds) === null || verifyRun(scene, all.holds, ALL) === null) return false;
   }
   const scene = compile(level);
-  return findWarnings(level, [simulate(scene, solution.holds), simulate(scene, all.holds)]).length === 0;
+  const warnings = findWarnings(level, [simulate(scene, solution.holds), simulate(scene, all.holds)]);
+  return warnings.length === 0;
 }

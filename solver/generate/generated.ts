@@ -17,7 +17,14 @@ export interface Generated {
 }
 
 /**
- * An attempt at a level. It yields the ticks simulated since the last time, and returns a level, or null when the attempt
- * failed.
+ * Why an attempt was given up: the asteroids did not fit; no run was good enough to build a level around; the level is too easy
+ * and nothing makes it harder; it is too hard; its best run forgives too little; no minerals were found that one run collects; a
+ * warning is left.
  */
-export type Attempt = Generator<number, Generated | null>;
+export type Rejection = (typeof REJECTIONS)[number];
+
+/** Every reason, in the order in which attempts meet them. */
+export const REJECTIONS = ['noRoom', 'noRun', 'tooEasy', 'tooHard', 'unforgiving', 'noMinerals', 'warnings'] as const;
+
+/** An attempt at a level. It yields the ticks simulated since the last time, and returns a level, or why it failed. */
+export type Attempt = Generator<number, Generated | Rejection>;

@@ -1,6 +1,6 @@
 import { createRandom } from '../random.ts';
 import { attemptLevel } from './attempt.ts';
-import type { Attempt, Generated } from './generated.ts';
+import { type Attempt, type Generated, REJECTIONS, type Rejection } from './generated.ts';
 import { type GeneratorOptions, specOf } from './generator-spec.ts';
 
 /** Generates one level. The caller decides how long it works. */
@@ -11,6 +11,8 @@ export interface LevelGenerator {
     readonly attempts: number;
     /** Ticks simulated, plus 1000 for each attempt. */
     readonly ticks: number;
+    /** How many were given up for each reason. */
+    readonly rejected: Readonly<Record<Rejection, number>>;
   };
   /** The level; null until one fulfils everything that was asked for. */
   readonly result: Generated | null;
@@ -46,11 +48,12 @@ export function createGenerator(options: GeneratorOptions): LevelGenerator {
   const description = `Generated from seed ${options.seed}.`;
   let attempts = 0;
   let ticks = 0;
+  const rejected = Object.fromEntries(REJECTIONS.map((reason) => [reason, 0])) as Record<Rejection, number>;
   let result: Generated | null = null;
   let attempt: Attempt | null = null;
   return {
     get effort() {
-      return { attempts, ticks };
+      return { attempts, ticks, rejected: { ...rejected } };
     },
     get result() {
       return result;
@@ -68,7 +71,8 @@ export function createGenerator(options: GeneratorOptions): LevelGenerator {
           ticks += step.value;
           continue;
         }
-        result = step.value;
+        if (typeof step.value === 'string') rejected[step.value]++;
+        else result = step.value;
         attempt = null;
       }
     },

@@ -1,4 +1,4 @@
-export type { Generated } from './generated.ts';
+export type { Generated, Rejection } from './generated.ts';
 export { createGenerator, type LevelGenerator } from './generator.ts';
 export {
   type GeneratorOptions,
@@ -8,3 +8,4 @@ export {
   type WantedDifficulty,
   type WantedSize,
 } from './generator-spec.ts';
+export { type Variety, varietyOf } from './variety.ts';

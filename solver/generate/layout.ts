@@ -22,8 +22,11 @@ export interface Layout {
 /** px between two objects; closer ones look like one. */
 export const GAP = 12;
 
-/** px between any object and the edge of the level. */
+/** px between any object but a nova and the edge of the level: room for her to pass. */
 const MARGIN = 50;
+
+/** px between a nova and the edge of the level, at least: a nova may close the way along the edge. */
+export const NOVA_MARGIN = 22;
 
 /** px around the start that stay free, at least, and px around her box: nobody should die before the first press. */
 const START_FREE = 75;
@@ -50,15 +53,15 @@ export function bodiesOf({ blackHole, asteroids, repulsors, aliens, novae, place
 }
 
 /** Whether a disc lies within the margins and keeps its distance from all other objects and from the start. */
-export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP): boolean {
-  if (!isClear(layout, spec, disc)) return false;
+export function fits(layout: Layout, spec: GeneratorSpec, disc: Disc, gap = GAP, margin = MARGIN): boolean {
+  if (!isClear(layout, spec, disc, margin)) return false;
   return bodiesOf(layout).every((other) => distance(other, disc) >= other.radius + disc.radius + gap);
 }
 
 /** Whether a disc lies within the margins and keeps its distance from the start. */
-function isClear(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc): boolean {
-  if (x < MARGIN + radius || y < MARGIN + radius) return false;
-  if (x > spec.width - MARGIN - radius || y > spec.height - MARGIN - radius) return false;
+function isClear(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc, margin = MARGIN): boolean {
+  if (x < margin + radius || y < margin + radius) return false;
+  if (x > spec.width - margin - radius || y > spec.height - margin - radius) return false;
   const free = Math.max(START_FREE, boxOf(rulesOf(layout)).halfDiagonal + BOX_FREE);
   return distance({ x, y }, layout.start) >= free + radius;
 }

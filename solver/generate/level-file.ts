@@ -4,6 +4,9 @@ import type { Layout } from './layout.ts';
 const circle = ({ x, y, radius }: Disc) => ({ x, y, radius });
 const place = ({ x, y }: Disc) => ({ x, y });
 
+/** The format's default, px. */
+const USUAL_BLACK_HOLE = 18;
+
 /** Converts a layout into a level file. Empty lists are left out, and so are radii that are the format's defaults. */
 export function toLevelFile(
   layout: Layout,
@@ -17,7 +20,7 @@ export function toLevelFile(
     name,
     description,
     astronaut: { x: start.x, y: start.y, ...((start.vx !== 0 || start.vy !== 0) && { vx: start.vx, vy: start.vy }) },
-    blackHole: place(blackHole),
+    blackHole: { ...place(blackHole), ...(blackHole.radius !== USUAL_BLACK_HOLE && { radius: blackHole.radius }) },
     ...(recoil && { recoil }),
     ...(Object.keys(rules).length > 0 && { rules }),
     asteroids: asteroids.map(({ hot, ...rest }) => ({ ...circle(rest), ...(hot && { hot }) })),

@@ -5,7 +5,7 @@ import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
 import type { Candidate } from '../verified-run.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
-import { fits, type Layout } from './layout.ts';
+import { fits, type Layout, NOVA_MARGIN } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { distanceToWays, forgives, type Way } from './tube.ts';
 
@@ -40,7 +40,7 @@ export function narrowWay(layout: Layout, spec: GeneratorSpec, run: Candidate, w
     const at = way[random.below(way.length)];
     const nova = { x: Math.round(at.x) + offset(), y: Math.round(at.y) + offset(), radius: RADIUS };
     const away = distanceToWays([way], nova);
-    if (away < least || away > least + NEAR || !fits(layout, spec, nova)) continue;
+    if (away < least || away > least + NEAR || !fits(layout, spec, nova, undefined, NOVA_MARGIN)) continue;
     const grown = { ...layout, novae: [...layout.novae, nova] };
     const p = p40(grown);
     if (p < now - 0.01 && p >= spec.p40 + RESERVE) narrowed.push({ layout: grown, p });

@@ -2,7 +2,7 @@ import { boxOf } from '../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
-import { fits, type Layout, tryOften } from './layout.ts';
+import { fits, type Layout, NOVA_MARGIN, tryOften } from './layout.ts';
 import { distanceToWays, type Way } from './tube.ts';
 
 const RADII = [16, 32] as const;
@@ -60,7 +60,7 @@ export function blockWay(
 }
 
 function freeNova(layout: Layout, spec: GeneratorSpec, free: readonly Way[], nova: Disc): Disc | null {
-  if (!fits(layout, spec, nova)) return null;
+  if (!fits(layout, spec, nova, undefined, NOVA_MARGIN)) return null;
   return distanceToWays(free, nova) >= nova.radius + boxOf(rulesOf(layout)).halfDiagonal + spec.room ? nova : null;
 }
 

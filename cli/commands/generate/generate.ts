@@ -7,6 +7,7 @@ import {
   INGREDIENTS,
   type Ingredient,
   USUAL_INGREDIENTS,
+  varietyOf,
   type WantedDifficulty,
   type WantedSize,
 } from '../../../solver/index.ts';
@@ -98,22 +99,27 @@ async function generate(options: Options): Promise<CommandResult> {
     return { options, effort };
   });
   const done: GenerateReport['levels'][number][] = [];
+  const made: MadeLevel[] = [];
   const progress = createProgress('generated', count);
   try {
-    await makeLevels(tasks, jobs, async (n, made) => {
+    await makeLevels(tasks, jobs, async (n, one) => {
       progress.update(n);
+      made.push(one);
       // written at once, so that finished levels stay even if the command is interrupted
-      await uncut(() => void done.push(keep(out, made)));
+      await uncut(() => void done.push(keep(out, one)));
     });
   } finally {
     progress.clear();
   }
   done.sort((a, b) => a.seed - b.seed);
+  made.sort((a, b) => a.seed - b.seed);
   const report: GenerateReport = {
     version: 1,
     asked: count,
     levels: done,
     rejected: done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
+    reasons: reasonsOf(made),
+    variety: variety(made),
   };
   const output = options.format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
   const taken = done.filter(({ status }) => status === 'in the way');
@@ -125,6 +131,21 @@ async function generate(options: Options): Promise<CommandResult> {
     .join('');
   const exitCode = taken.length > 0 ? 2 : done.some(({ status }) => status === 'nothing') ? 1 : 0;
   return { output, messages, exitCode };
+}
+
+/** How many layouts were thrown away for each reason, all levels together. */
+function reasonsOf(made: readonly MadeLevel[]): GenerateReport['reasons'] {
+  const sum: Record<string, number> = {};
+  for (const { rejected } of made) for (const [reason, n] of Object.entries(rejected)) sum[reason] = (sum[reason] ?? 0) + n;
+  return sum;
+}
+
+function variety(made: readonly MadeLevel[]): GenerateReport['variety'] {
+  const levels = made.flatMap(({ seed, made: one }) => (one === null ? [] : [{ seed, file: one.level }]));
+  const found = varietyOf(levels.map(({ file }) => file));
+  if (found === null) return null;
+  const { distance, first, second } = found.closest;
+  return { mean: found.mean, closest: { distance, seeds: [levels[first].seed, levels[second].seed] } };
 }
 
 function keep(out: string, { seed, made, length, attempts, ticks }: MadeLevel): GenerateReport['levels'][number] {

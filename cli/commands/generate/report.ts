@@ -1,5 +1,6 @@
 import { plural } from '../../../check/words/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
+import type { Rejection } from '../../../solver/index.ts';
 import type { Colors } from '../../colors.ts';
 import { alignColumns, percent } from '../../report-parts/index.ts';
 import { visibleLine } from '../../visible.ts';
@@ -8,7 +9,7 @@ import { visibleLine } from '../../visible.ts';
 export const generateJson = (report: GenerateReport): string => `${JSON.stringify(report)}\n`;
 
 /** The results of `generate` for people. */
-export function generatePretty({ levels, rejected }: GenerateReport, colors: Colors): string {
+export function generatePretty({ levels, rejected, reasons, variety }: GenerateReport, colors: Colors): string {
   const rows = levels.map(({ file, seed, status, grade, p40, certifiedTicks, length, presses, attempts }) => [
     status,
     file === null ? `seed ${seed}` : visibleLine(file),
@@ -25,7 +26,24 @@ export function generatePretty({ levels, rejected }: GenerateReport, colors: Col
     return `${paint(status)(status)}${line.slice(status.length)}\n`;
   });
   const written = levels.filter(({ status }) => status === 'written').length;
-  const thrown =
-    rejected === 0 ? '' : `; ${plural(rejected, 'layout')} rejected: not completable, not robust, too easy or too hard`;
-  return `${lines.join('')}${plural(written, 'level')} written${thrown}\n`;
+  const parts = Object.entries(WORDS).flatMap(([reason, words]) =>
+    (reasons[reason] ?? 0) > 0 ? [`${reasons[reason]} ${words}`] : [],
+  );
+  const thrown = parts.length === 0 ? '' : `; ${plural(rejected, 'layout')} rejected: ${parts.join(', ')}`;
+  const differ =
+    variety === null
+      ? ''
+      : `variety ${variety.mean.toFixed(2)} (0 alike, 1 nothing in common); the most similar are seeds ${variety.closest.seeds.join(' and ')}, ${variety.closest.distance.toFixed(2)} apart\n`;
+  return `${lines.join('')}${plural(written, 'level')} written${thrown}\n${differ}`;
 }
+
+/** Why layouts are rejected, in words. */
+const WORDS: Readonly<Record<Rejection, string>> = {
+  noRoom: 'without room for the asteroids',
+  noRun: 'without a run to build around',
+  tooEasy: 'too easy',
+  tooHard: 'too hard',
+  unforgiving: 'not robust',
+  noMinerals: 'whose minerals no run collects',
+  warnings: 'with warnings',
+};

@@ -1,0 +1,100 @@
+import { compile, createSimulation, playScript, type Scene, type Simulation } from '../../engine/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
+import { playGameAtRandom } from '../difficulty/index.ts';
+import { createRandom, type Random } from '../random.ts';
+import { type Candidate, cutHolds } from '../verified-run.ts';
+import type { Layout } from './layout.ts';
+import { toLevel } from './level-file.ts';
+import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
+
+// Games from the start, and games that leave each known run at a random tick.
+const GAMES = 300;
+const STRAYS = 200;
+
+// Games are watched for so long, ticks: 25 s, longer than most runs.
+const WATCHED = 1500;
+
+/** A game as played, and how it ended. */
+interface Game {
+  readonly holds: readonly Hold[];
+  readonly ending: string;
+}
+
+/**
+ * Plays games that a level is judged by: at random from the start, and along each of the given runs up to a random tick and at
+ * random from there. The known runs come first.
+ */
+function playGames(scene: Scene, runs: readonly Candidate[], random: Random): Game[] {
+  const simulation = createSimulation(scene);
+  const scripts: (readonly Hold[])[] = runs.map(({ holds }) => holds);
+  for (let i = 0; i < GAMES; i++) scripts.push(playGameAtRandom(simulation, random, WATCHED));
+  for (const run of runs) {
+    for (let i = 0; i < STRAYS; i++) {
+      const leave = random.below(run.tick);
+      const tail = randomTail(leave, random);
+      scripts.push([...cutHolds(run.holds, leave - 1), ...tail]);
+    }
+  }
+  return scripts.map((holds) => ({ holds, ending: endingOf(simulation, holds) }));
+}
+
+function randomTail(from: number, random: Random): Hold[] {
+  const tail: Hold[] = [];
+  for (let tick = from + 1 + random.below(60); tick < from + 1200; tick += 1 + random.below(120)) {
+    const press = tick;
+    tick += 1 + random.below(120);
+    tail.push([press, tick]);
+  }
+  return tail;
+}
+
+/** How a script ends, in which tick, and with how many minerals. */
+function endingOf(simulation: Simulation, holds: readonly Hold[]): string {
+  simulation.reset();
+  playScript(simulation, holds, WATCHED);
+  const { ending } = simulation;
+  return `${ending?.outcome ?? 'timeout'} ${ending?.tick ?? 0} ${simulation.mineralCount}`;
+}
+
+type List = 'aliens' | 'repulsors' | 'novae' | 'asteroids' | PlacedList;
+
+/** Every object that may be idle: the list that it is in, and its place there. */
+function objectsOf(layout: Layout): { list: List; place: unknown }[] {
+  const own = (['aliens', 'repulsors', 'novae', 'asteroids'] as const).flatMap((list) =>
+    layout[list].map((place) => ({ list, place })),
+  );
+  return [...own, ...PLACED_KINDS.flatMap(({ list }) => layout.placed[list].map((place) => ({ list, place })))];
+}
+
+/** The layout without one object. */
+function without(layout: Layout, list: List, object: unknown): Layout {
+  if (list === 'winds' || list === 'wormholes') {
+    return { ...layout, placed: { ...layout.placed, [list]: layout.placed[list].filter((other) => other !== object) } };
+  }
+  return { ...layout, [list]: (layout[list] as readonly unknown[]).filter((other) => other !== object) };
+}
+
+/**
+ * Removes idle objects: those without which every game ends as before, in the same tick. The games are the known runs and some
+ * hundred random ones ({@link playGames}). So what is removed neither helps a run nor kills in any of them.
+ * @returns the leaner layout, and the ticks simulated
+ */
+export function withoutIdle(layout: Layout, runs: readonly Candidate[], seed: number): { layout: Layout; ticks: number } {
+  const games = playGames(sceneFor(layout), runs, createRandom(seed));
+  let ticks = games.length * 500;
+  let lean = layout;
+  for (const { list, place } of objectsOf(layout)) {
+    const candidate = without(lean, list, place);
+    if (candidate.asteroids.length === 0) continue;
+    const simulation = createSimulation(sceneFor(candidate));
+    const isIdle = games.every(({ holds, ending }) => {
+      const same = endingOf(simulation, holds) === ending;
+      ticks += simulation.tick;
+      return same;
+    });
+    if (isIdle) lean = candidate;
+  }
+  return { layout: lean, ticks };
+}
+
+const sceneFor = (layout: Layout): Scene => compile(toLevel(layout), 'arcade');
