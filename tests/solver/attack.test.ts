@@ -40,6 +40,7 @@ const ACCURACIES: Readonly<Record<Prover, readonly AccuracyName[]>> = {
   'dead-end': ['precise'],
   doomed: isHunt ? ALL_ACCURACIES : ['arcade', 'fast'],
   flowpipe: isHunt ? CONTINUOUS : ['standard'],
+  orbits: ['precise'],
 };
 
 describe.each(ALL_PROVERS)('false claims: %s', (prover) => {

@@ -118,6 +118,7 @@ const MAKERS: Readonly<Record<Prover, (dice: Dice) => Level>> = {
   },
   doomed: (d) => (d.chance(0.8) ? wall(d) : moving(d, false)),
   flowpipe: (d) => moving(d, true),
+  orbits: (d) => moving(d, false),
   covered: (d) => ({
     ...EMPTY,
     asteroids: [rock(d.between(60, 160), 0, 16), rock(d.between(-100, 200), d.between(80, 200), 16)],
