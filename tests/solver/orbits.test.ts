@@ -182,7 +182,14 @@ describe('a proof', () => {
     const proof = proveBy('orbits', LEVELS.orbits, HOLE);
     if (proof === null) throw new Error('expected a proof');
     const squares = proofPicture(LEVELS.orbits, proof).lines.filter(({ role }) => role === 'reach');
-    for (const plan of [[[600, true]], [[600, false]], [[90, false], [600, true]]] as const) {
+    for (const plan of [
+      [[600, true]],
+      [[600, false]],
+      [
+        [90, false],
+        [600, true],
+      ],
+    ] as const) {
       for (const { x, y } of statesOf(LEVELS.orbits, plan)) {
         const isMarked = squares.some(({ points: [a, , b] }) => a.x <= x && x <= b.x && a.y <= y && y <= b.y);
         expect(isMarked).toBe(true);
@@ -191,7 +198,10 @@ describe('a proof', () => {
   });
 
   it('is not found where a run completes the level, on any grid', () => {
-    const states = statesOf(LEVELS.orbits, [[200, true], [100, false]]);
+    const states = statesOf(LEVELS.orbits, [
+      [200, true],
+      [100, false],
+    ]);
     const { x, y } = states[states.length - 30];
     const of = { ...LEVELS.orbits, blackHole: { x, y, radius: 18 } };
     for (const fineness of [0, 1, 2]) expect(proveBy('orbits', of, HOLE, { fineness })).toBeNull();
