@@ -28,6 +28,7 @@ export const LEVELS: Record<string, Level> = {
   covered: level({ novae: [at(306, 0, 22), at(294, 0, 22)], asteroids: [at(150, 0), at(0, 160)] }),
   doomed: level({ astronaut: { x: 0, y: 0, vx: -60 }, novae: [at(-60, 0, 32), at(-60, 60, 32), at(-60, -60, 32)], recoil: true }),
   flowpipe: level({ astronaut: { x: 0, y: 0, vx: 60 }, aliens: [{ x: 70, y: 5 }] }),
+  orbits: level({ astronaut: { x: 0, y: 0, vy: -80 }, blackHole: { x: 180, y: 60 }, asteroids: [at(120, -140)] }),
 };
 
 /** Further levels for a kind, by what is special about their proof. */

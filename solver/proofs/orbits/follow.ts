@@ -417,34 +417,33 @@ class OrbitFan {
         greatest(this.Y1 - y + D, g0, g1),
       );
     }
-    if (!this.inField) {
-      this.include(0, 0, 0, 0);
-      const { range } = this.setting.level;
-      for (let j = 0; j < rocks.length; j++) {
-        if (j === i || !this.mayBeNearer(i, j) || !((this.mark & (1 << (j & 31))) !== 0 || this.mayCross(i, j, isPolar)))
-          continue;
-        this.foreign = true;
-        this.mark |= 1 << (j & 31);
-        const D = drift[i] + drift[j];
-        const near = this.near(i, rocks[j]) - D;
-        if (near < 1) {
-          this.include(-pull, pull, -pull, pull);
-          continue;
-        }
-        const far = this.far(i, rocks[j]) + D;
-        const g0 = Math.max(0, pull * (1 / far - 1 / range));
-        const g1 = Math.max(0, pull * (1 / near - 1 / range));
-        const rx = rocks[j].x - rocks[i].x;
-        const ry = rocks[j].y - rocks[i].y;
-        const x = rx * this.ca + ry * this.sa;
-        const y = ry * this.ca - rx * this.sa;
-        this.include(
-          least(x - D - this.X1, g0, g1),
-          greatest(x + D - this.X0, g0, g1),
-          least(y - D - this.Y1, g0, g1),
-          greatest(y + D - this.Y0, g0, g1),
-        );
+    if (!this.inField) this.include(0, 0, 0, 0);
+    const { range } = this.setting.level;
+    for (let j = 0; j < rocks.length; j++) {
+      if (j === i || !this.mayBeNearer(i, j) || !((this.mark & (1 << (j & 31))) !== 0 || this.mayCross(i, j, isPolar))) continue;
+      this.foreign = true;
+      this.mark |= 1 << (j & 31);
+      // Inside a field the gun does not act, but the nearest asteroid may change.
+      if (this.inField) continue;
+      const D = drift[i] + drift[j];
+      const near = this.near(i, rocks[j]) - D;
+      if (near < 1) {
+        this.include(-pull, pull, -pull, pull);
+        continue;
       }
+      const far = this.far(i, rocks[j]) + D;
+      const g0 = Math.max(0, pull * (1 / far - 1 / range));
+      const g1 = Math.max(0, pull * (1 / near - 1 / range));
+      const rx = rocks[j].x - rocks[i].x;
+      const ry = rocks[j].y - rocks[i].y;
+      const x = rx * this.ca + ry * this.sa;
+      const y = ry * this.ca - rx * this.sa;
+      this.include(
+        least(x - D - this.X1, g0, g1),
+        greatest(x + D - this.X0, g0, g1),
+        least(y - D - this.Y1, g0, g1),
+        greatest(y + D - this.Y0, g0, g1),
+      );
     }
     for (const wind of this.winds) {
       if (this.near(i, wind) - drift[i] > wind.r + RIM_SLACK) continue;
