@@ -98,6 +98,10 @@ export class OrbitSets {
     const blur = 1e-6 + 1e-6 * (r + Math.sqrt(vx * vx + vy * vy));
     const bounds = [x, y, vx, vy].flatMap((n) => [n - ROUNDING, n + ROUNDING]);
     box.set([...bounds, momentum - blur, momentum + blur]);
+    // What is over at the start is dropped at once, so this is where she could touch anything.
+    this.stepper.places.rectangle(box[0], box[1], box[2], box[3]);
+    const touches = this.whyNotSafe(i, 0);
+    if (touches !== null) return touches;
     this.sorter.into(this.boxes, 0);
     this.sorter.near(i, box);
     this.total = this.boxes.count;
