@@ -74,6 +74,20 @@ export {
 } from './proofs/index.ts';
 export { createRandom, type Random } from './random.ts';
 export {
+  applyChange,
+  type Change,
+  changeEdits,
+  changeSize,
+  createRepair,
+  type LevelEdit,
+  type ObjectRef,
+  type Proposal,
+  type Repair,
+  type RepairOptions,
+  type RunOrigin,
+  type Vector,
+} from './repair/index.ts';
+export {
   BRIEF_CERTIFY_RUNS,
   type Certification,
   type CertifyOptions,
