@@ -1,4 +1,5 @@
 import { Check, Eye, Square, Undo2, Wrench } from 'lucide-react';
+import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { proposalInWords, proposalRunInWords, SIZE_MEANS } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
@@ -67,6 +68,11 @@ export function FixReport() {
   const { phase, fixing, level, message, isOld } = state;
   const isSeeking = phase === 'seeking';
   const text = standing(state);
+  const end = useRef<HTMLDivElement>(null);
+  // the command in the palette starts it while it may be out of sight
+  useEffect(() => {
+    if (isSeeking) end.current?.scrollIntoView({ block: 'nearest' });
+  }, [isSeeking]);
   return (
     <Section
       title="Fix"
@@ -105,6 +111,7 @@ export function FixReport() {
           {fixing !== null && !isOld && ` ${about(fixing.effort.runs)} simulations.`}
         </p>
       )}
+      <div ref={end} />
       {fixing === null && phase === 'idle' && (
         <p className="part__note">The smallest changes that make the level completable, each shown before you take it.</p>
       )}
