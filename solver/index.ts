@@ -104,7 +104,24 @@ export {
   successInSteps,
   successProbability,
 } from './robustness/index.ts';
-export { type Closest, createSearch, type Effort, type Explored, type Search, type SearchOptions } from './search/index.ts';
+export {
+  type Closest,
+  createSearch,
+  type Effort,
+  type Explored,
+  type Moment,
+  type Search,
+  type SearchOptions,
+} from './search/index.ts';
+export {
+  createSoftlockSurvey,
+  LIVES_ON,
+  type LostPlace,
+  type SoftlockSurvey,
+  type Standing,
+  type SurveyedState,
+  type SurveyOptions,
+} from './softlock/index.ts';
 export { createSolver, mergeSolutions, type Objective, type Solution, type SolveOptions, type Solver } from './solve/index.ts';
 export type { Steps } from './steps.ts';
 export { type Candidate, createReplay, cutHolds, DEFAULT_MAX_TICKS, type Replay, verifyRun } from './verified-run.ts';

@@ -19,6 +19,7 @@ export type {
   PipeStep,
   Proof,
   ProofCode,
+  Prover,
   Strip,
   ThingRef,
 } from './proof.ts';

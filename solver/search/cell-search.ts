@@ -1,7 +1,16 @@
-import { createSimulation, type Scene, type Simulation, STATE_SIZE, TICK_RATE } from '../../engine/index.ts';
+import {
+  createSimulation,
+  joinHolds,
+  playScript,
+  type Scene,
+  type Simulation,
+  STATE_SIZE,
+  TICK_RATE,
+} from '../../engine/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
-import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
+import { type Candidate, createReplay, cutHolds, DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { Approach } from './approach.ts';
 import { CellKey } from './cell-key.ts';
 import { CellTable } from './cell-table.ts';
@@ -11,7 +20,7 @@ import { MineralSet } from './mineral-set.ts';
 import { NodeList } from './node-list.ts';
 import { OpenList } from './open-list.ts';
 import { Reports } from './reports.ts';
-import type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';
+import type { Closest, Effort, Explored, Moment, Search, SearchOptions } from './search.ts';
 import { SnapshotPool } from './snapshot-pool.ts';
 
 // What has been tried from a node.
@@ -97,7 +106,9 @@ class CellSearch implements Search {
   private readonly toPress = new OpenList();
   private readonly toCoast = new OpenList();
   private readonly toCoastFirst: number[] = [];
-  private nodes = new NodeList();
+  private readonly lead: readonly Hold[];
+  private nodes: NodeList;
+  private last = 0;
   private runs = 0;
   private ticks = 0;
   private asked = 0;
@@ -114,6 +125,10 @@ class CellSearch implements Search {
     this.maxTicks = options.maxTicks ?? DEFAULT_MAX_TICKS;
     this.reports = new Reports(createReplay(scene, goal, this.maxTicks));
     this.random = createRandom(options.seed ?? 0);
+    const { holds, tick } = options.after ?? { holds: [], tick: 0 };
+    this.lead = tick === 0 ? [] : cutHolds(joinHolds(holds), tick - 1);
+    this.nodes = new NodeList(this.lead);
+    playScript(this.simulation, this.lead, tick);
     this.start = this.simulation.snapshot();
     this.scratch = this.simulation.snapshot();
     this.pool = new SnapshotPool(this.start.length);
@@ -146,6 +161,19 @@ class CellSearch implements Search {
     return this.nodes.count === 0;
   }
 
+  get latest(): number {
+    return this.last;
+  }
+
+  moments(count: number): Moment[] {
+    const { nodes } = this;
+    const step = Math.max(1, nodes.count / count);
+    return Array.from({ length: Math.min(count, nodes.count) }, (_, i): Moment => {
+      const node = Math.floor(i * step);
+      return { holds: nodes.holdsTo(node, nodes.tick[node], false), tick: nodes.tick[node] };
+    });
+  }
+
   advance(ticks: number): number {
     const before = this.reports.solutions.length;
     this.asked += ticks;
@@ -156,7 +184,7 @@ class CellSearch implements Search {
   private restart(): void {
     this.approach.closest(this.nodes);
     this.cells.clear();
-    this.nodes = new NodeList();
+    this.nodes = new NodeList(this.lead);
     this.toPress.clear();
     this.toCoast.clear();
     this.toCoastFirst.length = 0;
@@ -165,7 +193,8 @@ class CellSearch implements Search {
     this.simulation.restore(this.start);
     this.minerals.read(this.simulation);
     this.simulation.readState(this.state);
-    if (this.needed > this.scene.minerals.count) return;
+    if (this.needed > this.scene.minerals.count || this.simulation.ending !== null) return;
+    this.last = Math.max(this.last, this.simulation.tick);
     this.findCell();
     // Try first what happens without any press.
     this.toCoastFirst.push(this.store(-1, false, this.visit()));
@@ -230,6 +259,7 @@ class CellSearch implements Search {
       const square = this.visit();
       this.approach.look(state, last, simulation.tick, held);
       const { ending } = simulation;
+      this.last = Math.max(this.last, ending?.tick ?? simulation.tick);
       if (ending !== null) {
         if (ending.outcome === 'completed' && minerals.size >= needed) this.report(last, simulation.tick, held);
         return;
