@@ -14,7 +14,10 @@ export type Standing =
   | {
       /** It is proved that no run completes the level from here. */
       readonly is: 'proved';
-      /** The proof, about the level that starts in this state; the separate checker has confirmed it. */
+      /**
+       * The proof, about the level that starts in this state, or in one before it on the way; the separate checker has confirmed
+       * it.
+       */
       readonly proof: Proof;
     }
   | {

@@ -32,8 +32,9 @@ const MOST_ENTRIES = 8;
  */
 export function* surveySteps(task: SurveyTask): Steps<void> {
   yield* gather(task);
-  for (const state of byTick(task)) {
-    yield* task.searchFrom(state, FIRST_SEARCH);
+  for (const state of byTick(task)) yield* task.searchFrom(state, FIRST_SEARCH);
+  // the earliest first: what comes after a state that is proved lost is lost as well
+  for (const state of byTick(task).reverse()) {
     // how she dies within a second does not matter
     if (state.alive >= LIVES_ON) yield* task.prove(state);
   }

@@ -1,5 +1,6 @@
 import { createSimulation, joinHolds, playScript, type Scene, type Simulation, STATE_SIZE } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
+import type { Proof } from '../proofs/index.ts';
 import { createSearch, type Moment } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { createReplay, cutHolds } from '../verified-run.ts';
@@ -60,6 +61,7 @@ export class SurveyTask {
   private readonly simulation: Simulation;
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly completing: (readonly Hold[])[] = [];
+  private readonly proved: (Moment & { readonly proof: Proof })[] = [];
   private readonly entries: Entry[] = [];
   private searches = 0;
 
@@ -175,10 +177,18 @@ export class SurveyTask {
   *prove(state: Examined): Steps<void> {
     if (state.isProofSought || state.standing.is === 'open' || state.standing.is === 'proved') return;
     state.isProofSought = true;
+    const before = this.proved.find(({ holds, tick }) => tick <= state.tick && leadsThrough(state.holds, holds, tick));
+    if (before !== undefined) {
+      state.standing = { is: 'proved', proof: before.proof };
+      return;
+    }
     this.goTo(state);
     const { proof, work } = proveLost(this.simulation, this.maxTicks, state.alive);
     this.ticks += TICKS_A_PIECE * work;
-    if (proof !== null) state.standing = { is: 'proved', proof };
+    if (proof !== null) {
+      state.standing = { is: 'proved', proof };
+      this.proved.push({ holds: state.holds, tick: state.tick, proof });
+    }
     yield null;
   }
 
