@@ -1,4 +1,4 @@
-import { type Level, objectName } from '../../schema/index.ts';
+import { type Level, objectName } from '../../schema/basics/index.ts';
 import type { Change, ObjectRef, Proposal, Vector } from '../../solver/index.ts';
 import { plural } from './plural.ts';
 
@@ -17,7 +17,7 @@ function nameOf(level: Level, { kind, index }: ObjectRef): string {
  * A change of a level as an instruction: `Move nova 3 from (600, 620) to (595.4, 620.1).`
  * @param level the level before the change
  */
-export function changeInWords(level: Level, change: Change): string {
+function changeInWords(level: Level, change: Change): string {
   switch (change.what) {
     case 'move':
       return `Move ${nameOf(level, change.object)} from ${vector(change.from)} to ${vector(change.to)}.`;

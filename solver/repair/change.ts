@@ -19,7 +19,7 @@ export interface Vector {
 /** One change of one thing in a level. `what` tells the kinds apart. */
 export type Change =
   | {
-      /** The object stands somewhere else. Of a wormhole, the first mouth does. */
+      /** The object stands somewhere else. Of two places that it has, the first one changes. */
       readonly what: 'move';
       /** What is moved; the astronaut is her start. */
       readonly object: ObjectRef;
@@ -127,12 +127,12 @@ function pathTo({ kind, index }: ObjectRef): readonly (string | number)[] {
 
 /**
  * Makes a changed copy of a level, or of the content of its file. What a change does not concern is kept.
- * @param document the level, or the content of a level file
+ * @param whole the level, or the content of a level file
  * @param change the change
  * @returns the copy
  */
-export function applyChange<T extends object>(document: T, change: Change): T {
-  return changeEdits(change).reduce<unknown>((value, { path, value: to }) => edited(value, path, to), document) as T;
+export function applyChange<T extends object>(whole: T, change: Change): T {
+  return changeEdits(change).reduce<unknown>((value, { path, value: to }) => edited(value, path, to), whole) as T;
 }
 
 function edited(value: unknown, [key, ...rest]: readonly (string | number)[], to: number | null): unknown {

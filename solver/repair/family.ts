@@ -1,4 +1,4 @@
-import { KINDS, type Level, LIMITS } from '../../schema/basics/index.ts';
+import { KINDS, type Level, LIMITS, LISTED_KINDS, type ObjectKind, objectsIn } from '../../schema/basics/index.ts';
 import { type Change, type ObjectRef, objectAt, type Vector } from './change.ts';
 
 /** Changes of one thing that differ in direction and size only. */
@@ -109,12 +109,10 @@ export function hasRadius(level: Level, { kind, index }: ObjectRef): boolean {
 }
 
 /** The objects that pull, push or carry her: where they stand decides how she flies. */
-export const movers = (level: Level): ObjectRef[] => [
-  ...refs('asteroid', level.asteroids),
-  ...refs('repulsor', level.repulsors),
-  ...refs('wind', level.winds),
-  ...refs('wormhole', level.wormholes),
-];
+export const movers = (level: Level): ObjectRef[] =>
+  LISTED_KINDS.filter((kind) => !MOVE_NOTHING.includes(kind)).flatMap((kind) => refs(kind, objectsIn(level, kind)));
+
+const MOVE_NOTHING: readonly ObjectKind[] = ['nova', 'alien', 'mineral'];
 
 /** The objects that end a run when she touches them. */
 export const hazards = (level: Level): ObjectRef[] => [

@@ -1,5 +1,5 @@
 import { type AccuracyName, isAccuracyName, type Simulation, STATE_SIZE, TICK, WorkBudget } from '../../engine/index.ts';
-import { type Level, NO_OBJECTS } from '../../schema/basics/index.ts';
+import { KINDS, type Level, LISTED_KINDS, NO_OBJECTS, objectsIn } from '../../schema/basics/index.ts';
 import { type Proof, type Prover, proveBy } from '../proofs/index.ts';
 import { verifyProof } from '../verify/index.ts';
 
@@ -33,14 +33,14 @@ interface StateLevel {
  * - A level starts upright. Where the state is not, only provers that do not depend on the angle may be used.
  * - Aliens only end runs. Once one may have moved, all are left out: without them she can do no less.
  * - Minerals change no motion, so it does not matter which of them she has.
- * - An asteroid that recoil has moved may move on, and a mouth of a wormhole may have been left a moment ago: then there is no
- *   such level.
+ * - An asteroid that recoil has moved may move on, and she may just have come out of what leads to another place: then there is
+ *   no such level.
  * @returns null when there is none
  */
 export function levelFrom(simulation: Simulation): StateLevel | null {
   const { level, accuracy } = simulation.scene;
   // frames carry the acceleration of the last frame over
-  if (accuracy.integrator === 'arcade' || level.wormholes.length > 0 || hasRecoiled(simulation)) return null;
+  if (accuracy.integrator === 'arcade' || hasTwoPlaces(level) || hasRecoiled(simulation)) return null;
   const state = new Float64Array(STATE_SIZE);
   simulation.readState(state);
   const [x, y, vx, vy, cos, sin] = state;
@@ -50,6 +50,10 @@ export function levelFrom(simulation: Simulation): StateLevel | null {
     isUpright: cos === 1 && sin === 0,
   };
 }
+
+/** Whether something leads from one place to another: she may have come out of it a moment ago. */
+const hasTwoPlaces = (level: Level): boolean =>
+  LISTED_KINDS.some((kind) => KINDS[kind].places.length > 1 && objectsIn(level, kind).length > 0);
 
 function hasRecoiled(simulation: Simulation): boolean {
   const { asteroids, recoil } = simulation.scene.level;
