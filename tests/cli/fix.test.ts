@@ -40,7 +40,7 @@ describe('gq fix', () => {
     expect(proposals.map(({ size }) => size)).toEqual(proposals.map(({ size }) => size).sort((a, b) => a - b));
     const hole = proposals.find(({ kind, object }) => kind === 'move' && object?.kind === 'blackHole');
     expect(hole?.size).toBeCloseTo(26, 0);
-    expect(hole?.run).toMatchObject({ origin: 'own', name: 'hold' });
+    expect(hole?.run.time).toBeGreaterThan(0);
     expect(hole?.edits.every(({ pointer }) => /^\/blackHole\/[xy]$/.test(pointer))).toBe(true);
   });
 
@@ -48,7 +48,7 @@ describe('gq fix', () => {
     const { stdout } = await fix('aside.level.json');
     for (const part of [
       /^Straight through, precise: \w+\n/,
-      /\n1 {2}\S.*\.\n {3}\d+\.\d px; run "hold": completed at/,
+      /\n1 {2}\S.*\.\n {3}\d+\.\d px; .*: completed at/,
       /, seed 0\n$/,
     ])
       expect(stdout).toMatch(part);
