@@ -46,11 +46,7 @@ describe('gq fix', () => {
 
   it('reads for people with verdict, sentence, size and run', async () => {
     const { stdout } = await fix('aside.level.json');
-    for (const part of [
-      /^Straight through, precise: \w+\n/,
-      /\n1 {2}\S.*\.\n {3}\d+\.\d px; .*: completed at/,
-      /, seed 0\n$/,
-    ])
+    for (const part of [/^Straight through, precise: \w+\n/, /\n1 {2}\S.*\.\n {3}\d+\.\d px; .*: completed at/, /, seed 0\n$/])
       expect(stdout).toMatch(part);
   });
 
