@@ -3,6 +3,7 @@ import type { Allowed, Hold } from '../schema/index.ts';
 import type { Closest, Effort, Proof } from '../solver/index.ts';
 import type { AccuracyHang } from './accuracy-hangs.ts';
 import type { LostMineral } from './proofs.ts';
+import type { Softlocks } from './softlocks.ts';
 import type { TightRun } from './tight-runs.ts';
 import { type LevelVerdict, verdictOf } from './verdict.ts';
 import type { RunEnd } from './words/index.ts';
@@ -76,6 +77,8 @@ export interface MoreFindings {
   readonly searched: Searched | null;
   /** Runs with fewer certified ticks than required; empty when nothing was required. */
   readonly tight: readonly TightRun[];
+  /** Where it is already lost although she lives on; null when nothing was looked for. */
+  readonly softlocks: Softlocks | null;
   readonly sought: Sought;
 }
 
@@ -85,6 +88,8 @@ export interface Sought {
   readonly slack: 'low' | 'required' | null;
   /** Whether minerals were to be proved out of reach. */
   readonly minerals: boolean;
+  /** Whether places were looked for at which the level is already lost. */
+  readonly softlocks: boolean;
 }
 
 /** Everything that a check finds out about a level, before it is put into words. */
@@ -96,7 +101,8 @@ export const unproved: MoreFindings = {
   lost: [],
   searched: null,
   tight: [],
-  sought: { slack: null, minerals: false },
+  softlocks: null,
+  sought: { slack: null, minerals: false, softlocks: false },
 };
 
 /**

@@ -17,6 +17,8 @@ export {
 export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
 export { type LostMineral, mineralsToProve, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
+export { repairedFile } from './repair/index.ts';
+export { type Softlocks, softlocksOf } from './softlocks.ts';
 export { completingRuns, tightRuns } from './tight-runs.ts';
 export { type LevelVerdict, onceProved, verdictOf } from './verdict.ts';
 export { withinWork } from './within-work.ts';

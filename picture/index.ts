@@ -15,6 +15,7 @@ import { drawGap } from './gap.ts';
 import { drawGradients } from './gradients.ts';
 import { drawHeat, type Explored, heatSigns } from './heat.ts';
 import type { LegendEntry } from './legend.ts';
+import { drawLost, type Lost, lostSigns } from './lost.ts';
 import { drawObjects } from './objects.ts';
 import { drawProof, type ProofOverlay, proofSigns } from './proof.ts';
 import { drawRanges } from './range.ts';
@@ -49,6 +50,8 @@ export interface RenderOptions {
   readonly explored?: Explored;
   /** Where attempts of players fail, to draw as a heat map. */
   readonly failures?: Failures;
+  /** Where it is already lost although she lives on, to draw as marks. */
+  readonly lost?: Lost;
   /** The same run with its presses and releases shifted, to draw as thin paths. */
   readonly fan?: readonly Run[];
   /** The time of the closest approach to the black hole, s; the distance is drawn there. */
@@ -90,6 +93,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
     ways = [],
     explored,
     failures,
+    lost,
     fan,
     nearest,
     proof,
@@ -110,6 +114,7 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
   if (explored !== undefined) scene.push(drawHeat(view, theme, explored));
   scene.push(drawRanges(view, theme, level), drawObjects(view, theme, level, width));
   if (failures !== undefined) scene.push(drawFailures(view, theme, failures));
+  if (lost !== undefined) scene.push(drawLost(view, theme, lost));
   if (proof !== undefined) scene.push(drawProof(view, theme, proof));
   if (fan !== undefined) scene.push(drawFan(view, theme, fan));
   if (ways.length > 0) {
@@ -142,17 +147,19 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
 }
 
 /** Places that the picture has to contain besides the level's objects. */
-function cornersOf({ explored, failures, proof }: RenderOptions): Point[] {
+function cornersOf({ explored, failures, lost, proof }: RenderOptions): Point[] {
   const cells = (explored?.cells ?? []).map(({ x, y }): Point => [x, y]);
   const lines = (proof?.lines ?? []).flatMap(({ points }) => points.map(({ x, y }): Point => [x, y]));
   const clusters = (failures?.clusters ?? []).map(({ x, y }): Point => [x, y]);
-  return [...cells, ...lines, ...clusters];
+  const states = (lost?.states ?? []).map(({ x, y }): Point => [x, y]);
+  return [...cells, ...lines, ...clusters, ...states];
 }
 
-function signsOf(theme: Theme, { explored, failures, fan, proof }: RenderOptions): LegendEntry[] {
+function signsOf(theme: Theme, { explored, failures, lost, fan, proof }: RenderOptions): LegendEntry[] {
   const signs: LegendEntry[] = [];
   if (explored !== undefined) signs.push(...heatSigns(theme, explored));
   if (failures !== undefined) signs.push(...failureSigns(theme, failures));
+  if (lost !== undefined) signs.push(...lostSigns(theme, lost));
   for (const completes of [true, false]) {
     if (!fan?.some(({ outcome }) => (outcome === 'completed') === completes)) continue;
     signs.push({ label: completes ? 'still completes it' : 'fails', icon: drawFanSign(theme, completes) });

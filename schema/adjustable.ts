@@ -28,6 +28,7 @@ export const ADJUSTMENTS = {
   'no-run-found': FIXED,
   'proved-impossible': FIXED,
   'mineral-never-collectable': FREE,
+  softlock: FREE,
   'low-slack': FREE,
   'slack-below-required': FREE,
   'verdict-hangs-on-accuracy': FREE,

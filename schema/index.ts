@@ -30,6 +30,7 @@ export {
   type OriginalLevel,
   type TitledOriginal,
 } from './export-original.ts';
+export { type FixReport, fixReportSchema } from './fix-report.ts';
 export { enteringFolder, leavingFolder } from './folder-rules.ts';
 export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './forecast-report.ts';
 export { formatLevel } from './format.ts';

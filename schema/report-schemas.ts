@@ -1,5 +1,6 @@
 import * as z from 'zod';
 import { diffReportSchema } from './diff-report.ts';
+import { fixReportSchema } from './fix-report.ts';
 import {
   accuracyReportSchema,
   buildReportSchema,
@@ -26,6 +27,7 @@ export const REPORT_SCHEMAS = {
   check: checkReportSchema,
   simulate: simulateReportSchema,
   solve: z.union([solveReportSchema, solveSetReportSchema]),
+  fix: fixReportSchema,
   difficulty: difficultyReportSchema,
   tune: tuneReportSchema,
   generate: generateReportSchema,

@@ -44,6 +44,41 @@ export type SimulateReport = z.infer<typeof simulateReportSchema>;
 /** A run in reports. */
 export type RunReport = z.infer<typeof runReportSchema>;
 
+const count = z.int().min(0);
+const lostPlace = z.strictObject({
+  x: z.number().describe('px'),
+  y: z.number().describe('px'),
+  tick: count.describe('Since when it is lost there.'),
+  open: count
+    .nullable()
+    .describe('The last tick on the way there at which the black hole could still be reached; null if none is known.'),
+  alive: count.describe('The longest that she was seen alive after it, ticks.'),
+  states: count.describe('How many of the states that were examined lie beyond.'),
+  run: z.string().nullable().describe("The level's own run that leads there; null: a search came there."),
+  holds: z.array(z.tuple([z.int(), z.int()])).describe('They lead there: [press, release) in ticks of 1/60 s.'),
+  known: z.enum(['proved', 'not found']).describe('not found: a search found no run from there, which proves nothing.'),
+  proof: z.strictObject({ code: z.string(), reason: z.string() }).nullable().describe('Of what is proved; else null.'),
+  searched: count.nullable().describe('Ticks of the search that found nothing; null for what is proved.'),
+});
+
+/** The zod schema of where a level is already lost although she lives on, in reports. */
+export const softlockReportSchema = z.strictObject({
+  states: z
+    .strictObject({ examined: count, open: count, proved: count, notFound: count, unknown: count })
+    .describe(
+      'States along runs and of a search: from open ones the black hole can be reached; unknown: the effort did not suffice.',
+    ),
+  lasting: z
+    .strictObject({ proved: count, notFound: count })
+    .describe('Lost states after which she was seen alive for a second and more.'),
+  places: z.array(lostPlace).describe('Where such states begin, the longest life first.'),
+  effort: z.strictObject({ runs: count, ticks: count }),
+  isFinished: z.boolean().describe('Whether all was examined; false: the effort ended it.'),
+});
+
+/** Where a level is already lost although she lives on, in reports. */
+export type SoftlockReport = z.infer<typeof softlockReportSchema>;
+
 const levelReport = z.strictObject({
   file: z.string(),
   name: z.string(),
@@ -58,6 +93,7 @@ const levelReport = z.strictObject({
     })
     .nullable()
     .describe('Where to look at the failure; null if the level does not fail, or the editor can not open its file.'),
+  softlocks: softlockReportSchema.optional().describe('Only with --softlocks, and of a level that a run completes.'),
   ms: z.number().min(0).describe('Wall time.'),
 });
 

@@ -107,6 +107,20 @@ export {
 } from './proofs/index.ts';
 export { createRandom, type Random } from './random.ts';
 export {
+  applyChange,
+  type Change,
+  changeEdits,
+  changeSize,
+  createRepair,
+  type LevelEdit,
+  type ObjectRef,
+  type Proposal,
+  type Repair,
+  type RepairOptions,
+  type RunOrigin,
+  type Vector,
+} from './repair/index.ts';
+export {
   BRIEF_CERTIFY_RUNS,
   type Certification,
   type CertifyOptions,
@@ -123,7 +137,24 @@ export {
   successInSteps,
   successProbability,
 } from './robustness/index.ts';
-export { type Closest, createSearch, type Effort, type Explored, type Search, type SearchOptions } from './search/index.ts';
+export {
+  type Closest,
+  createSearch,
+  type Effort,
+  type Explored,
+  type Moment,
+  type Search,
+  type SearchOptions,
+} from './search/index.ts';
+export {
+  createSoftlockSurvey,
+  LIVES_ON,
+  type LostPlace,
+  type SoftlockSurvey,
+  type Standing,
+  type SurveyedState,
+  type SurveyOptions,
+} from './softlock/index.ts';
 export { createSolver, mergeSolutions, type Objective, type Solution, type SolveOptions, type Solver } from './solve/index.ts';
 export type { Steps } from './steps.ts';
 export { type Candidate, createReplay, cutHolds, DEFAULT_MAX_TICKS, type Replay, verifyRun } from './verified-run.ts';

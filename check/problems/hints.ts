@@ -18,6 +18,8 @@ export interface Hints {
   readonly moreWork: string;
   /** What can be done about a proof: the end of a sentence with its conjunction. */
   readonly seeProof: string;
+  /** Where to see the places at which the level is lost: the end of a sentence with its conjunction, or ''. */
+  readonly seeLost: string;
   /** Words for searches and certificates; absent where there are none. */
   readonly search?: SearchHints;
 }

@@ -5,6 +5,7 @@ import { foundRun, noRun, noRunFound, provedImpossible } from './level-problems.
 import { mineralLost } from './mineral-lost.ts';
 import type { CheckProblem, LevelProblem } from './problem.ts';
 import { failedRun, hangingRun, tightRun } from './run-problems.ts';
+import { softlock } from './softlock.ts';
 import { unusedAllows } from './unused-allow.ts';
 import { accuraciesCut, nearnessCut, runsCut } from './work-limit.ts';
 
@@ -31,6 +32,7 @@ export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
     ...(cuts.accuracies === null ? [] : [accuraciesCut(cuts.accuracies, hints)]),
     ...tight.map((run) => tightRun(run, hints.search?.tightRun ?? '')),
     ...lost.map(mineralLost),
+    ...softlock(findings.softlocks, hints),
     ...(cuts.nearness === null ? [] : [nearnessCut(cuts.nearness, hints)]),
     ...stillToBeWarnedOf(findings),
   ];

@@ -19,6 +19,8 @@ function isSought(code: string, findings: Findings): boolean {
       return sought.slack === 'low';
     case 'slack-below-required':
       return sought.slack === 'required';
+    case 'softlock':
+      return sought.softlocks;
     case 'mineral-never-collectable':
       return sought.minerals;
     case 'run-does-not-complete':

@@ -56,6 +56,15 @@ const MEANINGS = {
     title: 'nobody can collect a mineral',
     why: () => 'It is proved that no run touches this mineral, so nobody can complete this level with all minerals.',
   },
+  softlock: {
+    severity: 'warning',
+    title: 'she can live on for long after all is lost',
+    why: () =>
+      'It is proved that the black hole cannot be reached any more from some place on, whatever the player does. But nothing ends the run ' +
+      'there: she was seen alive for five seconds and more after it. A player does not know, and tries on in vain. Only ' +
+      '`gq check --softlocks` looks for this, because it takes long. States from which a search merely found no run are listed by ' +
+      '`--format json`, and are no problem: that proves nothing.',
+  },
   'low-slack': {
     severity: 'warning',
     title: 'a run forgives no error in its timing',

@@ -10,4 +10,5 @@ export {
   reasonInWords,
 } from './outcome.ts';
 export { plural } from './plural.ts';
+export { proposalInWords, proposalRunInWords, SIZE_MEANS } from './proposal.ts';
 export { VERDICT_MEANS } from './verdict.ts';

@@ -7,6 +7,7 @@ import {
   problemsOf,
   proveGoalImpossible,
   proveMineralsLost,
+  softlocksOf,
   ticksToAgree,
   tightRuns,
   verdictOfFindings,
@@ -23,7 +24,7 @@ import {
   WorkBudget,
 } from '../../engine/index.ts';
 import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
-import type { Proof } from '../../solver/index.ts';
+import { createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { Failure } from '../failure.ts';
 import { type OpenedLevel, placed } from '../level-source.ts';
@@ -37,6 +38,7 @@ import { type KeptLevel, keptLevel } from './level-cache.ts';
 import { withKeys } from './problem-keys.ts';
 import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
 import { type LevelSearch, searchLevel } from './search-level.ts';
+import { softlockReport } from './softlock-report.ts';
 
 /** The report for a file. */
 export interface CheckedFile {
@@ -104,7 +106,10 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
   const runs = examineRuns(level, scripted, { scene, maxTime, maxWork, budget, found: found?.run });
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
+  const isCompleted = completing >= 0 || found !== null;
+  const survey = settings.softlocks !== undefined && isCompleted ? surveyLost(scene, settings.softlocks, found?.holds) : null;
   const findings = findingsOf(runs, {
+    softlocks: survey === null ? null : softlocksOf(survey),
     impossible,
     searched,
     // measuring slack takes long: only on request
@@ -112,6 +117,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     sought: {
       slack: requireSlack === null ? (search === null ? null : 'low') : requireSlack > 0 ? 'required' : null,
       minerals: settings.proveMinerals && isAccuracyName(accuracy.name),
+      softlocks: survey !== null,
     },
     lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
   });
@@ -128,6 +134,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     report,
     mineralCount: level.minerals.length,
     ...(settings.forLock && { rules: level.rules ?? {} }),
+    ...(findings.softlocks !== null && { softlocks: softlockReport(findings.softlocks, level) }),
     ...(level.allow !== undefined && { allow: level.allow }),
     problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text) : [],
     unreadable: false,
@@ -142,6 +149,14 @@ interface PlayedRun {
   readonly name: string | null;
   readonly holds: readonly Hold[];
   readonly run: Run;
+}
+
+/** Examines where the level is already lost. @param found a run that a search found, besides those of the level */
+function surveyLost(scene: Scene, ticks: number, found: readonly Hold[] | undefined): SoftlockSurvey {
+  const own = scene.level.runs.map(({ holds }) => holds);
+  const survey = createSoftlockSurvey(scene, { runs: found === undefined ? own : [...own, found] });
+  while (!survey.finished && survey.effort.ticks < ticks) survey.advance(Math.min(100_000, ticks - survey.effort.ticks));
+  return survey;
 }
 
 const ticksOf = ({ maxTime }: CheckSettings): number => Math.round(maxTime * TICK_RATE);

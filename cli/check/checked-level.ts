@@ -1,5 +1,5 @@
 import type { Accuracy } from '../../engine/index.ts';
-import type { Allowed, Hold, OwnRules, RunReport, Verdict } from '../../schema/index.ts';
+import type { Allowed, Hold, OwnRules, RunReport, SoftlockReport, Verdict } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
@@ -35,6 +35,8 @@ export interface CheckedLevel {
   readonly allow?: Allowed;
   /** How many problems were left out because it allows them. */
   readonly allowed?: number;
+  /** Where it is already lost although she lives on. Only with `softlocks`, and of a level that a run completes. */
+  readonly softlocks?: SoftlockReport;
   readonly problems: readonly ShownProblem[];
   /** Whether the file itself could not be read. */
   readonly unreadable: boolean;
@@ -57,6 +59,8 @@ export interface CheckSettings {
   readonly search: SearchSettings | null;
   /** Ticks by which every press and release of each completing run must be allowed to move; null: no requirement. */
   readonly requireSlack: number | null;
+  /** Ticks that the search for places where the level is already lost may take; absent: there is none. */
+  readonly softlocks?: number;
   /** The largest work for one level, in pieces of motion; by default the engine's limit. */
   readonly maxWork?: number;
   /** The folder's rules; none by default. */

@@ -30,6 +30,11 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
     also: 'The proof takes up to a tenth of a second for each level. So when more than 64 files are checked, it is attempted only with --solve.',
     fix: 'Move the mineral, or what keeps her from it, as the message says.',
   },
+  softlock: {
+    fix:
+      'End the run sooner there, with a hazard or a smaller range, or give her a way back, such as another asteroid. `gq render LEVEL ' +
+      '--softlocks -o lost.svg` draws the places.',
+  },
   'low-slack': {
     fix:
       'Give her more room where `gq difficulty LEVEL --run NAME` shows the smallest window, or use a run that forgives more: `gq solve LEVEL` ' +

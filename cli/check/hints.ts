@@ -8,6 +8,7 @@ export function commandHints(path: string): Hints {
     seeRun: (name) => `; to see how it ends: gq simulate ${path} --run ${JSON.stringify(name)}`,
     seeAccuracies: (name) => `; to compare all accuracies: gq accuracy ${path} --run ${JSON.stringify(name)}`,
     moreWork: ', or allow more work with --max-work; gq explain work-limit says more',
+    seeLost: `; to see where: gq render ${path} --softlocks -o lost.svg`,
     seeProof: `; to see why: gq render ${path} --proof -o proof.svg`,
     search: {
       keepFound: `: gq solve ${path} --write`,

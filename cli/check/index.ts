@@ -7,6 +7,6 @@ export { openLevelCache } from './level-cache.ts';
 export { levelChecker } from './level-checker.ts';
 export { keyOf } from './problem-keys.ts';
 export { crashedLevel, unreadableLevel } from './refused-level.ts';
-export { type AskedOptions, FEW_FILES, refuseLimitsWithoutSearch, settingsFor } from './settings.ts';
+export { type AskedOptions, FEW_FILES, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor } from './settings.ts';
 export { exitCodeFor, exitCodeOf, tooManyWarnings } from './summary.ts';
 export { isGood, type Totals, totalsOf } from './totals.ts';

@@ -9,11 +9,15 @@ import type { CheckSettings } from './checked-level.ts';
  */
 export const FEW_FILES = 64;
 
+/** Ticks that the search for places where a level is already lost takes by default. */
+export const SOFTLOCK_EFFORT = 10_000_000;
+
 /** The options that say what a check asks of each level. */
 export interface AskedOptions extends SearchOptions {
   readonly solve?: true;
   /** false with --no-require-slack */
   readonly requireSlack?: number | false;
+  readonly softlocks?: number | true;
   readonly maxTime: number;
   readonly maxWork: number;
 }
@@ -30,7 +34,7 @@ export function settingsFor(
   { rules, requireSlack }: Pick<Configuration, 'rules' | 'requireSlack'>,
   count: number,
 ): Omit<CheckSettings, 'accuracy' | 'inFull'> {
-  const { solve = false, seed, maxTime, maxWork } = options;
+  const { solve = false, seed, maxTime, maxWork, softlocks } = options;
   return {
     rules,
     maxTime,
@@ -38,6 +42,7 @@ export function settingsFor(
     search: solve ? { limits: limitsOf(options), seed } : null,
     proveMinerals: solve || count <= FEW_FILES,
     requireSlack: slackOf(options.requireSlack, requireSlack),
+    ...(softlocks !== undefined && { softlocks: softlocks === true ? SOFTLOCK_EFFORT : softlocks }),
   };
 }
 

@@ -21,6 +21,11 @@ export const COMMANDS: readonly CommandEntry[] = [
     load: () => import('./solve/index.ts'),
   },
   {
+    name: 'fix',
+    summary: 'find the smallest change that makes a level completable',
+    load: () => import('./fix/index.ts'),
+  },
+  {
     name: 'difficulty',
     summary: 'measure how hard levels are: success under timing noise, slack, shortcuts',
     load: () => import('./difficulty/index.ts'),

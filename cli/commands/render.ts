@@ -6,6 +6,7 @@ import { renderSvg } from '../../picture/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../../solver/index.ts';
 import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
+import { SOFTLOCK_EFFORT } from '../check/index.ts';
 import { type ChosenRun, chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
@@ -23,6 +24,7 @@ import {
   viewFan,
   viewProof,
   viewRun,
+  viewSoftlocks,
   viewSolved,
 } from '../render/index.ts';
 import { expectMinerals, mineralsOption } from '../search-options.ts';
@@ -47,6 +49,7 @@ interface Options extends ConfigOptions, AccuracyOptions {
   readonly closest?: true;
   readonly fan?: number;
   readonly proof?: true;
+  readonly softlocks?: true;
   readonly minerals: Goal['minerals'];
   readonly effort: number;
   readonly seed: number;
@@ -78,10 +81,11 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       wholeNumberOption('a number of ticks', 1, 60),
     )
     .option('--proof', 'draw why nobody can complete the level, or not with as many minerals as --minerals says')
+    .option('--softlocks', "draw where the black hole can't be reached any more although she lives on")
     .addOption(mineralsOption())
     .option(
       '--effort <ticks>',
-      'ticks of 1/60 s to simulate for --solve, --explored and --closest',
+      'ticks of 1/60 s to simulate for --solve, --explored, --closest and --softlocks',
       wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
       DEFAULT_EFFORT,
     )
@@ -103,6 +107,7 @@ Examples:
   $ gq render levels/01-first-pull.level.json -o - --no-run > level.svg
   $ gq render levels/16-firewalk.level.json -o ways.svg --all-runs
   $ gq render levels/16-firewalk.level.json -o fan.svg --fan 3
+  $ gq render levels/16-firewalk.level.json -o lost.svg --softlocks
   $ gq render levels/16-firewalk.level.json -o explored.png --explored --minerals all`,
     )
     .action(async (file: string, options: Options) => {
@@ -128,7 +133,7 @@ async function render(file: string, options: Options, command: Command): Promise
   const renderPng = kind === '.png' ? await loadPngRenderer() : null;
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
-  const view = await viewOf(file, { level: opened.level, ...subject }, options);
+  const view = await viewOf(file, { level: opened.level, ...subject }, options, command);
   if ('exitCode' in view) return view;
   const { remark, ...shown } = view;
   const said = remark === undefined ? '' : `${visibleLine(remark)}\n`;
@@ -139,13 +144,17 @@ async function render(file: string, options: Options, command: Command): Promise
 }
 
 /** The view that the options select, or the result of the command if there is nothing to show. */
-async function viewOf(file: string, subject: Subject, options: Options): Promise<View | CommandResult> {
+async function viewOf(file: string, subject: Subject, options: Options, command: Command): Promise<View | CommandResult> {
   const { run: wanted, holds, minerals, effort, seed, solve } = options;
   const { level } = subject;
   const goal: Goal = { minerals };
   expectMinerals(file, level, minerals);
   if (options.proof) {
     return viewProof(subject, goal) ?? nothing(`${file}: no proof was found that nobody can do it: gq solve may find a run`);
+  }
+  if (options.softlocks) {
+    const ticks = command.getOptionValueSource('effort') === 'default' ? SOFTLOCK_EFFORT : effort;
+    return viewSoftlocks(subject, { effort: ticks, seed });
   }
   if (options.allRuns) return level.runs.length > 0 ? viewAllRuns(subject) : nothing(`${file}: the level has no run to draw`);
   if (solve !== undefined) {
@@ -189,13 +198,14 @@ function solveFor(
 }
 
 /** @throws Failure if the options select views that can't be combined in one picture */
-function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, proof }: Options): void {
+function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, proof, softlocks }: Options): void {
   const views = [
     allRuns && '--all-runs',
     solve !== undefined && '--solve',
     explored ? (closest ? '--explored with --closest' : '--explored') : closest && '--closest',
     fan !== undefined && '--fan',
     proof && '--proof',
+    softlocks && '--softlocks',
   ].filter((view) => typeof view === 'string');
   if (views.length > 1) throw new Failure(`${views.join(' and ')} cannot be combined: give one of them`);
   if (run === false && holds !== undefined) throw new Failure('--no-run and --holds cannot be combined: give one of the two');
@@ -210,12 +220,16 @@ function expectOneView({ run, holds, allRuns, solve, explored, closest, fan, pro
 }
 
 /** @throws Failure if an option was given that has no effect on the view */
-function expectUsed(command: Command, { solve, explored, closest, fan, proof }: Options): void {
+function expectUsed(command: Command, { solve, explored, closest, fan, proof, softlocks }: Options): void {
   const searches = solve !== undefined || explored === true || closest === true;
-  const needs = '--solve, --explored or --closest';
+  const needs = '--solve, --explored, --closest or --softlocks';
   refuseUnused(command, [
-    { option: '--effort', isUsed: searches, needs },
-    { option: '--seed', isUsed: searches || fan !== undefined, needs: '--solve, --explored, --closest or --fan' },
+    { option: '--effort', isUsed: searches || softlocks === true, needs },
+    {
+      option: '--seed',
+      isUsed: searches || softlocks === true || fan !== undefined,
+      needs: '--solve, --explored, --closest, --softlocks or --fan',
+    },
     { option: '--minerals', isUsed: searches || proof === true, needs: '--solve, --explored, --closest or --proof' },
   ]);
 }

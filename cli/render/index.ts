@@ -1,1 +1,11 @@
-export { type Subject, type View, viewAllRuns, viewExploration, viewFan, viewProof, viewRun, viewSolved } from './views.ts';
+export {
+  type Subject,
+  type View,
+  viewAllRuns,
+  viewExploration,
+  viewFan,
+  viewProof,
+  viewRun,
+  viewSoftlocks,
+  viewSolved,
+} from './views.ts';

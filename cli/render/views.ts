@@ -1,9 +1,18 @@
-import { proveGoalImpossible } from '../../check/index.ts';
+import { proveGoalImpossible, softlocksOf } from '../../check/index.ts';
 import { effortInWords, outcomeInWords, plural } from '../../check/words/index.ts';
 import { type Accuracy, compile, joinHolds, type Scene, simulate, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { RenderOptions } from '../../picture/index.ts';
 import { type Hold, type Level, objectName } from '../../schema/index.ts';
-import { createRandom, createSearch, type Goal, proofPicture, type Search } from '../../solver/index.ts';
+import {
+  createRandom,
+  createSearch,
+  createSoftlockSurvey,
+  type Goal,
+  LIVES_ON,
+  proofPicture,
+  type Search,
+  type Standing,
+} from '../../solver/index.ts';
 import type { ChosenRun } from '../chosen-run.ts';
 import { percent } from '../report-parts/index.ts';
 import type { Solved } from '../solve/index.ts';
@@ -136,4 +145,22 @@ export function viewProof({ level, accuracy, maxTime }: Subject, goal: Goal): Vi
   if (proof === null) return null;
   const what = proof.about.kind === 'blackHole' ? 'impossible' : `${objectName('mineral', proof.about.index)} is out of reach`;
   return { title: `${level.name}: ${what}`, note: `Proved: ${proof.reason}.`, proof: proofPicture(level, proof) };
+}
+
+/** Where the level is already lost although she lives on. @param effort ticks */
+export function viewSoftlocks({ level, accuracy }: Subject, { effort, seed }: Pick<Exploration, 'effort' | 'seed'>): View {
+  const survey = createSoftlockSurvey(compile(level, accuracy), { seed });
+  while (!survey.finished && survey.effort.ticks < effort) survey.advance(Math.min(100_000, effort - survey.effort.ticks));
+  const { states, lasting } = softlocksOf(survey);
+  const marked = <T extends { readonly standing: Standing }>(list: readonly T[]) =>
+    list.flatMap((one) =>
+      one.standing.is === 'proved' || one.standing.is === 'not found' ? [{ ...one, known: one.standing.is }] : [],
+    );
+  return {
+    title: `${level.name}: where it is already lost`,
+    note:
+      `Of ${plural(states.examined, 'state')}, ${states.open} can still reach the black hole. After ${lasting.proved} that are proved ` +
+      `lost, and ${lasting.notFound} from which no run was found, she lives on for a second and more.`,
+    lost: { states: marked(survey.states.filter(({ alive }) => alive >= LIVES_ON)), places: marked(survey.places) },
+  };
 }

@@ -19,6 +19,7 @@ export function checkJsonOf(
 }
 
 function levelJson(level: CheckedLevel, linkTo: ReportContext['linkTo']): CheckReport['levels'][number] {
-  const { file, name, verdict, report: run, problems, ms } = level;
-  return { file, name, verdict, run, problems: problems.map(problemJson), failure: failureOf(level, linkTo), ms };
+  const { file, name, verdict, report: run, problems, softlocks, ms } = level;
+  const lost = softlocks === undefined ? {} : { softlocks };
+  return { file, name, verdict, run, problems: problems.map(problemJson), failure: failureOf(level, linkTo), ...lost, ms };
 }

@@ -7,6 +7,7 @@ import { visibleLine } from '../visible.ts';
 import { earlyEndInWords } from './early-end.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { runInWords } from './run-in-words.ts';
+import { softlockLines } from './softlock-lines.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
   broken: 'change the level or a run; gq simulate shows how a run ends',
@@ -28,6 +29,10 @@ export function checkPretty(results: Results, { colors, width, linkTo, quiet = f
     const { file, verdict, problems } = level;
     if (results.shown?.has(file) === false) continue;
     text += `${paint(verdict)(verdict)}${lines[i].slice(verdict.length)}\n${showFileProblems(file, problems, colors)}`;
+    if (level.softlocks !== undefined && !quiet)
+      text += softlockLines(level.softlocks)
+        .map((line) => `    ${colors.dim(line)}\n`)
+        .join('');
     const failure = failureOf(level, linkTo);
     if (failure !== null) text += `    ${colors.dim(`look at it: ${visibleLine(placeInWords(failure))}`)}\n`;
   }

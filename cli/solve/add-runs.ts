@@ -1,9 +1,5 @@
-import { realpathSync } from 'node:fs';
-import { formatLevel, type Hold, type LevelFile } from '../../schema/index.ts';
-import { replaceFile } from '../disk.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { readBytes } from '../read-bytes.ts';
-import { whyNotWritable } from '../writable.ts';
+import type { Hold, LevelFile } from '../../schema/index.ts';
+import { replaceLevel } from '../replace-level.ts';
 
 /** A run that was added to a level file, or that was already there under this name. */
 export interface AddedRun {
@@ -12,7 +8,7 @@ export interface AddedRun {
 }
 
 /** The default name of a run that was found. */
-const DEFAULT_NAME = 'solution';
+export const DEFAULT_NAME = 'solution';
 
 /**
  * Appends runs to a level file and writes it in the canonical layout; no other data changes.
@@ -41,31 +37,12 @@ export function addRuns(
     return { name, status: 'written' };
   });
   if (added.every(({ status }) => status === 'already there')) return added;
-  const content = Buffer.from(formatLevel({ ...file, runs }));
-  try {
-    // a link stays a link: the file that it leads to is replaced
-    const real = realpathSync(path);
-    replaceFile(real, content, () => {
-      if (Buffer.compare(readBytes(real), base) === 0) return;
-      throw new Failure(
-        `${path}: the file changed during the search, so nothing was written: run gq solve again, or add the run by hand`,
-      );
-    });
-  } catch (error) {
-    if (error instanceof Failure) throw error;
-    throw new Failure(`${path}: can't be written: ${systemReason(error)}`);
-  }
+  replaceLevel(path, base, { ...file, runs }, 'run gq solve again, or add the run by hand');
   return added;
 }
 
-/** Checks before a long search whether its result can be written. @throws Failure if it can't */
-export function expectWritable(path: string): void {
-  const why = whyNotWritable(path);
-  if (why !== null) throw new Failure(`${path}: --write can't write it: ${why}`);
-}
-
 /** The name itself if it is free, else with the first number that makes it free. */
-function freeName(name: string, taken: readonly string[]): string {
+export function freeName(name: string, taken: readonly string[]): string {
   if (!taken.includes(name)) return name;
   for (let i = 2; ; i++) if (!taken.includes(`${name}-${i}`)) return `${name}-${i}`;
 }

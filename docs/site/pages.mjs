@@ -34,6 +34,8 @@ export const GROUPS = [
     pages: [
       { file: 'docs/level-format.md', name: 'level-format', text: 'Level format' },
       { file: 'docs/tune.md', name: 'tune', text: 'Rules and tuning' },
+      { file: 'docs/fix.md', name: 'fix', text: 'Repair a level' },
+      { file: 'docs/softlocks.md', name: 'softlocks', text: 'Where it is already lost' },
       { file: 'docs/difficulty.md', name: 'difficulty', text: 'Difficulty and new levels' },
       { file: 'docs/import-and-export.md', name: 'import-and-export', text: 'Import and export' },
       { file: 'docs/publish.md', name: 'publish', text: 'Publish levels' },

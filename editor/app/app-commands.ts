@@ -1,7 +1,9 @@
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
 import { listHistoryOf } from '../panels/levels/index.ts';
+import { solverSessionOf } from '../panels/solver/index.ts';
 import { LAYERS, type Layer } from '../session/index.ts';
+import { showPanel } from './show-panel.ts';
 
 const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   ranges: 'range of the gun',
@@ -46,6 +48,18 @@ export function appCommands(editor: Editor): readonly Command[] {
       inDialogs: true,
       needs: needsLevel,
       run: () => void open.getState()?.opened.saver.flush(),
+    },
+    {
+      id: 'level.fix',
+      title: 'Fix this level',
+      group: 'Solve',
+      needs: needsLevel,
+      run() {
+        const level = open.getState();
+        if (level === null) return;
+        showPanel(editor, 'solver');
+        solverSessionOf(editor, level).fixes.start();
+      },
     },
     { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], inText: true, run: show('newLevel') },
     { id: 'file.share', title: 'Import, export, link', group: 'File', run: show('share') },

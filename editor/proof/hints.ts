@@ -7,5 +7,6 @@ export const PAGE_HINTS: Hints = {
   seeRun: () => '',
   seeAccuracies: () => '; the accuracy panel shows the result at each setting',
   moreWork: ', aliens above all',
+  seeLost: '',
   seeProof: ': move the objects that the reason names',
 };

@@ -57,7 +57,12 @@ export function toldProblems(
   const findings = own ?? worker?.result ?? null;
   const told: LevelProblem[] = [];
   if (findings !== null)
-    told.push(...problemsOf(findingsOf(findings, { impossible, lost, sought: { slack: null, minerals: isWhole } }), PAGE_HINTS));
+    told.push(
+      ...problemsOf(
+        findingsOf(findings, { impossible, lost, sought: { slack: null, minerals: isWhole, softlocks: false } }),
+        PAGE_HINTS,
+      ),
+    );
   else {
     told.push(...proofProblems({ impossible, lost }, PAGE_HINTS));
     if (limit !== null) told.push(limitProblem(limit, worker?.message ?? null));

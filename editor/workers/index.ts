@@ -3,6 +3,7 @@ export {
   FAN_TICKS,
   type Fan,
   type FanWay,
+  type Fixing,
   type JobKind,
   type Requests,
   type Results,

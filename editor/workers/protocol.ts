@@ -13,6 +13,7 @@ import type {
   Goal,
   Objective,
   Proof,
+  Proposal,
   Robustness,
   Solution,
   Success,
@@ -49,6 +50,8 @@ export interface Requests {
    * 0 if absent.
    */
   proofs: Played & { readonly collected: readonly number[] | null; readonly finer?: number };
+  /** Changes that make the level completable, within a budget, ms. */
+  fix: Played & { readonly seed: number; readonly budget: number };
   /** The findings of all runs of a level. */
   check: Played;
   /** Errors and costs of all settings for this level and run. */
@@ -78,6 +81,19 @@ export interface Requests {
 }
 
 export type JobKind = keyof Requests;
+
+/** What was found to make a level completable. */
+export interface Fixing {
+  /** The smallest first. */
+  readonly proposals: readonly Proposal[];
+  readonly effort: Effort;
+  /** Whether the level is proved impossible as it is. */
+  readonly isImpossible: boolean;
+  /** Index of a run that completes the level as it is; null if none of its own does. */
+  readonly completing: number | null;
+  /** Whether all was tried; false: the time was over. */
+  readonly finished: boolean;
+}
 
 export interface Solving {
   readonly effort: Effort;
@@ -132,6 +148,7 @@ export interface Results {
   difficulty: Difficulty | null;
   /** Confirmed by the separate checker; null and empty: nothing was proved. */
   proofs: { readonly impossible: Proof | null; readonly minerals: readonly LostMineral[] };
+  fix: Fixing;
   check: RunFindings;
   accuracy: { readonly settings: readonly Setting[] };
   thumbnail: {
@@ -153,6 +170,7 @@ export interface Progresses {
   fan: { readonly slack: readonly EdgeSlack[] };
   difficulty: Solving;
   proofs: Results['proofs'];
+  fix: Fixing;
   check: never;
   accuracy: never;
   thumbnail: never;

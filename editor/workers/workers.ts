@@ -38,7 +38,7 @@ export interface WorkersOptions {
 }
 
 /** Searches have a worker of their own, so that they do not delay what is shown during editing. */
-const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'generate', 'accuracy']);
+const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'fix', 'generate', 'accuracy']);
 
 /**
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
@@ -61,6 +61,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   // these have a time limit of their own or run until they are cancelled
   solve: null,
   difficulty: null,
+  fix: null,
   generate: null,
   plays: null,
 };

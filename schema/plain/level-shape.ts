@@ -191,6 +191,13 @@ export const LEVEL_SHAPE: Shape = {
      pattern: "\\S",
      optional: true
     },
+    softlock: {
+     type: "string",
+     least: 1,
+     most: 300,
+     pattern: "\\S",
+     optional: true
+    },
     "low-slack": {
      type: "string",
      least: 1,

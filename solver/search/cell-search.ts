@@ -1,5 +1,15 @@
-import { createSimulation, type Scene, type Simulation, STATE_SIZE, TICK_RATE } from '../../engine/index.ts';
+import {
+  createSimulation,
+  joinHolds,
+  playScript,
+  type Scene,
+  type Simulation,
+  STATE_SIZE,
+  TICK_RATE,
+} from '../../engine/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import { createRandom, type Random } from '../random.ts';
+import { cutHolds } from '../verified-run.ts';
 import { Approach } from './approach.ts';
 import { CellKey } from './cell-key.ts';
 import { CellTable } from './cell-table.ts';
@@ -10,7 +20,7 @@ import { LineOfFlight } from './line-of-flight.ts';
 import { MineralSet } from './mineral-set.ts';
 import { NodeList } from './node-list.ts';
 import type { Reports } from './reports.ts';
-import type { Closest, Effort } from './search.ts';
+import type { Closest, Effort, Moment } from './search.ts';
 import { SnapshotPool } from './snapshot-pool.ts';
 
 // What has been tried from a node.
@@ -79,6 +89,8 @@ export interface SearchTask {
   readonly needed: number;
   /** The longest a run may last, ticks. */
   readonly maxTicks: number;
+  /** Where the search begins; null: at the start of the level. */
+  readonly after: Moment | null;
   readonly reports: Reports;
 }
 
@@ -117,7 +129,10 @@ export class CellSearch {
   private readonly cells = new CellTable();
   private readonly frontier = new Frontier();
   private readonly toCoastFirst: number[] = [];
-  private nodes = new NodeList();
+  /** The holds before the search begins. */
+  private readonly lead: readonly Hold[];
+  private nodes: NodeList;
+  private last = 0;
   private runs = 0;
   private ticks = 0;
   private place = CELL_PLACE;
@@ -133,7 +148,7 @@ export class CellSearch {
   private readonly approach: Approach;
 
   /** @param guide by what the frontier is divided; null for a search that prefers no place */
-  constructor({ scene, needed, maxTicks, reports }: SearchTask, seed: number, guide: Guide | null) {
+  constructor({ scene, needed, maxTicks, after, reports }: SearchTask, seed: number, guide: Guide | null) {
     this.scene = scene;
     this.simulation = createSimulation(scene);
     this.needed = needed;
@@ -141,6 +156,10 @@ export class CellSearch {
     this.reports = reports;
     this.guide = guide;
     this.random = createRandom(seed);
+    const { holds, tick } = after ?? { holds: [], tick: 0 };
+    this.lead = tick === 0 ? [] : cutHolds(joinHolds(holds), tick - 1);
+    this.nodes = new NodeList(this.lead);
+    playScript(this.simulation, this.lead, tick);
     this.start = this.simulation.snapshot();
     this.scratch = this.simulation.snapshot();
     this.pool = new SnapshotPool(this.start.length);
@@ -165,16 +184,32 @@ export class CellSearch {
     return this.nodes.count === 0;
   }
 
+  /** The last tick at which she was seen alive. */
+  get latest(): number {
+    return this.last;
+  }
+
+  /** Some of the states that are kept, at most `count`, evenly spread over the order in which they were found. */
+  moments(count: number): Moment[] {
+    const { nodes } = this;
+    const step = Math.max(1, nodes.count / count);
+    return Array.from({ length: Math.min(count, nodes.count) }, (_, i): Moment => {
+      const node = Math.floor(i * step);
+      return { holds: nodes.holdsTo(node, nodes.tick[node], false), tick: nodes.tick[node] };
+    });
+  }
+
   private restart(): void {
     this.approach.closest(this.nodes);
     this.cells.clear();
-    this.nodes = new NodeList();
+    this.nodes = new NodeList(this.lead);
     this.frontier.clear();
     this.toCoastFirst.length = 0;
     this.simulation.restore(this.start);
     this.minerals.read(this.simulation);
     this.simulation.readState(this.state);
-    if (this.needed > this.scene.minerals.count) return;
+    if (this.needed > this.scene.minerals.count || this.simulation.ending !== null) return;
+    this.last = Math.max(this.last, this.simulation.tick);
     this.findCell();
     // Try first what happens without any press.
     this.toCoastFirst.push(this.store(-1, false, this.visit()));
@@ -249,6 +284,7 @@ export class CellSearch {
       const square = this.visit();
       this.approach.look(state, last, simulation.tick, held);
       const { ending } = simulation;
+      this.last = Math.max(this.last, ending?.tick ?? simulation.tick);
       if (ending !== null) {
         if (ending.outcome === 'completed' && minerals.size >= needed) this.report(last, simulation.tick, held);
         return;

@@ -6,7 +6,7 @@ import { Guide } from './guide.ts';
 import { HeatTally } from './heat-map.ts';
 import { MineralSet } from './mineral-set.ts';
 import { Reports } from './reports.ts';
-import type { Closest, Effort, Explored, Search, SearchOptions } from './search.ts';
+import type { Closest, Effort, Explored, Moment, Search, SearchOptions } from './search.ts';
 
 /** Ticks after which the guided search joins in. By then almost every level that has a run is solved. */
 const HEAD_START = 500_000;
@@ -28,10 +28,11 @@ class LaneSearch implements Search {
   private joined = false;
   private asked = 0;
 
-  constructor(scene: Scene, { goal = { minerals: 'any' }, seed = 0, maxTicks = DEFAULT_MAX_TICKS }: SearchOptions) {
+  constructor(scene: Scene, options: SearchOptions) {
+    const { goal = { minerals: 'any' }, seed = 0, maxTicks = DEFAULT_MAX_TICKS, after = null } = options;
     const reports = new Reports(createReplay(scene, goal, maxTicks));
     this.scene = scene;
-    this.task = { scene, needed: mineralsNeeded(goal, scene.minerals.count), maxTicks, reports };
+    this.task = { scene, needed: mineralsNeeded(goal, scene.minerals.count), maxTicks, after, reports };
     this.seed = seed;
     this.plain = new CellSearch(this.task, seed, null);
   }
@@ -59,6 +60,14 @@ class LaneSearch implements Search {
 
   get exhausted(): boolean {
     return this.plain.exhausted;
+  }
+
+  get latest(): number {
+    return Math.max(this.plain.latest, this.guided?.latest ?? 0);
+  }
+
+  moments(count: number): Moment[] {
+    return this.plain.moments(count);
   }
 
   advance(ticks: number): number {

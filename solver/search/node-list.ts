@@ -1,3 +1,4 @@
+import { joinHolds } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 
 const doubled = (array: Int32Array): Int32Array => {
@@ -8,6 +9,8 @@ const doubled = (array: Int32Array): Int32Array => {
 
 /** The nodes of the search tree. Each is the state at the end of a stretch in which the button was either held or not. */
 export class NodeList {
+  /** The holds before the first node. */
+  private readonly lead: readonly Hold[];
   count = 0;
   parent: Int32Array = new Int32Array(256);
   tick: Int32Array = new Int32Array(256);
@@ -19,6 +22,10 @@ export class NodeList {
   minerals: Int32Array = new Int32Array(256);
   /** The stratum of the frontier that the state belongs to. */
   stratum: Int32Array = new Int32Array(256);
+
+  constructor(lead: readonly Hold[] = []) {
+    this.lead = lead;
+  }
 
   add(parent: number, tick: number, held: boolean, square: number, minerals: number, stratum: number): number {
     if (this.count === this.parent.length) {
@@ -56,6 +63,7 @@ export class NodeList {
     for (let n = node; this.parent[n] >= 0; n = this.parent[n]) {
       if (this.isHeld(n)) add(this.tick[this.parent[n]], this.tick[n]);
     }
-    return holds.reverse();
+    holds.reverse();
+    return this.lead.length === 0 ? holds : joinHolds([...this.lead, ...holds]);
   }
 }

@@ -44,6 +44,16 @@ export interface SearchOptions {
   readonly seed?: number;
   /** The longest a run may last, ticks; 3600 by default. */
   readonly maxTicks?: number;
+  /** Where the search begins; at the start of the level by default. */
+  readonly after?: Moment;
+}
+
+/** A moment of a run: the state that holds lead to. */
+export interface Moment {
+  /** [press, release) in ticks, sorted and disjoint; what comes after `tick` does not count. */
+  readonly holds: readonly Hold[];
+  /** Ticks since the start. */
+  readonly tick: number;
 }
 
 /** A search for runs that meet a goal. The caller decides how long it goes on. */
@@ -58,8 +68,19 @@ export interface Search {
   readonly solutions: readonly Candidate[];
   /** Where the search has been so far. */
   readonly explored: Explored;
-  /** True when there is nothing to try because the goal requires more minerals than the level has. */
+  /**
+   * True when there is nothing to try: the goal requires more minerals than the level has, or the run is over where the search
+   * begins.
+   */
   readonly exhausted: boolean;
+  /** The last tick at which she was seen alive, counted from the start of the level. */
+  readonly latest: number;
+  /**
+   * Some of the states that the search has kept, one for each cell of place and velocity, evenly spread over the order in which
+   * they were found.
+   * @param count how many at most
+   */
+  moments(count: number): Moment[];
   /**
    * Continues the search. The same total gives the same result however it is split into calls.
    * @param ticks how many more ticks to simulate; the search may overshoot by one stretch

@@ -9,7 +9,7 @@ import { explanationOf } from '../../editor/panels/problems/explanations.ts';
 import { PAGE_HINTS } from '../../editor/proof/hints.ts';
 import { ACCURACIES, DEFAULT_MAX_TIME, WARNING_CODES } from '../../engine/index.ts';
 import { CODES, resolveLevel } from '../../schema/index.ts';
-import { proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';
+import { type Proof, proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';
 import { gq } from '../cli/gq.ts';
 
 const all = [...CHECK_CODES, ...CODES, ...WARNING_CODES];
@@ -38,7 +38,8 @@ const NOTHING: Findings = {
   lost: [],
   searched: null,
   tight: [],
-  sought: { slack: null, minerals: false },
+  softlocks: null,
+  sought: { slack: null, minerals: false, softlocks: false },
 };
 const DRIFT = { name: 'drift', outcome: 'timeout', with: null, time: DEFAULT_MAX_TIME, tick: 3600, isStopped: false } as const;
 const THROUGH = { ...DRIFT, name: 'through', outcome: 'completed', time: 2, tick: 120 } as const;
@@ -50,6 +51,18 @@ const TIGHT = {
   counterexample: [[1, 3]],
   isExhausted: false,
 } as const;
+const SOFTLOCKS: NonNullable<Findings['softlocks']> = {
+  states: { examined: 2, open: 1, proved: 1, notFound: 0, unknown: 0 },
+  lasting: { proved: 1, notFound: 0 },
+  places: [
+    {
+      ...{ x: 1, y: 2, tick: 60, holds: [], open: 50, alive: 400, states: 1, run: null },
+      standing: { is: 'proved', proof: impossible as Proof },
+    },
+  ],
+  effort: { runs: 1, ticks: 1 },
+  isFinished: true,
+};
 const EFFORT = { runs: 3, ticks: 400 };
 
 /** Codes of files that are no levels, and of what a lock says about levels. */
@@ -63,6 +76,7 @@ const FOUND: Readonly<Record<Exclude<CheckCode, (typeof OF_FILES)[number]>, Part
   'no-run-found': { searched: { found: null, effort: EFFORT, closest: { distance: 12.34, tick: 30, holds: [[4, 9]] } } },
   'proved-impossible': { impossible },
   'mineral-never-collectable': { ends: [THROUGH], lost: [{ index: 0, proof: unreachable }] },
+  softlock: { ends: [THROUGH], softlocks: SOFTLOCKS },
   'low-slack': { ends: [THROUGH], tight: [{ ...TIGHT, required: null }] },
   'slack-below-required': { ends: [THROUGH], tight: [{ ...TIGHT, required: 2 }] },
   'verdict-hangs-on-accuracy': {
@@ -126,7 +140,9 @@ describe('every code that a check can report', () => {
 });
 
 describe('the page', () => {
-  const told = Object.entries(FOUND).filter(([, { searched, tight }]) => searched === undefined && tight === undefined);
+  const told = Object.entries(FOUND).filter(
+    ([, { searched, tight, softlocks }]) => searched === undefined && tight === undefined && softlocks === undefined,
+  );
 
   it.each(told)('explains %s, which it can report, by the same reasons, and has its own hints', (code, found) => {
     const [there] = problemsOf({ ...NOTHING, ...found }, commandHints('a.level.json'));

@@ -22,6 +22,7 @@ const SETTINGS: Required<CheckSettings> = {
   forLock: true,
   proveMinerals: true,
   search: { limits: { budget: null, effort: 2000 }, seed: 1 },
+  softlocks: 20_000,
   requireSlack: 1,
   maxWork: 100_000,
   rules: Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])),

@@ -20,9 +20,9 @@ describe('an option that would have no effect is refused', () => {
     [`render ${LEVEL} -o - --no-run --closest`, '--no-run and --closest cannot be combined'],
     [`render ${LEVEL} -o - --no-run --explored --closest`, '--no-run and --explored with --closest cannot be combined'],
     [`render ${LEVEL} -o - --no-run --proof`, '--no-run and --proof cannot be combined'],
-    [`render ${LEVEL} -o - --effort 100`, '--effort has no effect without --solve, --explored or --closest'],
-    [`render ${LEVEL} -o - --fan 2 --effort 100`, '--effort has no effect without --solve, --explored or --closest'],
-    [`render ${LEVEL} -o - --seed 1`, '--seed has no effect without --solve, --explored, --closest or --fan'],
+    [`render ${LEVEL} -o - --effort 100`, '--effort has no effect without --solve, --explored, --closest or --softlocks'],
+    [`render ${LEVEL} -o - --fan 2 --effort 100`, '--effort has no effect without --solve, --explored, --closest or --softlocks'],
+    [`render ${LEVEL} -o - --seed 1`, '--seed has no effect without --solve, --explored, --closest, --softlocks or --fan'],
     [`render ${LEVEL} -o - --minerals all`, '--minerals has no effect without --solve, --explored, --closest or --proof'],
   ])('gq %s', async (args, message) => {
     const ended = await gq(args.split(' '), { cwd });

@@ -13,6 +13,7 @@ import {
   judgeOf,
   openLevelCache,
   refuseLimitsWithoutSearch,
+  SOFTLOCK_EFFORT,
   settingsFor,
   tooManyWarnings,
   totalsOf,
@@ -65,6 +66,11 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'require that every run that completes a level still does when all its presses and releases are off by up to TICKS',
       wholeNumberOption('a number of ticks', 0, 60),
     )
+    .option(
+      '--softlocks [ticks]',
+      `find where a level is already lost although she lives on, with an effort of TICKS for each level (default: ${SOFTLOCK_EFFORT})`,
+      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
+    )
     .option('--no-require-slack', 'require no slack, whatever the configuration says')
     .option(
       '--max-warnings <n>',
@@ -116,6 +122,7 @@ Examples:
   $ gq check levels extra/a.level.json   a directory and a file
   $ gq check --solve --budget 30 drafts  search for runs, at most half a minute for each level
   $ gq check --require-slack 2           for CI: every run forgives errors of 33 ms
+  $ gq check --softlocks --format json   places from which the black hole can't be reached any more
   $ gq check --lock gq.lock.json         compare with what was agreed on; --update-lock agrees anew
   $ gq check levels --changed            only what this branch changes; --changed=HEAD: what is not committed
   $ gq check --watch                     check again whenever a level is saved

@@ -16,6 +16,7 @@ import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../.
 import { entryName, packFormat } from '../../packs/index.ts';
 import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
+import { expectWritable } from '../../replace-level.ts';
 import {
   addSearchOptions,
   expectMinerals,
@@ -29,7 +30,6 @@ import { uncut } from '../../signals.ts';
 import {
   addRuns,
   askedRuns,
-  expectWritable,
   progressText,
   type Solved,
   type SolveSettings,

@@ -7,6 +7,7 @@ type PageCode = Exclude<
   CheckCode,
   | 'found-run'
   | 'no-run-found'
+  | 'softlock'
   | 'low-slack'
   | 'slack-below-required'
   | 'result-changed'

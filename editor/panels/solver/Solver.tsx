@@ -1,11 +1,12 @@
 import { Section } from '../parts/index.ts';
 import { DifficultyReport } from './DifficultyReport.tsx';
+import { FixReport } from './FixReport.tsx';
 import { RobustnessReport } from './RobustnessReport.tsx';
 import { SearchReport } from './SearchReport.tsx';
 import './solver.css';
 import { SearchSettingsForm } from './SearchSettingsForm.tsx';
 
-/** The solver panel: search, robustness and difficulty. */
+/** The solver panel: search, fixes, robustness and difficulty. */
 export function Solver() {
   return (
     <div className="panel__body solver">
@@ -13,6 +14,7 @@ export function Solver() {
         <SearchSettingsForm />
         <SearchReport />
       </Section>
+      <FixReport />
       <RobustnessReport />
       <DifficultyReport />
     </div>

@@ -3,6 +3,7 @@ import { pageTimers } from '../../files/index.ts';
 import { afterRest } from '../parts/index.ts';
 import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
+import { createFixSession, type FixSession } from './fix-session.ts';
 import { createOverlay, type OverlayStore } from './overlay.ts';
 import { type ProofWatch, watchProofs } from './proof-watch.ts';
 import { type RobustnessWatch, watchRobustness } from './robustness-watch.ts';
@@ -15,6 +16,7 @@ export interface SolverSession {
   readonly search: SearchSession;
   readonly robustness: RobustnessWatch;
   readonly difficulty: DifficultySession;
+  readonly fixes: FixSession;
   readonly proofs: ProofWatch;
   readonly checks: CheckWatch;
   readonly overlay: OverlayStore;
@@ -33,7 +35,8 @@ export function solverSessionOf({ workers, session, open }: Editor, level: OpenL
   const proofs = watchProofs({ level, workers, afterRest });
   const checks = watchChecks({ level, workers, afterRest });
   const difficulty = createDifficultySession({ level, workers, settings });
-  const solver: SolverSession = { settings, search, robustness, difficulty, proofs, checks, overlay };
+  const fixes = createFixSession({ level, session, workers, settings });
+  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, overlay };
   sessions.set(level, solver);
   const stop = open.subscribe((current) => {
     if (current === level) return;
@@ -42,6 +45,7 @@ export function solverSessionOf({ workers, session, open }: Editor, level: OpenL
     search.close();
     robustness.close();
     difficulty.close();
+    fixes.close();
     proofs.close();
     checks.close();
   });

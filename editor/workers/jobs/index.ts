@@ -4,6 +4,7 @@ import { accuracy } from './accuracy.ts';
 import { check } from './check.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
+import { fix } from './fix.ts';
 import { generate } from './generate.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
@@ -21,6 +22,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   proofs,
   accuracy,
   check,
+  fix,
   thumbnail,
   generate,
   plays,

@@ -1,0 +1,1 @@
+export { repairedFile } from './repaired-file.ts';

@@ -1,0 +1,61 @@
+import { type Level, objectName } from '../../schema/basics/index.ts';
+import type { Change, ObjectRef, Proposal, Vector } from '../../solver/index.ts';
+import { plural } from './plural.ts';
+
+/** A number with at most one decimal place, as proposals have them. */
+const number = (value: number): string => String(Math.round(value * 10) / 10);
+
+const vector = ({ x, y }: Vector): string => `(${number(x)}, ${number(y)})`;
+
+function nameOf(level: Level, { kind, index }: ObjectRef): string {
+  if (kind === 'astronaut') return 'the start';
+  if (kind === 'blackHole') return 'the black hole';
+  return objectName(kind, index, (kind === 'asteroid' ? level.asteroids[index] : undefined) ?? {});
+}
+
+/**
+ * A change of a level as an instruction: `Move nova 3 from (600, 620) to (595.4, 620.1).`
+ * @param level the level before the change
+ */
+function changeInWords(level: Level, change: Change): string {
+  switch (change.what) {
+    case 'move':
+      return `Move ${nameOf(level, change.object)} from ${vector(change.from)} to ${vector(change.to)}.`;
+    case 'resize':
+      return `Make ${nameOf(level, change.object)} ${change.to > change.from ? 'larger' : 'smaller'}: radius ${number(change.to)} px, not ${number(change.from)} px.`;
+    case 'drop':
+      return `Remove ${nameOf(level, change.object)}.`;
+    case 'range':
+      return `${change.to > change.from ? 'Enlarge' : 'Reduce'} the range from ${number(change.from)} px to ${number(change.to)} px.`;
+    case 'velocity':
+      return `Start with the velocity ${vector(change.to)} px/s, not ${vector(change.from)} px/s.`;
+  }
+}
+
+/**
+ * A proposal as an instruction.
+ * @param level the level before the change
+ */
+export function proposalInWords(level: Level, { change, origin }: Proposal): string {
+  if (change !== null) return changeInWords(level, change);
+  if (origin.from === 'adjusted') {
+    return `Shift presses and releases of run ${JSON.stringify(level.runs[origin.index].name)} by ${plural(origin.ticks, 'tick')} in all.`;
+  }
+  return 'Add a run that a search found: the level can be completed as it is.';
+}
+
+/** Which run completes the level after a proposal: `run "solution"`. */
+export function proposalRunInWords(level: Level, { origin }: Proposal): string {
+  switch (origin.from) {
+    case 'own':
+      return `run ${JSON.stringify(level.runs[origin.index].name)}`;
+    case 'adjusted':
+      return `run ${JSON.stringify(level.runs[origin.index].name)} with other holds`;
+    case 'search':
+      return 'a run that a search found';
+  }
+}
+
+/** How the sizes of changes compare, in one sentence. */
+export const SIZE_MEANS =
+  'The size is how far an object is moved, or by how much a radius or the range differs; for a velocity, how far away she is after a second; for an object that is removed, its diameter.';

@@ -1,0 +1,1 @@
+export { declare } from './fix.ts';

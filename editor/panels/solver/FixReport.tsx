@@ -1,0 +1,120 @@
+import { Check, Eye, Square, Undo2, Wrench } from 'lucide-react';
+import { useEffect, useRef } from 'react';
+import { useStore } from 'zustand';
+import { proposalInWords, proposalRunInWords, SIZE_MEANS } from '../../../check/words/index.ts';
+import type { Level } from '../../../schema/index.ts';
+import type { Proposal } from '../../../solver/index.ts';
+import { Button } from '../../ui/index.ts';
+import { about, seconds } from '../figures/index.ts';
+import { Progress, Section } from '../parts/index.ts';
+import type { FixState } from './fix-session.ts';
+import { useSolverSession } from './use-solver-session.ts';
+
+function ProposalCard({ proposal, level }: { readonly proposal: Proposal; readonly level: Level }) {
+  const { fixes } = useSolverSession();
+  const { previewed, isOld } = useStore(fixes.store);
+  const isShown = previewed === proposal;
+  const { change, size, run } = proposal;
+  return (
+    <li className={isShown ? 'fix fix--previewed' : 'fix'}>
+      <span className="fix__text">{proposalInWords(level, proposal)}</span>
+      <div className="fix__row">
+        <span className="part__note numbers" title={SIZE_MEANS}>
+          {change === null ? 'the level stays as it is' : `${size.toFixed(1)} px`}, {proposalRunInWords(level, proposal)}:{' '}
+          {seconds(run.time)}
+        </span>
+        {isShown ? (
+          <span className="fix__does">
+            <Button hint="Go back to the level as it was" icon={<Undo2 size={14} />} onClick={fixes.back}>
+              Back
+            </Button>
+            <Button hint="Keep this change: one step of undo" icon={<Check size={14} />} look="outlined" onClick={fixes.take}>
+              Take
+            </Button>
+          </span>
+        ) : (
+          !isOld && (
+            <Button
+              hint="Show the level with this change; nothing is saved yet"
+              icon={<Eye size={14} />}
+              look="outlined"
+              onClick={() => fixes.preview(proposal)}
+            >
+              Preview
+            </Button>
+          )
+        )}
+      </div>
+    </li>
+  );
+}
+
+/** What the search says about itself. */
+function standing({ phase, fixing, isOld }: FixState): string | null {
+  if (fixing === null) return null;
+  if (isOld) return 'The level has changed since: seek again.';
+  if (fixing.completing !== null) return 'A run completes the level: there is nothing to fix.';
+  if (fixing.proposals.length > 0) return 'Each is the smallest that was found of its kind.';
+  if (phase === 'seeking') return 'None found yet.';
+  return fixing.finished
+    ? 'No single change of those that were tried is enough.'
+    : 'None was found in the time set above. This does not prove that there is none.';
+}
+
+/** The smallest changes that make the level completable, found on demand; each can be seen before it is taken. */
+export function FixReport() {
+  const { fixes } = useSolverSession();
+  const state = useStore(fixes.store);
+  const { phase, fixing, level, message, isOld } = state;
+  const isSeeking = phase === 'seeking';
+  const text = standing(state);
+  const end = useRef<HTMLDivElement>(null);
+  // the command in the palette starts it while it may be out of sight
+  useEffect(() => {
+    if (isSeeking) end.current?.scrollIntoView({ block: 'nearest' });
+  }, [isSeeking]);
+  return (
+    <Section
+      title="Fix"
+      aside={
+        isSeeking ? (
+          <Button hint="Stop seeking fixes" icon={<Square size={13} />} onClick={fixes.cancel}>
+            Cancel
+          </Button>
+        ) : (
+          <Button
+            hint="Find the smallest change that makes the level completable"
+            icon={<Wrench size={14} />}
+            onClick={fixes.start}
+          >
+            {fixing === null ? 'Find fixes' : 'Find again'}
+          </Button>
+        )
+      }
+    >
+      {(isSeeking || fixing !== null) && <Progress label="Seeking fixes" isRunning={isSeeking} />}
+      {phase === 'failed' && (
+        <p className="tone--bad" role="alert">
+          Seeking fixes failed: {message}. Try again.
+        </p>
+      )}
+      {fixing !== null && level !== null && fixing.proposals.length > 0 && (
+        <ol className={isOld ? 'report__found report--old' : 'report__found'} aria-label="Proposals">
+          {fixing.proposals.map((proposal) => (
+            <ProposalCard key={proposalInWords(level, proposal)} proposal={proposal} level={level} />
+          ))}
+        </ol>
+      )}
+      {text !== null && (
+        <p className="part__note numbers" role="status">
+          {text}
+          {fixing !== null && !isOld && ` ${about(fixing.effort.runs)} simulations.`}
+        </p>
+      )}
+      <div ref={end} />
+      {fixing === null && phase === 'idle' && (
+        <p className="part__note">The smallest changes that make the level completable, each shown before you take it.</p>
+      )}
+    </Section>
+  );
+}

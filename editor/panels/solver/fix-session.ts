@@ -1,0 +1,126 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import { repairedFile } from '../../../check/index.ts';
+import { proposalInWords } from '../../../check/words/index.ts';
+import type { Level } from '../../../schema/index.ts';
+import type { Proposal } from '../../../solver/index.ts';
+import { type EditedLevel, freeRunName, type Gesture } from '../../document/index.ts';
+import type { ProofStore } from '../../proof/index.ts';
+import type { SessionStore } from '../../session/index.ts';
+import type { Fixing, Job, Workers } from '../../workers/index.ts';
+import { SOLUTION } from './keep-found-run.ts';
+import type { SearchSettingsStore } from './search-settings.ts';
+
+export interface FixState {
+  readonly phase: 'idle' | 'seeking' | 'done' | 'failed';
+  readonly message: string | null;
+  readonly fixing: Fixing | null;
+  /** The level that the proposals are for. */
+  readonly level: Level | null;
+  /** The proposal that the page shows as if it were taken. */
+  readonly previewed: Proposal | null;
+  /** Whether the level has changed since: the proposals are not for it. */
+  readonly isOld: boolean;
+}
+
+/** Proposals that make the level completable, on demand. */
+export interface FixSession {
+  readonly store: StoreApi<FixState>;
+  start(): void;
+  /** Stops the search and keeps the proposals. */
+  cancel(): void;
+  /** Shows the level as a proposal makes it, in place of one that is previewed. Nothing is saved yet. */
+  preview(proposal: Proposal): void;
+  /** Keeps the previewed proposal, as one step of the history. */
+  take(): void;
+  /** Shows the level as it was before the preview. */
+  back(): void;
+  close(): void;
+}
+
+interface FixParts {
+  readonly level: { readonly document: EditedLevel; readonly proof: ProofStore };
+  readonly session: SessionStore;
+  readonly workers: Pick<Workers, 'start'>;
+  readonly settings: SearchSettingsStore;
+}
+
+const IDLE: FixState = { phase: 'idle', message: null, fixing: null, level: null, previewed: null, isOld: false };
+
+/** Seeks proposals for one level. A preview is a change in progress, as while an object is dragged. */
+export function createFixSession({ level: { document, proof }, session, workers, settings }: FixParts): FixSession {
+  const store = createStore<FixState>(() => IDLE);
+  let job: Job<'fix'> | null = null;
+  let gesture: Gesture | null = null;
+  // the run that was shown before the preview
+  let shownBefore: string | null = null;
+
+  const stopJob = () => {
+    job?.cancel();
+    job = null;
+  };
+  const back = () => {
+    if (gesture === null) return;
+    gesture.cancel();
+    gesture = null;
+    session.setState({ run: shownBefore });
+    store.setState({ previewed: null });
+  };
+  // a step of the history, also one that takes the preview along
+  const stop = document.onStep(() => {
+    const { phase, fixing } = store.getState();
+    gesture = null;
+    stopJob();
+    store.setState({ previewed: null, isOld: fixing !== null, phase: phase === 'seeking' ? 'done' : phase });
+  });
+
+  return {
+    store,
+    start() {
+      back();
+      stopJob();
+      const { level, accuracy } = proof.proof();
+      store.setState({ ...IDLE, phase: 'seeking', level });
+      const { seed, budget } = settings.getState();
+      const mine = workers.start('fix', { level, accuracy, seed, budget: 1000 * budget }, (fixing) => {
+        // the list does not move while one of it is previewed
+        if (job === mine && store.getState().previewed === null) store.setState({ fixing });
+      });
+      job = mine;
+      void mine.end.then((end) => {
+        if (job !== mine) return;
+        job = null;
+        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
+        else if (end.kind === 'done') {
+          const { previewed, fixing } = store.getState();
+          store.setState({ phase: 'done', fixing: previewed === null ? end.result : fixing });
+        }
+      });
+    },
+    cancel() {
+      stopJob();
+      store.setState(({ fixing }) => ({ phase: fixing === null ? 'idle' : 'done' }));
+    },
+    preview(proposal) {
+      const { level, isOld } = store.getState();
+      if (level === null || isOld) return;
+      back();
+      const file = document.file();
+      const name = freeRunName(file, SOLUTION);
+      shownBefore = session.getState().run;
+      gesture = document.begin(proposalInWords(level, proposal).replace(/\.$/, ''));
+      gesture.set((draft) => void Object.assign(draft, repairedFile(file, proposal, name)));
+      const { origin } = proposal;
+      session.setState({ run: origin.from === 'search' ? name : level.runs[origin.index].name });
+      store.setState({ previewed: proposal });
+    },
+    take() {
+      gesture?.commit();
+    },
+    back,
+    close() {
+      stop();
+      stopJob();
+      back();
+    },
+  };
+}

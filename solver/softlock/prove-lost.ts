@@ -1,0 +1,95 @@
+import { type AccuracyName, isAccuracyName, type Simulation, STATE_SIZE, TICK, WorkBudget } from '../../engine/index.ts';
+import { KINDS, type Level, LISTED_KINDS, NO_OBJECTS, objectsIn } from '../../schema/basics/index.ts';
+import { type Proof, type Prover, proveBy } from '../proofs/index.ts';
+import { verifyProof } from '../verify/index.ts';
+
+/**
+ * The provers that say nothing of the angle of her box: they take her box for a disc, of half its shorter side where a hazard
+ * must overlap it and of half its diagonal where it could touch the black hole, or examine every angle.
+ */
+const AT_ANY_ANGLE: readonly Prover[] = ['out-of-range', 'enclosed', 'covered', 'doomed'];
+
+/** The provers that follow her box from an upright start. */
+const UPRIGHT: readonly Prover[] = ['line-trap', 'dead-end', 'flowpipe'];
+
+/** What the provers of one state may cost, pieces of motion. */
+const MAX_WORK = 10_000;
+
+/** `doomed` and `flowpipe` follow her for so many seconds, and cost the most: they are left out where she can live on longer. */
+const SOON = 8;
+const SOON_OVER: readonly Prover[] = ['doomed', 'flowpipe'];
+
+/** What is known about a state in which a run can be, as a level that starts there. */
+interface StateLevel {
+  /** Whatever she can do from the state, she can do in this level. */
+  readonly level: Level;
+  /** Whether the state is one in which the level can start, down to the angle of her box. */
+  readonly isUpright: boolean;
+}
+
+/**
+ * Makes a level that starts in the state of a run. A level has no angle, no asteroid that moves and no alien that is awake, so:
+ *
+ * - A level starts upright. Where the state is not, only provers that do not depend on the angle may be used.
+ * - Aliens only end runs. Once one may have moved, all are left out: without them she can do no less.
+ * - Minerals change no motion, so it does not matter which of them she has.
+ * - An asteroid that recoil has moved may move on, and she may just have come out of what leads to another place: then there is
+ *   no such level.
+ * @returns null when there is none
+ */
+export function levelFrom(simulation: Simulation): StateLevel | null {
+  const { level, accuracy } = simulation.scene;
+  // frames carry the acceleration of the last frame over
+  if (accuracy.integrator === 'arcade' || hasTwoPlaces(level) || hasRecoiled(simulation)) return null;
+  const state = new Float64Array(STATE_SIZE);
+  simulation.readState(state);
+  const [x, y, vx, vy, cos, sin] = state;
+  const aliens = simulation.mayAliensHaveStirred ? NO_OBJECTS.aliens : level.aliens;
+  return {
+    level: { ...level, aliens, runs: [], astronaut: { ...level.astronaut, x, y, vx, vy } },
+    isUpright: cos === 1 && sin === 0,
+  };
+}
+
+/** Whether something leads from one place to another: she may have come out of it a moment ago. */
+const hasTwoPlaces = (level: Level): boolean =>
+  LISTED_KINDS.some((kind) => KINDS[kind].places.length > 1 && objectsIn(level, kind).length > 0);
+
+function hasRecoiled(simulation: Simulation): boolean {
+  const { asteroids, recoil } = simulation.scene.level;
+  if (!recoil) return false;
+  const places = new Float64Array(2 * asteroids.length);
+  simulation.readAsteroids(places);
+  return asteroids.some(({ x, y }, i) => places[2 * i] !== x || places[2 * i + 1] !== y);
+}
+
+/** What {@link proveLost} found. */
+export interface LostProof {
+  /** A proof about the level that starts in the state; the separate checker has confirmed it. null: none was found. */
+  readonly proof: Proof | null;
+  /** The level that the proof is about; null without a proof. */
+  readonly level: Level | null;
+  /** What the provers cost, pieces of motion. */
+  readonly work: number;
+}
+
+/**
+ * Tries to prove that the black hole cannot be reached from the state of a run, whatever is pressed.
+ * @param simulation a run in progress; it is not changed
+ * @param maxTicks the longest run, ticks from the state on
+ * @param alive the longest that she was seen alive after the state, ticks
+ */
+export function proveLost(simulation: Simulation, maxTicks: number, alive: number): LostProof {
+  const { name } = simulation.scene.accuracy;
+  const from = isAccuracyName(name) ? levelFrom(simulation) : null;
+  if (from === null) return { proof: null, level: null, work: 0 };
+  const budget = new WorkBudget(MAX_WORK);
+  const provers = from.isUpright ? [...AT_ANY_ANGLE, ...UPRIGHT] : AT_ANY_ANGLE;
+  for (const prover of provers) {
+    if (budget.isUsedUp || (alive * TICK > SOON && SOON_OVER.includes(prover))) continue;
+    const options = { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget };
+    const proof = proveBy(prover, from.level, { kind: 'blackHole' }, options);
+    if (proof !== null && verifyProof(from.level, proof).ok) return { proof, level: from.level, work: budget.spent };
+  }
+  return { proof: null, level: null, work: budget.spent };
+}

@@ -1,0 +1,270 @@
+import { createSimulation, joinHolds, playScript, type Scene, type Simulation, STATE_SIZE } from '../../engine/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
+import type { Proof } from '../proofs/index.ts';
+import { createSearch, type Moment } from '../search/index.ts';
+import type { Steps } from '../steps.ts';
+import { createReplay, cutHolds } from '../verified-run.ts';
+import { proveLost } from './prove-lost.ts';
+import type { LostPlace, Standing, SurveyedState } from './standing.ts';
+
+/** Ticks of a search between two breaks. */
+const SLICE = 2000;
+
+/** Places nearer than this to each other are one, px. */
+const NEAR = 48;
+
+/** So many of the most similar open states show how to go on, px and px/s. */
+const MOST_SIMILAR = 6;
+/** Shifts of how they went on, ticks. */
+const SHIFTS = [0, -2, 2, -5, 5, -10, 10];
+/** A run that is not over this many ticks after its last release is given up. */
+const WAIT = 900;
+
+/** A piece of motion of a prover costs as much as this many ticks. */
+const TICKS_A_PIECE = 10;
+
+/** A state while it is examined. */
+export type Examined = { -readonly [K in keyof SurveyedState]: SurveyedState[K] } & {
+  readonly vx: number;
+  readonly vy: number;
+  /** The holds of a run through this state that completes the level; null while none is known. */
+  onward: readonly Hold[] | null;
+  /** Whether a proof was sought. */
+  isProofSought: boolean;
+  /** Whether it was tried how runs go on from similar states. */
+  isKnownTried: boolean;
+};
+
+interface Wanted {
+  readonly runs: readonly (readonly Hold[])[];
+  readonly seed: number;
+  readonly maxTicks: number;
+}
+
+/** A moment at which a run is lost, with how it is known, and the states that are lost with it. */
+interface Entry {
+  readonly at: Examined;
+  readonly open: number | null;
+  states: number;
+  alive: number;
+}
+
+/** What all parts of a survey share: the states, the runs that complete the level, and the work done. */
+export class SurveyTask {
+  readonly scene: Scene;
+  readonly runs: readonly (readonly Hold[])[];
+  readonly maxTicks: number;
+  readonly states: Examined[] = [];
+  ticks = 0;
+  runCount = 0;
+  private readonly seed: number;
+  private readonly simulation: Simulation;
+  private readonly state = new Float64Array(STATE_SIZE);
+  private readonly completing: (readonly Hold[])[] = [];
+  private readonly proved: (Moment & { readonly proof: Proof })[] = [];
+  private readonly entries: Entry[] = [];
+  private searches = 0;
+
+  constructor(scene: Scene, { runs, seed, maxTicks }: Wanted) {
+    this.scene = scene;
+    this.runs = runs.map(joinHolds);
+    this.seed = seed;
+    this.maxTicks = maxTicks;
+    this.simulation = createSimulation(scene);
+  }
+
+  /** The seed of the next search. */
+  nextSeed(): number {
+    return this.seed * 65_536 + this.searches++;
+  }
+
+  /**
+   * Makes a state of a moment.
+   * @returns null if the run is over there
+   */
+  stateAt({ holds, tick }: Moment, run: number | null): Examined | null {
+    const cut = upTo(holds, tick);
+    this.goTo({ holds: cut, tick });
+    if (this.simulation.ending !== null) return null;
+    this.simulation.readState(this.state);
+    const [x, y, vx, vy] = this.state;
+    const onward = this.completing.find((other) => leadsThrough(other, cut, tick)) ?? null;
+    const standing: Standing = { is: onward === null ? 'unknown' : 'open' };
+    return { holds: cut, tick, x, y, vx, vy, standing, alive: 0, run, onward, isProofSought: false, isKnownTried: false };
+  }
+
+  /** Notes a run that completes the level: all states on it are open. */
+  complete(holds: readonly Hold[]): void {
+    this.completing.push(holds);
+    for (const state of this.states) {
+      if (!leadsThrough(holds, state.holds, state.tick)) continue;
+      state.standing = { is: 'open' };
+      state.onward ??= holds;
+    }
+  }
+
+  /** Searches for a run that completes the level from a state, and notes what comes of it. */
+  *searchFrom(state: Examined, ticks: number): Steps<void> {
+    if (state.standing.is === 'open' || state.standing.is === 'proved') return;
+    const { scene } = this;
+    // how late it is already must not count: she has as long from here as from the start
+    const maxTicks = state.tick + this.maxTicks;
+    const known = yield* this.tryKnown(state, maxTicks);
+    if (known !== null) {
+      state.standing = { is: 'open' };
+      state.onward = known;
+      this.complete(known);
+      return;
+    }
+    const search = createSearch(scene, { seed: this.nextSeed(), maxTicks, after: state });
+    const before = this.ticks + state.tick;
+    this.ticks = before;
+    while (search.solutions.length === 0 && search.effort.ticks < ticks && !search.exhausted) {
+      search.advance(SLICE);
+      this.ticks = before + search.effort.ticks;
+      yield null;
+    }
+    this.runCount += search.effort.runs;
+    state.alive = Math.max(state.alive, search.latest - state.tick);
+    const solution = search.solutions[0];
+    if (solution !== undefined) {
+      state.standing = { is: 'open' };
+      state.onward = solution.holds;
+      this.complete(solution.holds);
+    } else {
+      // a state on a run that was found meanwhile stays open
+      const searched = state.standing.is === 'not found' ? state.standing.ticks : 0;
+      state.standing = { is: 'not found', ticks: searched + search.effort.ticks };
+    }
+  }
+
+  /**
+   * Tries how runs went on that complete the level from similar states, with slightly shifted presses and releases.
+   * @returns the holds of a run that completes the level from this state, or null
+   */
+  private *tryKnown(state: Examined, maxTicks: number): Steps<readonly Hold[] | null> {
+    if (state.isKnownTried) return null;
+    state.isKnownTried = true;
+    for (const { onward, tick } of this.similarTo(state)) {
+      if (onward === null) continue;
+      for (const shift of SHIFTS) {
+        const holds = continued(state, onward, tick, shift);
+        const replay = createReplay(this.scene, { minerals: 'any' }, maxTicks);
+        const run = replay.play(holds, (holds.at(-1)?.[1] ?? state.tick) + WAIT);
+        this.ticks += replay.ticks;
+        this.runCount++;
+        yield null;
+        if (run !== null && run.tick >= state.tick) return run.holds;
+      }
+    }
+    return null;
+  }
+
+  /** The open states with the most similar place and velocity. */
+  private similarTo(state: Examined): Examined[] {
+    const square = (a: number, b: number) => (a - b) * (a - b);
+    const difference = (other: Examined) =>
+      square(other.x, state.x) + square(other.y, state.y) + square(other.vx, state.vx) + square(other.vy, state.vy);
+    return this.states
+      .filter(({ onward }) => onward !== null)
+      .map((other) => ({ other, by: difference(other) }))
+      .sort((a, b) => a.by - b.by)
+      .slice(0, MOST_SIMILAR)
+      .map(({ other }) => other);
+  }
+
+  /** Tries once to prove that a state is lost. */
+  *prove(state: Examined): Steps<void> {
+    if (state.isProofSought || state.standing.is === 'open' || state.standing.is === 'proved') return;
+    state.isProofSought = true;
+    const before = this.proved.find(({ holds, tick }) => tick <= state.tick && leadsThrough(state.holds, holds, tick));
+    if (before !== undefined) {
+      state.standing = { is: 'proved', proof: before.proof };
+      return;
+    }
+    this.goTo(state);
+    const { proof, work } = proveLost(this.simulation, this.maxTicks, state.alive);
+    this.ticks += TICKS_A_PIECE * work;
+    if (proof !== null) {
+      state.standing = { is: 'proved', proof };
+      this.proved.push({ holds: state.holds, tick: state.tick, proof });
+    }
+    yield null;
+  }
+
+  /** The latest tick on the way to a state at which the black hole is known to be in reach; null if none is known. */
+  lastOpen({ holds, tick }: Moment): number | null {
+    const common = this.completing.map((other) => commonTicks(other, holds, tick));
+    return common.length === 0 ? null : Math.max(...common);
+  }
+
+  /** The entry that a state lies beyond, if it was found already. */
+  entryOf(state: Examined): Entry | undefined {
+    return this.entries.find(
+      ({ at }) => at.standing.is === state.standing.is && at.tick <= state.tick && leadsThrough(state.holds, at.holds, at.tick),
+    );
+  }
+
+  /** Notes the moment at which a state was lost. */
+  enter(at: Examined, open: number | null, { tick, alive }: Examined): void {
+    this.entries.push({ at, open, states: 1, alive: Math.max(at.alive, tick + alive - at.tick) });
+  }
+
+  /** Notes that a state lies beyond an entry. */
+  follow(entry: Entry, { tick, alive }: Examined): void {
+    entry.states++;
+    entry.alive = Math.max(entry.alive, tick + alive - entry.at.tick);
+  }
+
+  places(): LostPlace[] {
+    const places: LostPlace[] = [];
+    const isLost = ({ standing: { is } }: Examined) => is === 'proved' || is === 'not found';
+    const sorted = this.entries.filter(({ at }) => isLost(at)).sort((a, b) => b.alive - a.alive);
+    for (const { at, open, states, alive } of sorted) {
+      const near = places.findIndex(
+        ({ x, y, standing }) => standing.is === at.standing.is && (x - at.x) * (x - at.x) + (y - at.y) * (y - at.y) < NEAR * NEAR,
+      );
+      if (near >= 0) places[near] = { ...places[near], states: places[near].states + states };
+      else {
+        const { x, y, holds, tick, standing, run } = at;
+        places.push({ x, y, holds, tick, standing, run, alive, open, states });
+      }
+    }
+    return places;
+  }
+
+  private goTo({ holds, tick }: Moment): void {
+    this.simulation.reset();
+    playScript(this.simulation, holds, tick);
+    this.ticks += this.simulation.tick;
+  }
+}
+
+/** The part of holds before a tick. */
+const upTo = (holds: readonly Hold[], tick: number): Hold[] => (tick === 0 ? [] : cutHolds(joinHolds(holds), tick - 1));
+
+/** Whether a run passes through the state that other holds lead to. */
+const leadsThrough = (run: readonly Hold[], holds: readonly Hold[], tick: number): boolean =>
+  commonTicks(run, holds, tick) >= tick;
+
+/** For how many ticks two sorted and disjoint lists of holds say the same, at most `tick`. */
+function commonTicks(a: readonly Hold[], b: readonly Hold[], tick: number): number {
+  const [edges, others] = [a.flat(), b.flat()];
+  for (let i = 0; i < edges.length || i < others.length; i++) {
+    if (edges[i] !== others[i]) {
+      return Math.min(tick, edges[i] ?? Number.POSITIVE_INFINITY, others[i] ?? Number.POSITIVE_INFINITY);
+    }
+  }
+  return tick;
+}
+
+/** Holds that lead to a state and then go on as a run did after another tick, some ticks earlier or later. */
+function continued({ holds, tick }: Moment, onward: readonly Hold[], from: number, shift: number): Hold[] {
+  const later = onward
+    .filter(([, release]) => release > from)
+    .map(([press, release]): Hold => {
+      const at = Math.max(0, press - from + (press > from ? shift : 0));
+      return [tick + at, tick + Math.max(at + 1, release - from + shift)];
+    });
+  return joinHolds([...holds, ...later]);
+}

@@ -1,0 +1,81 @@
+import type { Scene } from '../../engine/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
+import type { Effort } from '../search/index.ts';
+import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
+import type { LostPlace, SurveyedState } from './standing.ts';
+import { surveySteps } from './survey-steps.ts';
+import { SurveyTask } from './survey-task.ts';
+
+/** What {@link createSoftlockSurvey} examines. */
+export interface SurveyOptions {
+  /** Runs whose states are examined, too; those of the level by default. */
+  readonly runs?: readonly (readonly Hold[])[];
+  /** Seed of the random choices, a whole number; 0 by default. */
+  readonly seed?: number;
+  /** The longest a run may last, ticks; 3600 by default. */
+  readonly maxTicks?: number;
+}
+
+/** An examination of where the level is already lost. It can be stopped at any time, and has its results so far. */
+export interface SoftlockSurvey {
+  /** The work done so far; what provers cost counts as ticks. */
+  readonly effort: Effort;
+  /** Every state that is examined. */
+  readonly states: readonly SurveyedState[];
+  /** The places where the level is lost although she lives on, those first where she lives on longest. */
+  readonly places: readonly LostPlace[];
+  /** True when nothing more is examined. */
+  readonly finished: boolean;
+  /**
+   * Continues the work. The same total gives the same result however it is split into calls.
+   * @param ticks how many more ticks to simulate; the survey may overshoot a little
+   */
+  advance(ticks: number): void;
+}
+
+/**
+ * Creates an examination of the states in which she is alive, and from which the black hole cannot be reached any more. It
+ * examines states along the level's runs and states that a search reaches. Nothing is simulated before the first call of
+ * `advance`.
+ *
+ * Each state is searched from, first briefly, then longer and longer, and proved lost where a prover covers it. A state is
+ * called lost only with a proof or with the length of the search that found nothing. Where she lives on for a second and more,
+ * the way back along the run is searched for the moment at which it was lost.
+ * @param scene the compiled level
+ * @param options runs, seed and the longest run
+ * @returns a survey at its start
+ * @example
+ * ```ts
+ * import { compile } from 'gravity-quest-toolkit';
+ * import { createSoftlockSurvey } from 'gravity-quest-toolkit/solver';
+ *
+ * const survey = createSoftlockSurvey(compile(level));
+ * while (!survey.finished && survey.effort.ticks < 3_000_000) survey.advance(50_000);
+ * for (const { x, y, tick, alive, standing } of survey.places) console.log(x, y, tick, alive, standing.is);
+ * ```
+ */
+export function createSoftlockSurvey(scene: Scene, options: SurveyOptions = {}): SoftlockSurvey {
+  const { seed = 0, maxTicks = DEFAULT_MAX_TICKS, runs = scene.level.runs.map(({ holds }) => holds) } = options;
+  const task = new SurveyTask(scene, { runs, seed, maxTicks });
+  const work = surveySteps(task);
+  let asked = 0;
+  let finished = false;
+  return {
+    get effort() {
+      return { runs: task.runCount, ticks: task.ticks };
+    },
+    get states() {
+      return task.states;
+    },
+    get places() {
+      return task.places();
+    },
+    get finished() {
+      return finished;
+    },
+    advance(ticks) {
+      asked += ticks;
+      while (!finished && task.ticks < asked) finished = work.next().done === true;
+    },
+  };
+}
