@@ -1,4 +1,4 @@
-import { type AccuracyName, compile, type Scene } from '../../engine/index.ts';
+import { type AccuracyName, compile, DEFAULT_MAX_WORK, type Scene, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createDecider, createSearch, proveImpossible, verifyProof } from '../../solver/index.ts';
 
@@ -53,7 +53,8 @@ const milliseconds = (since: NodeJS.CpuUsage): number => {
 /** Tries to prove a level impossible, and searches it when that fails, or to refute the proof. */
 export function decide({ name, level }: NamedLevel, { accuracy, budget, refuteMs }: Effort): Decision {
   const began = process.cpuUsage();
-  const quick = proveImpossible(level, { accuracy });
+  // as `gq check` does
+  const quick = proveImpossible(level, { accuracy, budget: new WorkBudget(DEFAULT_MAX_WORK / 2) });
   const proofMs = milliseconds(began);
   const from = process.cpuUsage();
   const scene = compile(level, accuracy);

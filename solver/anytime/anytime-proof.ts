@@ -1,7 +1,7 @@
 import { type AccuracyName, TICK, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
-import { type About, type Proof, type Prover, proveBy } from '../proofs/index.ts';
+import { type About, FINEST, type Proof, type Prover, proveBy } from '../proofs/index.ts';
 import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { verifyProof } from '../verify/index.ts';
 
@@ -34,10 +34,7 @@ export interface AnytimeProof {
 }
 
 /** The provers that prove more with finer sets, the one that takes least work first. */
-const FINER: readonly Prover[] = ['doomed', 'flowpipe'];
-
-/** Fineness from 0 on; a prover tries nothing finer than it can. */
-const FINEST = 4;
+const FINER: readonly Prover[] = ['doomed', 'orbits', 'flowpipe'];
 
 /** The limit of an attempt at the first fineness, ticks; the next are larger by the factor. */
 const FIRST = 400_000;
@@ -88,7 +85,7 @@ function* attemptsFor(abouts: readonly About[]): Generator<Attempt, void, boolea
     for (const about of abouts) if (yield { prover, about, fineness: 0, limit: PROBE }) questions.push({ prover, about });
   }
   let limit = FIRST;
-  for (let fineness = 0; fineness <= FINEST; fineness++) {
+  for (let fineness = 1; fineness <= FINEST; fineness++) {
     for (const question of questions) yield { ...question, fineness, limit };
     limit *= GROWTH;
   }

@@ -28,6 +28,7 @@ export function suspectsOf(level: Level, { certificate }: Proof): ObjectRef[] {
       return [...unique(strips.map(({ by }) => by)), START];
     }
     case 'doomed':
+    case 'orbits':
       return [START];
   }
 }
