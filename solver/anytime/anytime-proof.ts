@@ -1,7 +1,7 @@
 import { type AccuracyName, TICK, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
-import { type About, FINEST, type Proof, type Prover, proveBy } from '../proofs/index.ts';
+import { type About, type Proof, type Prover, proveBy } from '../proofs/index.ts';
 import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { verifyProof } from '../verify/index.ts';
 
@@ -33,12 +33,17 @@ export interface AnytimeProof {
   advance(ticks: number): void;
 }
 
-/** The provers that prove more with finer sets, the one that takes least work first. */
-const FINER: readonly Prover[] = ['doomed', 'orbits', 'flowpipe'];
-
-/** The limit of an attempt at the first fineness, ticks; the next are larger by the factor. */
-const FIRST = 400_000;
-const GROWTH = 3;
+/**
+ * What is tried, one after the other: the provers that prove more with finer sets. `doomed` and `flowpipe` begin finer than quick
+ * proofs do, which seldom lack work for them. The limits are what the larger of the attempts take that succeed, ticks.
+ */
+const ATTEMPTS: readonly Pick<Attempt, 'prover' | 'fineness' | 'limit'>[] = [
+  { prover: 'orbits', fineness: 0, limit: 2_000_000 },
+  { prover: 'flowpipe', fineness: 1, limit: 2_000_000 },
+  { prover: 'doomed', fineness: 1, limit: 2_000_000 },
+  { prover: 'orbits', fineness: 1, limit: 8_000_000 },
+  { prover: 'orbits', fineness: 2, limit: 24_000_000 },
+];
 
 /** With more minerals than this, only the black hole is examined. */
 const MOST_MINERALS = 3;
@@ -79,17 +84,19 @@ interface Attempt {
 }
 
 function* attemptsFor(abouts: readonly About[]): Generator<Attempt, void, boolean> {
-  const questions: { prover: Prover; about: About }[] = [];
   // each prover is probed first: true means that it may prove something with more work
-  for (const prover of FINER) {
-    for (const about of abouts) if (yield { prover, about, fineness: 0, limit: PROBE }) questions.push({ prover, about });
+  const applies = new Set<string>();
+  for (const prover of new Set(ATTEMPTS.map((attempt) => attempt.prover))) {
+    for (const about of abouts) {
+      if (yield { prover, about, fineness: 0, limit: PROBE }) applies.add(`${prover} ${keyOf(about)}`);
+    }
   }
-  let limit = FIRST;
-  for (let fineness = 1; fineness <= FINEST; fineness++) {
-    for (const question of questions) yield { ...question, fineness, limit };
-    limit *= GROWTH;
+  for (const attempt of ATTEMPTS) {
+    for (const about of abouts) if (applies.has(`${attempt.prover} ${keyOf(about)}`)) yield { ...attempt, about };
   }
 }
+
+const keyOf = (about: About): number => (about.kind === 'mineral' ? about.index : -1);
 
 function aboutsOf({ minerals }: Level, goal: Goal): About[] {
   const needed = mineralsNeeded(goal, minerals.length);

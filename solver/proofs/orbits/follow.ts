@@ -217,7 +217,7 @@ class OrbitFan {
     raw.clear();
     const cost = 8 + 2 * rocks.length + this.fields.length + 2 * this.hazards.length;
     for (let b = 0; b < now.size; b++) {
-      setting.budget.look(cost);
+      setting.budget.look(cost / 8);
       for (let n = 0, o = b * NUMBERS; n < NUMBERS; n++, o++) box[n] = now.boxes[o];
       const chart = now.charts[b];
       if (!this.move(chart >> 1, chart % 2 === 0)) return false;
@@ -234,6 +234,7 @@ class OrbitFan {
     const rate = isPolar ? (lm / box[0] + Math.max(-box[4], box[5])) / box[0] / BEND : 1 / NEAR_PART;
     const parts = Math.max(1, Math.min(MOST_PARTS, Math.ceil(this.step * rate - 1e-9)));
     this.h = this.step / parts;
+    this.setting.budget.look(parts * (1 + this.rocks.length / 4 + this.hazards.length / 8));
     for (let n = 0; n < parts; n++) {
       if (!(this.isPolar ? this.movePolar(i) : this.moveNear(i))) return false;
       if (this.isPolar && !agree(box)) return true;
@@ -692,6 +693,7 @@ class OrbitFan {
         const t0 = Math.max(box[2], b * turn);
         const t1 = Math.min(box[3], (b + 1) * turn);
         this.setRect(d0, d1, t0, t1);
+        this.setting.budget.look((2 + this.hazards.length) / 8 + ((c1 - c0 + 1) * (l1 - l0 + 1)) / 4);
         if (this.isDead(i, d1) || (final && !this.mayBeNearest(i))) continue;
         const whole = Math.floor(b / turns);
         const back = whole * 2 * Math.PI;
@@ -748,6 +750,7 @@ class OrbitFan {
         const y0 = Math.max(box[2], b * place);
         const y1 = Math.min(box[3], (b + 1) * place);
         this.setPlain(x0, x1, y0, y1);
+        this.setting.budget.look((2 + this.hazards.length) / 8 + ((c1 - first[2] + 1) * (e1 - first[3] + 1)) / 2);
         if (this.isDead(i, this.farthest()) || (final && !this.mayBeNearest(i))) continue;
         for (let c = first[2]; c <= c1; c++) {
           const u0 = Math.max(box[4], c * speed);
