@@ -25,4 +25,4 @@ export type {
   Strip,
   ThingRef,
 } from './proof.ts';
-export { PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';
+export { FINEST, PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';
