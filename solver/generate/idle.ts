@@ -68,10 +68,11 @@ function objectsOf(layout: Layout): { list: List; place: unknown }[] {
 
 /** The layout without one object. */
 function without(layout: Layout, list: List, object: unknown): Layout {
-  if (list === 'winds' || list === 'wormholes') {
-    return { ...layout, placed: { ...layout.placed, [list]: layout.placed[list].filter((other) => other !== object) } };
+  if (list in layout.placed) {
+    const placed = layout.placed[list as PlacedList] as readonly unknown[];
+    return { ...layout, placed: { ...layout.placed, [list]: placed.filter((other) => other !== object) } };
   }
-  return { ...layout, [list]: (layout[list] as readonly unknown[]).filter((other) => other !== object) };
+  return { ...layout, [list]: (layout[list as 'novae'] as readonly unknown[]).filter((other) => other !== object) };
 }
 
 /**

@@ -1,5 +1,5 @@
 import { compile, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import { type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { type LevelFile, LISTED_KINDS, listOf, resolveLevel } from '../../schema/index.ts';
 
 /** How much the levels of a set differ. Distances are from 0, the same up to symmetry, to 1. */
 export interface Variety {
@@ -37,7 +37,7 @@ export function traitsOf(file: LevelFile): Traits {
     run.trajectory.at(tick * TICK, state);
     path.push({ x: state[0], y: state[1] });
   }
-  const kinds = [level.asteroids, level.novae, level.repulsors, level.aliens, level.winds, level.wormholes];
+  const kinds = LISTED_KINDS.filter((kind) => kind !== 'mineral').map((kind) => level[listOf(kind)]);
   const objects = [level.blackHole, ...kinds.flat()].map(({ x, y }) => ({ x, y }));
 
   const all = [...objects, ...path];

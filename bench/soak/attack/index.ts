@@ -9,7 +9,7 @@ import { type Play, playLevel, STYLES } from './plays.ts';
 import { levelFor, type Prover } from './styles.ts';
 import { withWindsAndWormholes } from './winds-and-wormholes.ts';
 
-export { attackOrbits, emptyOrbits, type OrbitsTally } from './orbits.ts';
+export { attackOrbits, emptyOrbits } from './orbits.ts';
 export { attackSolvable, emptySolvable } from './solvable.ts';
 export type { Prover };
 export const ALL_PROVERS = Object.keys(PROVERS) as Prover[];

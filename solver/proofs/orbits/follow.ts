@@ -3,6 +3,7 @@ import { driftAfter, easySpeed, isEasyFor } from '../assumptions.ts';
 import { standingCircles } from '../blockers.ts';
 import type { About, Blocker, OrbitGrid } from '../proof.ts';
 import { mouthDiscs, RIM_SLACK } from '../rims.ts';
+import { distance } from '../rounding.ts';
 import type { Setting, Thing } from '../setting.ts';
 import { Layer, NUMBERS } from './layer.ts';
 import { atan2, cos, sin } from './trigonometry.ts';
@@ -75,6 +76,8 @@ export function followOrbits(
     endedBy: [...fan.endedBy],
   });
   if (!fan.fits() || !isEasyFor(setting, grid.frames * TICK)) return end(false, 0, 'the grid is too fine or she is too fast');
+  // what she touches at the start counts, even if a hazard ends the run there
+  if (distance(goal, { x: 0, y: 0 }) <= goal.touch + SLACK) return end(false, 0, 'the object is at the start');
   let now = fan.start();
   let next = new Layer();
   for (let step = 0; step <= most.steps; step++) {

@@ -296,14 +296,14 @@ describe('flowpipe alone', () => {
   it('follows no more pieces than allowed', () => {
     const level = moving(-60, 20, { asteroids: [at(50, 0)] });
     const made = flowpipe(12)(level) as Flowpipe;
-    // 158 lines in each direction cut the set into nothing 25,280 times, and into one part that goes on.
-    const far = Array.from({ length: 158 }, (_, n) => 8000 + n);
-    const parts = Array.from({ length: 159 * 159 }, () => ({ off: [], to: 0 }));
+    // 316 lines in each direction cut the set into nothing 100,488 times, and into one part that goes on.
+    const far = Array.from({ length: 316 }, (_, n) => 8000 + n);
+    const parts = Array.from({ length: 317 * 317 }, () => ({ off: [], to: 0 }));
     const cut = { cuts: [far, far, [], []], parts };
     expect(whyNot(level, { ...made, layers: [[[cut, cut]], ...made.layers.slice(1)] })).toBe(
       'it does not say how a set continues in step 1',
     );
-    const half = { cuts: [far.slice(0, 100), far.slice(0, 124), [], []], parts: parts.slice(0, 101 * 125) };
+    const half = { cuts: [far.slice(0, 223), far.slice(0, 223), [], []], parts: parts.slice(0, 224 * 224) };
     expect(whyNot(level, { ...made, layers: [[[half, half]], ...made.layers.slice(1)] })).toBe(
       'following her takes too many pieces',
     );
