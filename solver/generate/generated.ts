@@ -21,10 +21,18 @@ export interface Generated {
  * and nothing makes it harder; it is too hard; its best run forgives too little; no minerals were found that one run collects; a
  * warning is left.
  */
-export type Rejection = (typeof REJECTIONS)[number];
+export type Rejection = 'noRoom' | 'noRun' | 'tooEasy' | 'tooHard' | 'unforgiving' | 'noMinerals' | 'warnings';
 
 /** Every reason, in the order in which attempts meet them. */
-export const REJECTIONS = ['noRoom', 'noRun', 'tooEasy', 'tooHard', 'unforgiving', 'noMinerals', 'warnings'] as const;
+export const REJECTIONS: readonly Rejection[] = [
+  'noRoom',
+  'noRun',
+  'tooEasy',
+  'tooHard',
+  'unforgiving',
+  'noMinerals',
+  'warnings',
+];
 
 /** An attempt at a level. It yields the ticks simulated since the last time, and returns a level, or why it failed. */
 export type Attempt = Generator<number, Generated | Rejection>;
