@@ -57,7 +57,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing, finenes
     return {
       code: 'doomed',
       about,
-      reason: reasonOf(about, layers.length * grid.frames * TICK, endedBy),
+      reason: soonOverReason(about, layers.length * grid.frames * TICK, endedBy),
       covers: isFarOut ? CONTINUOUS : ALL_ACCURACIES,
       maxTime: level.recoil ? maxTime : null,
       certificate: { kind: 'doomed', grid, layers },
@@ -80,13 +80,14 @@ export function startAxis({ level: { asteroids, astronaut } }: Setting): readonl
 }
 
 /** Lists in words what ends the runs. */
-export function whatEnds(endedBy: readonly Blocker[]): string {
+function whatEnds(endedBy: readonly Blocker[]): string {
   const names = endedBy.map((by) => (by.kind === 'range' ? 'the edge of the range' : thing(by)));
   const last = names.pop();
   return names.length > 0 ? `${names.join(', ')} or ${last}` : `${last}`;
 }
 
-function reasonOf(about: About, seconds: number, endedBy: readonly Blocker[]): string {
+/** Why the object is out of reach when every run ends within some seconds. */
+export function soonOverReason(about: About, seconds: number, endedBy: readonly Blocker[]): string {
   return (
     `${subject(about)} is never reached: with her velocity at the start, every run ends within ${Math.ceil(seconds * 10) / 10} s ` +
     `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`

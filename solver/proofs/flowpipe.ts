@@ -1,9 +1,8 @@
 import { TICK } from '../../engine/index.ts';
 import { easySpeed } from './assumptions.ts';
-import { startAxis, whatEnds } from './doomed.ts';
+import { soonOverReason, startAxis } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
-import { subject } from './say.ts';
 import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
 import { longestPlay } from './soon-over.ts';
 
@@ -65,13 +64,11 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing, finen
     const { closed, hopeless, layers, endedBy } = followPipes(setting, about, goal, grid, most);
     if (hopeless) return null;
     if (!closed) continue;
-    const seconds = Math.ceil(layers.length * grid.frames * TICK * 10) / 10;
+    const seconds = layers.length * grid.frames * TICK;
     return {
       code: 'flowpipe',
       about,
-      reason:
-        `${subject(about)} is never reached: with her velocity at the start, every run ends within ${seconds} s ` +
-        `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`,
+      reason: soonOverReason(about, seconds, endedBy),
       covers: CONTINUOUS,
       maxTime: level.recoil ? maxTime : null,
       certificate: { kind: 'flowpipe', grid, layers },

@@ -1,8 +1,7 @@
 import { TICK } from '../../../engine/index.ts';
-import { whatEnds } from '../doomed.ts';
+import { soonOverReason } from '../doomed.ts';
 import type { About, OrbitGrid, Proof } from '../proof.ts';
 import { distance } from '../rounding.ts';
-import { subject } from '../say.ts';
 import { EXACT, type Setting, type Thing } from '../setting.ts';
 import { longestPlay } from '../soon-over.ts';
 import { followOrbits } from './follow.ts';
@@ -56,13 +55,11 @@ export function proveOrbits(setting: Setting, about: About, goal: Thing, finenes
   const { closed, steps: needed, endedBy } = followOrbits(setting, about, goal, grid, { steps: most, boxes });
   if (!closed) return null;
   const steps = Math.ceil(SPARE[0] * needed) + SPARE[1];
-  const seconds = Math.ceil(steps * grid.frames * TICK * 10) / 10;
+  const seconds = steps * grid.frames * TICK;
   return {
     code: 'orbits',
     about,
-    reason:
-      `${subject(about)} is never reached: with her velocity at the start, every run ends within ${seconds} s ` +
-      `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`,
+    reason: soonOverReason(about, seconds, endedBy),
     covers: EXACT,
     maxTime: level.recoil ? maxTime : null,
     certificate: { kind: 'orbits', grid, steps },
