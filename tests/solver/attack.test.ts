@@ -24,6 +24,7 @@ const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
   covered: 4,
   'line-trap': 10,
   'dead-end': 8,
+  orbits: 2,
 };
 
 /** The first seed, where the levels of earlier ones take seconds each. `npm run bench:soak` attacks those as well. */
