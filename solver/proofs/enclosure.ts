@@ -3,7 +3,7 @@ import { type BlockingDisc, blockingDiscs, rangeDiscs } from './blockers.ts';
 import { type OutlinePiece, outlinesOf } from './outline.ts';
 import type { About, BarrierEdge, Blocker, Proof } from './proof.ts';
 import { type Cell, type Judge, Quadtree } from './quadtree.ts';
-import { exitOf, mouthDiscs } from './rims.ts';
+import { exitOf, mouthDiscs, type RimDisc } from './rims.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Disc, type Setting, type Thing } from './setting.ts';
@@ -33,16 +33,18 @@ interface Plane {
   readonly discs: readonly BlockingDisc[];
   readonly ranges: readonly Disc[];
   readonly goal: Disc;
+  /** Where a wormhole may move her, in units of the quadtree; the other end of mouth i is mouth `exitOf(i)`. */
+  readonly mouths: readonly RimDisc[];
 }
 
 /**
  * `enclosed`: a closed barrier separates the start from the object. No point of it can be the place of her centre, because each
  * edge lies in the disc of one hazard that stands still, or out of every asteroid's range. Her path is continuous, so she
  * cannot get to the other side. In `arcade` she is observed once per frame, so the discs are smaller by what a chord of one
- * frame's flight can cut off (lemma `chord`). Both mouths of each wormhole must lie on the same side.
+ * frame's flight can cut off (lemma `chord`). Both mouths of each wormhole must lie on the same side, clear of the barrier.
  *
  * To find the barrier, a quadtree divides the plane. A cell is blocked if one disc contains all of it or all of it is out of
- * range. A flood fill from the start goes through all cells that are not blocked. If it reaches the object, the undecided cells
+ * range. A flood fill from the start goes through all cells that are not blocked, and through wormholes. If it reaches the object, the undecided cells
  * on the path are divided and the search repeats, so that cells are small only where a gap is still open. Once the object is
  * out of reach, the outline of the visited cells is the barrier, which is then simplified. The checker needs none of this: it
  * tests the finished barrier edge by edge. Rests on the lemmas `way`, `reach`, `jump`, `chord`, `drift` and `mouths`.
@@ -55,6 +57,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
   if (reached.length === 0) return null;
   const ranges = rangeDiscs(setting);
   const plane = planeAround(
+    setting,
     reached.map((i) => ranges[i]),
     blockingDiscs(setting, about),
     ranges,
@@ -64,8 +67,8 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
   const tree = new Quadtree(plane.size, judgeOf(plane, setting.budget), [...Array(plane.discs.length + ranges.length).keys()]);
   const inside = closeIn(tree, plane);
   if (inside === null) return null;
-  const barrier = barrierOf(tree, inside, plane);
-  if (barrier === null || level.wormholes.some((_, i) => leadsThrough(setting, barrier, 2 * i))) return null;
+  const barrier = barrierOf(tree, inside, plane, setting);
+  if (barrier === null) return null;
   const place = ({ x, y, by }: BarrierEdge): BarrierEdge => ({ x: x + level.astronaut.x, y: y + level.astronaut.y, by });
   return {
     code: 'enclosed',
@@ -78,6 +81,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
 }
 
 function planeAround(
+  { level, jump }: Setting,
   reached: readonly Disc[],
   discs: readonly BlockingDisc[],
   ranges: readonly Disc[],
@@ -89,15 +93,22 @@ function planeAround(
   const top = reached.reduce((most, d) => Math.max(most, d.y + d.r), 0) + 4 * UNIT;
   let size = 1;
   while (size <= WIDEST && size * UNIT < Math.max(right - left, top - bottom)) size *= 2;
-  return { left, bottom, size, discs, ranges, goal };
+  const mouths = mouthDiscs(level).map(({ x, y, radius }) => ({
+    x: (x - level.astronaut.x - left) / UNIT,
+    y: (y - level.astronaut.y - bottom) / UNIT,
+    radius: (radius + jump + 4 * UNIT) / UNIT,
+  }));
+  return { left, bottom, size, discs, ranges, goal, mouths };
 }
 
 /**
  * Judges a cell: blocked when one disc contains it or all of it is out of range, free when no hazard reaches into it and all of
- * it is in range, else mixed.
+ * it is in range, else mixed. Nothing blocks a cell that a mouth of a wormhole reaches into, because no barrier may pass there.
  */
-function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Judge {
+function judgeOf({ left, bottom, discs, ranges, mouths }: Plane, budget: WorkBudget): Judge {
   return (cellX, cellY, size, nearby) => {
+    const square = { x: cellX, y: cellY, size };
+    const inMouth = mouths.some((mouth) => meets(mouth, square));
     const half = (size * UNIT) / 2;
     const x = left + cellX * UNIT + half;
     const y = bottom + cellY * UNIT + half;
@@ -114,8 +125,8 @@ function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Ju
       const slack = margin(dx + dy, disc.r);
       const far = Math.sqrt((dx + half) * (dx + half) + (dy + half) * (dy + half));
       if (far < disc.r - slack) {
-        if (isHazard) return { state: 'blocked', blocker: id, nearby: [] };
-        inRange = true;
+        if (isHazard && !inMouth) return { state: 'blocked', blocker: id, nearby: [] };
+        if (!isHazard) inRange = true;
       }
       const nx = Math.max(0, dx - half);
       const ny = Math.max(0, dy - half);
@@ -124,7 +135,7 @@ function judgeOf({ left, bottom, discs, ranges }: Plane, budget: WorkBudget): Ju
       kept.push(id);
       if (!isHazard) someRange = true;
     }
-    if (!someRange) return { state: 'blocked', blocker: discs.length, nearby: [] };
+    if (!someRange && !inMouth) return { state: 'blocked', blocker: discs.length, nearby: [] };
     const hazards = kept.some((id) => id < discs.length);
     return { state: inRange && !hazards ? 'free' : 'mixed', blocker: -1, nearby: kept };
   };
@@ -175,8 +186,11 @@ function refineCoarse(tree: Quadtree, cell: Cell, coarse: number): void {
  * Visits all cells that she may get into, free ones first. The ends are the cells where she reaches the object or leaves the
  * plane.
  */
-function flood(tree: Quadtree, start: Cell, search: number, { left, bottom, goal }: Plane): { ends: Cell[]; visited: Cell[] } {
+function flood(tree: Quadtree, start: Cell, search: number, plane: Plane): { ends: Cell[]; visited: Cell[] } {
+  const { left, bottom, goal, mouths } = plane;
   const visited: Cell[] = [];
+  // Each mouth is entered once: then all cells at its other end are reached.
+  const closed = new Set(mouths.keys());
   const ends: Cell[] = [];
   let now: Cell[] = [start];
   let later: Cell[] = [];
@@ -187,15 +201,23 @@ function flood(tree: Quadtree, start: Cell, search: number, { left, bottom, goal
       const from = cell;
       visited.push(from);
       let over = touches(from);
+      const reach = (next: Cell | null): void => {
+        if (next === null) over = true;
+        else if (next.state !== 'blocked' && next.seen !== search) {
+          next.seen = search;
+          next.from = from;
+          (next.state === 'free' ? now : later).push(next);
+        }
+      };
       if (!over) {
-        tree.neighbours(from, (next) => {
-          if (next === null) over = true;
-          else if (next.state !== 'blocked' && next.seen !== search) {
-            next.seen = search;
-            next.from = from;
-            (next.state === 'free' ? now : later).push(next);
-          }
-        });
+        tree.neighbours(from, reach);
+        for (const mouth of closed) {
+          if (!meets(mouths[mouth], from)) continue;
+          closed.delete(mouth);
+          const exit = mouths[exitOf(mouth)];
+          if (isOutside(exit, tree.root.size)) over = true;
+          tree.inDisc(exit, reach);
+        }
       }
       if (over) ends.push(from);
     }
@@ -213,13 +235,24 @@ function flood(tree: Quadtree, start: Cell, search: number, { left, bottom, goal
   }
 }
 
+/** Whether a disc reaches into a cell. */
+function meets({ x, y, radius }: RimDisc, cell: Pick<Cell, 'x' | 'y' | 'size'>): boolean {
+  const dx = Math.max(0, cell.x - x, x - cell.x - cell.size);
+  const dy = Math.max(0, cell.y - y, y - cell.y - cell.size);
+  return dx * dx + dy * dy <= radius * radius;
+}
+
+/** Whether a disc reaches out of a square with a corner at the origin. */
+const isOutside = ({ x, y, radius }: RimDisc, size: number): boolean => Math.min(x, y) < radius || Math.max(x, y) > size - radius;
+
 function passesMixed(end: Cell): boolean {
   for (let cell: Cell | null = end; cell !== null; cell = cell.from) if (cell.state === 'mixed') return true;
   return false;
 }
 
 /** The outline of the visited cells that separates the start from the object, with as few edges as possible. */
-function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane): BarrierEdge[] | null {
+function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane, setting: Setting): BarrierEdge[] | null {
+  const mouths = setting.level.wormholes.map((_, i) => 2 * i);
   const members = new Set(inside);
   const blockers: Blocker[] = [...plane.discs.map(({ of }) => of), { kind: 'range' }];
   const toEdge = ({ x, y, blocker }: OutlinePiece): BarrierEdge => ({
@@ -229,9 +262,9 @@ function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane): Barri
   });
   for (const outline of outlinesOf(tree, inside, (cell) => members.has(cell))) {
     const edges = outline.map(toEdge);
-    if (!separates(edges, plane.goal)) continue;
+    if (!separates(edges, plane.goal) || mouths.some((mouth) => leadsThrough(setting, edges, mouth))) continue;
     const fewer = withFewerEdges(edges, plane);
-    return separates(fewer, plane.goal) ? fewer : edges;
+    return separates(fewer, plane.goal) && !mouths.some((mouth) => leadsThrough(setting, fewer, mouth)) ? fewer : edges;
   }
   return null;
 }

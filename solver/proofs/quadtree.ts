@@ -79,6 +79,20 @@ export class Quadtree {
     this.along(x, y - 1, size, true, visit);
   }
 
+  /** Calls `visit` for each leaf that a disc reaches into, or may reach into; centre and radius in units. */
+  inDisc(
+    disc: { readonly x: number; readonly y: number; readonly radius: number },
+    visit: (leaf: Cell) => void,
+    cell = this.root,
+  ): void {
+    const { x, y, size, children } = cell;
+    const dx = Math.max(0, x - disc.x, disc.x - x - size);
+    const dy = Math.max(0, y - disc.y, disc.y - y - size);
+    if (dx * dx + dy * dy > disc.radius * disc.radius) return;
+    if (children === null) visit(cell);
+    else for (const child of children) this.inDisc(disc, visit, child);
+  }
+
   private along(x: number, y: number, size: number, across: boolean, visit: (neighbour: Cell | null) => void): void {
     for (let at = 0; at < size; ) {
       const neighbour = across ? this.leafAt(x + at, y) : this.leafAt(x, y + at);
