@@ -4,6 +4,7 @@ import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run
 import { CellSearch, type SearchTask } from './cell-search.ts';
 import { Guide } from './guide.ts';
 import { HeatTally } from './heat-map.ts';
+import { Lingering } from './lingering.ts';
 import { MineralSet } from './mineral-set.ts';
 import { Reports } from './reports.ts';
 import type { Closest, Effort, Explored, Moment, Search, SearchOptions } from './search.ts';
@@ -16,8 +17,8 @@ const GUIDED_SEED = 0.5;
 
 /**
  * Interleaves two searches: a plain one, and one that is guided along the ways to the goal ({@link Guide}). The plain one is alone
- * at first. Later they take turns, a stretch at a time, such that both have simulated equally many ticks since then. Which one
- * is next depends on these counts only, so the result does not depend on how `advance` is split.
+ * at first. Then {@link Lingering} has its few plays. Later the two take turns, a stretch at a time, such that both have simulated
+ * equally many ticks since then. What is next depends on these counts only, so the result does not depend on how `advance` is split.
  */
 class LaneSearch implements Search {
   readonly scene: Scene;
@@ -25,6 +26,8 @@ class LaneSearch implements Search {
   private readonly seed: number;
   private readonly plain: CellSearch;
   private guided: CellSearch | null = null;
+  private lingering: Lingering | null = null;
+  private isLingering = false;
   private joined = false;
   private asked = 0;
 
@@ -42,9 +45,11 @@ class LaneSearch implements Search {
   }
 
   get effort(): Effort {
-    const { plain, guided } = this;
-    if (guided === null) return plain.effort;
-    return { runs: plain.effort.runs + guided.effort.runs, ticks: plain.effort.ticks + guided.effort.ticks };
+    const { plain, guided, lingering } = this;
+    return {
+      runs: plain.effort.runs + (guided?.effort.runs ?? 0) + (lingering?.runs ?? 0),
+      ticks: plain.effort.ticks + (guided?.effort.ticks ?? 0) + (lingering?.ticks ?? 0),
+    };
   }
 
   get closest(): Closest | null {
@@ -80,13 +85,21 @@ class LaneSearch implements Search {
   private step(): boolean {
     const { plain } = this;
     if (!this.joined && plain.effort.ticks >= HEAD_START) this.join();
-    const { guided } = this;
+    const { guided, lingering } = this;
+    if (this.isLingering && lingering !== null) {
+      this.isLingering = lingering.step();
+      if (this.isLingering) return true;
+    }
     return guided !== null && guided.effort.ticks < plain.effort.ticks - HEAD_START ? guided.step() : plain.step();
   }
 
   private join(): void {
     this.joined = true;
-    const { scene, needed } = this.task;
+    const { scene, needed, after, maxTicks, reports } = this.task;
+    if (after === null) {
+      this.lingering = Lingering.of(scene, maxTicks, reports);
+      this.isLingering = this.lingering !== null;
+    }
     const guide = Guide.of(scene, new MineralSet(scene, needed).aims);
     if (guide !== null) this.guided = new CellSearch(this.task, this.seed + GUIDED_SEED, guide);
   }

@@ -1,3 +1,4 @@
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Candidate, Replay } from '../verified-run.ts';
 import type { HeatMap } from './heat-map.ts';
 import type { NodeList } from './node-list.ts';
@@ -26,14 +27,23 @@ export class Reports {
     const family = familyOf(nodes, heat, last, held);
     const members = this.families.get(family) ?? 0;
     if (members >= ALIKE) return;
-    const candidate = this.replay.play(nodes.holdsTo(last, until, held));
-    if (candidate === null) return;
+    if (this.addRun(nodes.holdsTo(last, until, held))) this.families.set(family, members + 1);
+  }
+
+  /**
+   * Adds a run that is like no other.
+   * @param holds [press, release) in ticks
+   * @returns whether the run meets the goal and is new
+   */
+  addRun(holds: readonly Hold[]): boolean {
+    const candidate = this.replay.play(holds);
+    if (candidate === null) return false;
     // Paths through different cells may have the same holds.
     const script = candidate.holds.join(' ');
-    if (this.scripts.has(script)) return;
+    if (this.scripts.has(script)) return false;
     this.scripts.add(script);
-    this.families.set(family, members + 1);
     this.solutions.push(candidate);
+    return true;
   }
 }
 

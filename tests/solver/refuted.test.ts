@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type AccuracyName, compile, simulate } from '../../engine/index.ts';
+import { type AccuracyName, compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type Hold, type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { type Certificate, type Proof, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
@@ -8,7 +8,7 @@ const at = (x: number, y: number, radius = 16) => ({ x, y, radius });
 const level = (more: Partial<LevelFile>): Level =>
   resolveLevel({ version: 1, name: 'refuted', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 }, ...more });
 
-/** Claims that were once proved, each with a run that touches the object all the same. */
+/** Claims that were once proved or are easily believed, each with a run that touches the object all the same. */
 const REFUTED: [what: string, of: Level, holds: Hold[], maxTime: number, at?: readonly AccuracyName[]][] = [
   [
     'at the speed limit on one axis she bends off the line',
@@ -28,6 +28,28 @@ const REFUTED: [what: string, of: Level, holds: Hold[], maxTime: number, at?: re
     [[0, 3600]],
     60,
     ['arcade'],
+  ],
+  [
+    'the range ends 16 px before she could touch the black hole, but she lingers there until recoil has carried it farther',
+    level({ range: 100, recoil: true, asteroids: [at(80, 0)], blackHole: { x: 224, y: 0 } }),
+    [
+      [0, 110],
+      [574, 611],
+      [612, 829],
+      [830, 1023],
+      [1024, 1125],
+      [1126, 1167],
+      [1168, 1181],
+      [1182, 1186],
+      [1188, 1801],
+      [2035, 2091],
+      [2349, 2429],
+      [2430, 2692],
+      [2693, 2832],
+      [2833, 2883],
+    ],
+    60,
+    ['precise'],
   ],
 ];
 
@@ -61,6 +83,52 @@ describe('a line along an axis', () => {
     expect(verifyProof(slanted, proof)).toEqual({ ok: false, why: 'she may reach the speed limit and leave the line' });
     expect(proveImpossible(slanted, { accuracy: 'precise' })).toBeNull();
     expect(proveImpossible({ ...along, recoil: true }, { accuracy: 'precise' })).toBeNull();
+  });
+});
+
+describe('a dead end, once there is recoil', () => {
+  // Beyond 125 px along the line, the second asteroid is nearer. Without recoil, all ways from there end at hazards.
+  const dead = level({
+    asteroids: [at(54, 0), at(160, 86)],
+    novae: [at(-150, 0, 32), at(215, 0, 32), at(200, 55, 32), at(150, 60)],
+    blackHole: { x: 60, y: -90 },
+  });
+  const leaky: Level = { ...dead, recoil: true, rules: { recoil: 1000 } };
+  // The third hold pulls her off the line. She drifts on so slowly that the border, which moves with the first asteroid, overtakes
+  // her. Then she swings past the centre of that asteroid.
+  const off: Hold[] = [
+    [0, 77],
+    [116, 208],
+    [286, 287],
+  ];
+  const run: Hold[] = [...off, [985, 1145], [1265, 1313], [1433, 1529]];
+
+  it('is left where the border between two asteroids overtakes her', () => {
+    const state = new Float64Array(STATE_SIZE);
+    // her distance from the line, and the target of a press then
+    const look = (tick: number) => {
+      const simulation = createSimulation(compile(leaky, 'precise'));
+      playScript(simulation, off, tick);
+      simulation.readState(state);
+      simulation.advance(1, true);
+      return { aside: state[1], target: simulation.target };
+    };
+    expect(look(286)).toEqual({ aside: 0, target: 1 });
+    expect(look(970).target).toBe(1);
+    expect(look(985).target).toBe(0);
+    expect(look(985).aside).toBeGreaterThan(3);
+    expect(simulate(compile(leaky, 'precise'), run).outcome).toBe('completed');
+  });
+
+  it('is proved without recoil only', () => {
+    const proof = proveImpossible(dead, { accuracy: 'precise', maxTime: 60 }) as Proof;
+    const trap = proof.certificate as Extract<Certificate, { kind: 'line-trap' }>;
+    expect(trap.front.by.kind).toBe('dead-end');
+    expect(verifyProof(dead, proof)).toEqual({ ok: true });
+    expect(proveImpossible(leaky, { accuracy: 'precise', maxTime: 60 })).toBeNull();
+    for (const drift of [null, { back: 0, ahead: 0 }, { back: 1e5, ahead: 1e5 }]) {
+      expect(verifyProof(leaky, { ...proof, maxTime: 60, certificate: { ...trap, drift } }).ok).toBe(false);
+    }
   });
 });
 
