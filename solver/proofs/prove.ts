@@ -95,7 +95,6 @@ export function proveBy(prover: Prover, level: Level, about: About, options: Pro
 }
 
 /**
-/**
  * Tries to prove of each mineral that no run can collect it. When there are more than 64 of them, only the cheap provers are
  * used.
  * @param level the level

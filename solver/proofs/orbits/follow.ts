@@ -837,6 +837,16 @@ class OrbitFan {
   // ---------------------------------------------------------------- conversion
   /** The velocity of a box along axes turned by beta, relative to the box's asteroid. */
   private velocity(box: Float64Array, isPolar: boolean, beta: number): void {
+    this.measureVelocity(box, isPolar, beta);
+    // Near a centre the quotient of momentum and distance may be far greater than she is fast.
+    const fast = Math.sqrt(2 * box[11]) + SLACK;
+    this.vx0 = Math.max(this.vx0, -fast);
+    this.vx1 = Math.min(this.vx1, fast);
+    this.vy0 = Math.max(this.vy0, -fast);
+    this.vy1 = Math.min(this.vy1, fast);
+  }
+
+  private measureVelocity(box: Float64Array, isPolar: boolean, beta: number): void {
     if (isPolar) {
       const mid = (box[2] + box[3]) / 2;
       const s = sin(Math.min(Math.PI / 2, (box[3] - box[2]) / 2));
