@@ -140,6 +140,7 @@ class OrbitFan {
   private readonly box = new Float64Array(NUMBERS);
   private readonly part = new Float64Array(NUMBERS);
   private readonly made = new Float64Array(NUMBERS);
+  private readonly cut = new Float64Array(NUMBERS);
   private vx0 = 0;
   private vx1 = 0;
   private vy0 = 0;
@@ -801,7 +802,8 @@ class OrbitFan {
       for (let j = 0; j < rocks.length; j++) {
         if (j === i) continue;
         this.rectOf(box, isPolar);
-        if ((raw.marks[b] & (1 << (j & 31))) !== 0 && this.mayBeNearer(i, j) && !this.convert(box, chart, j, next)) return false;
+        if ((raw.marks[b] & (1 << (j & 31))) === 0 || !this.mayBeNearer(i, j)) continue;
+        if (isPolar ? !this.convertParts(box, i, j, next) : !this.convert(box, chart, j, next)) return false;
       }
       this.rectOf(box, isPolar);
       const near = isPolar ? box[0] : this.nearest();
@@ -814,6 +816,23 @@ class OrbitFan {
       if (isPolar) {
         if (box[1] <= border ? !this.convert(box, chart, i, next) : !this.putPolar(next, i, box, true)) return false;
       } else if (near >= border ? !this.convert(box, chart, i, next) : !this.putNear(next, i, box, true)) return false;
+    }
+    return true;
+  }
+
+  /** Puts the parts of a box in polar coordinates from which another asteroid may be nearer into the charts of that one. */
+  private convertParts(box: Float64Array, i: number, j: number, next: Layer): boolean {
+    const { cut } = this;
+    for (let n = 0; n < 8; n++) {
+      cut.set(box);
+      for (let k = 0; k < 3; k++) {
+        const at = 2 * k;
+        const middle = (box[at] + box[at + 1]) / 2;
+        cut[at + 1 - ((n >> k) & 1)] = middle;
+      }
+      if (!agree(cut)) continue;
+      this.rectOf(cut, true);
+      if (this.mayBeNearer(i, j) && !this.convert(cut, 2 * i, j, next)) return false;
     }
     return true;
   }

@@ -16,13 +16,14 @@ const LONGEST = 20;
  * The steps that are claimed, as a factor of those needed and steps more: the checker computes sets of its own, which may end
  * somewhat later.
  */
-const SPARE = [1.25, 4] as const;
+const SPARE = [1.5, 8] as const;
 
 /** Grids by fineness, and how many boxes are followed on each. Too many boxes on a coarse grid hardly ever end. */
 const TRIES: readonly { readonly grid: OrbitGrid; readonly boxes: number }[] = [
   { grid: { place: 6, speed: 6, momentum: 1500, frames: 12 }, boxes: 100_000 },
   { grid: { place: 4, speed: 4, momentum: 1000, frames: 12 }, boxes: 250_000 },
-  { grid: { place: 3, speed: 3, momentum: 600, frames: 12 }, boxes: 400_000 },
+  { grid: { place: 3, speed: 3, momentum: 1000, frames: 12 }, boxes: 400_000 },
+  { grid: { place: 2, speed: 2, momentum: 1000, frames: 12 }, boxes: 400_000 },
 ];
 
 /** The greatest fineness at which `orbits` differs from a lower one. */

@@ -9,8 +9,8 @@ const OF_MOMENTUM = 1e-5;
 /** What of its distance must remain in any case of a box in polar coordinates. */
 const LEAST_SHARE = 0.1;
 
-/** A step in polar coordinates is made in parts, each of which takes her nearer by half of her distance at most. */
-const SHARE_OF_PART = 2;
+/** A step in polar coordinates is made in parts, each of which takes her nearer by an eighth of her distance or little more. */
+const SHARE_OF_PART = 8;
 
 /** Length of a part of a step in x and y, s. */
 const PART_NEAR = 0.05;

@@ -12,6 +12,9 @@ const CLOSE = 32;
 /** The least distance for polar coordinates, as a share of how far she can go within a step. */
 const SHARE = 0.25;
 
+/** Who may come nearer than this to an asteroid within a step, px, has coordinates in x and y. */
+const PASS = 16;
+
 /** At rest nearer to a centre than this, px, the engine counts as in the centre. */
 const IN_CENTRE = 1e-6;
 
@@ -171,7 +174,11 @@ export class Sorter {
           piece[2] = t0;
           piece[3] = t1;
           this.toOther(i, nearest);
-        } else if (!stays && !(a * place >= Math.max(CLOSE, SHARE * flight))) {
+        } else if (
+          !stays &&
+          (!(a * place >= Math.max(CLOSE, SHARE * flight)) ||
+            this.mayPassClose(a * place, -c * speed, Math.sqrt(rate * rate + across * across), M0, M1))
+        ) {
           piece[2] = t0;
           piece[3] = t1;
           this.toNear(i, i);
@@ -192,6 +199,17 @@ export class Sorter {
   private flight(speed: number): number {
     const { seconds, push } = this.scene;
     return seconds * (speed + (push * seconds) / 2);
+  }
+
+  /**
+   * Whether she may come close to the asteroid within a step, where polar coordinates are of no use.
+   * @param inward - how fast she comes nearer at most, px/s
+   */
+  private mayPassClose(distance: number, inward: number, speed: number, L0: number, L1: number): boolean {
+    const { seconds, push } = this.scene;
+    const gain = push * seconds;
+    // at the nearest place, angular momentum is distance times speed
+    return distance - seconds * (Math.max(0, inward) + gain) < PASS && Math.max(0, L0, -L1) < PASS * (speed + gain);
   }
 
   /** Whether all places of `places` lie in one hazard. */
@@ -319,8 +337,13 @@ export class Sorter {
         piece[8] = Math.max(box[8], xv0 - yv1 - ROUNDING);
         piece[9] = Math.min(box[9], xv1 - yv0 + ROUNDING);
         if (piece[8] > piece[9]) continue;
-        const flight = this.flight(Math.sqrt(xRate * xRate + yRate * yRate) + 2 * speed + grid.momentum / CLOSE);
-        if (!stays && least >= Math.max(CLOSE + place, SHARE * flight + 2 * place)) this.toPolar(i, piece);
+        const rate = Math.sqrt(xRate * xRate + yRate * yRate);
+        const flight = this.flight(rate + 2 * speed + grid.momentum / CLOSE);
+        const isOut = !stays && least >= Math.max(CLOSE + place, SHARE * flight + 2 * place);
+        const nearing =
+          Math.max(-x0 * vx0, -x0 * vx1, -x1 * vx0, -x1 * vx1) + Math.max(-y0 * vy0, -y0 * vy1, -y1 * vy0, -y1 * vy1);
+        if (isOut && !this.mayPassClose(least - 2 * place, nearing / least + speed, rate, piece[8], piece[9]))
+          this.toPolar(i, piece);
         else this.joinNear(i, a, b, c, e, least, piece);
       }
     }
@@ -357,12 +380,12 @@ export class Sorter {
         Math.max(velocity.b0 * velocity.b0, velocity.b1 * velocity.b1),
     );
     const room = Math.max(CLOSE, SHARE * this.flight(fastest + grid.speed + grid.momentum / CLOSE)) + 2 * grid.place;
-    if (sight.d0 < room) {
+    this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
+    const [M0, M1] = [this.m0, this.m1];
+    if (sight.d0 < room || this.mayPassClose(sight.d0, fastest, fastest, M0, M1)) {
       this.toNear(i, j);
       return;
     }
-    this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
-    const [M0, M1] = [this.m0, this.m1];
     const [s0, s1, u0, u1] = [sight.d0, sight.d1, sight.t0, sight.t1];
     const middle = (t0 + t1) / 2;
     const { place } = grid;
