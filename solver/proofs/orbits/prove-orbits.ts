@@ -3,7 +3,6 @@ import { soonOverReason } from '../doomed.ts';
 import type { About, OrbitGrid, Proof } from '../proof.ts';
 import { distance } from '../rounding.ts';
 import { EXACT, type Setting, type Thing } from '../setting.ts';
-import { longestPlay } from '../soon-over.ts';
 import { followOrbits } from './follow.ts';
 
 /** Random plays may last this long, s. */
@@ -45,12 +44,12 @@ export const MOST_ORBITS = Math.max(...TRIES.map(({ boxes }) => boxes));
  * several
  */
 export function proveOrbits(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
-  const { level, jump, maxTime, budget } = setting;
+  const { level, jump, maxTime } = setting;
   const { vx, vy } = level.astronaut;
   const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
   // At rest she can wait for any time.
   if (jump > 0 || (vx === 0 && vy === 0 && !pushed)) return null;
-  if (longestPlay(level, LONGEST_PLAY, budget) === null) return null;
+  if (setting.longestPlay(LONGEST_PLAY) === null) return null;
   const { grid, boxes } = TRIES[Math.min(fineness, FINEST_ORBITS)];
   const most = Math.ceil(LONGEST / (grid.frames * TICK));
   const { closed, steps: needed, endedBy } = followOrbits(setting, about, goal, grid, { steps: most, boxes });
