@@ -1,11 +1,13 @@
 import { TICK } from '../../../engine/index.ts';
 import { driftAfter, easySpeed, isEasyFor } from '../assumptions.ts';
-import { standingCircles } from '../blockers.ts';
 import type { About, Blocker, OrbitGrid } from '../proof.ts';
-import { mouthDiscs, RIM_SLACK } from '../rims.ts';
+import { RIM_SLACK } from '../rims.ts';
 import { distance } from '../rounding.ts';
 import type { Setting, Thing } from '../setting.ts';
+import { agree, leastSquare, mostSquare } from './agree.ts';
 import { Layer, NUMBERS } from './layer.ts';
+import { Rectangle } from './rectangle.ts';
+import { type OrbitScene, orbitScene, type Place } from './scene.ts';
 import { atan2, cos, sin } from './trigonometry.ts';
 
 const SLACK = 1e-6;
@@ -18,15 +20,6 @@ const MOST_PARTS = 8;
 const INNER = 16;
 const QUICK = 3;
 const RANGE: Blocker = { kind: 'range' };
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
-interface Spot extends Place {
-  readonly r: number;
-}
 
 /** Everything that she may do from the start, as far as it was followed. */
 export interface OrbitResult {
@@ -104,13 +97,13 @@ class OrbitFan {
   private isPolar = false;
   private readonly turns: number;
   private readonly turn: number;
-  private readonly rocks: readonly { x: number; y: number; k: number; hot: boolean; radius: number }[];
-  private readonly hazards: readonly (Spot & { readonly of: Blocker })[];
-  private readonly own: readonly (Blocker | null)[];
-  private readonly fields: readonly Spot[];
-  private readonly winds: readonly (Spot & { readonly ax: number; readonly ay: number })[];
-  private readonly mouths: readonly Spot[];
-  private readonly goal: Spot;
+  private readonly rocks: OrbitScene['rocks'];
+  private readonly hazards: OrbitScene['hazards'];
+  private readonly own: OrbitScene['own'];
+  private readonly fields: OrbitScene['fields'];
+  private readonly winds: OrbitScene['winds'];
+  private readonly mouths: OrbitScene['mouths'];
+  private readonly goal: OrbitScene['goal'];
   private readonly raw = new Layer();
   private readonly reach: number;
   private readonly radix: readonly number[];
@@ -119,15 +112,7 @@ class OrbitFan {
   // the present step
   private drift: number[] = [];
   private shift: number[] = [];
-  // the rectangle, in a frame turned by alpha
-  private alpha = 0;
-  private ca = 1;
-  private sa = 0;
-  private delta = 0;
-  private X0 = 0;
-  private X1 = 0;
-  private Y0 = 0;
-  private Y1 = 0;
+  private readonly rect = new Rectangle();
   // accelerations
   private ax0 = 0;
   private ax1 = 0;
@@ -154,20 +139,14 @@ class OrbitFan {
     this.step = grid.frames * TICK;
     this.turns = Math.max(4, Math.round((2 * Math.PI * 100) / grid.place));
     this.turn = (2 * Math.PI) / this.turns;
-    const { x, y } = level.astronaut;
-    this.rocks = level.asteroids.map((a) => ({
-      x: a.x - x,
-      y: a.y - y,
-      k: level.recoil ? (1.01 * rules.recoil) / (2 * a.radius) : 0,
-      hot: a.hot,
-      radius: a.radius,
-    }));
-    this.hazards = standingCircles(setting, about).map((c) => ({ x: c.x, y: c.y, r: c.radius + setting.leastHalf, of: c.of }));
-    this.own = level.asteroids.map((a, index) => (a.hot ? { kind: 'asteroid', index } : null));
-    this.fields = level.repulsors.map((c) => ({ x: c.x - x, y: c.y - y, r: c.radius }));
-    this.winds = level.winds.map((c) => ({ x: c.x - x, y: c.y - y, r: c.radius, ax: c.ax, ay: c.ay }));
-    this.mouths = mouthDiscs(level).map((c) => ({ x: c.x - x, y: c.y - y, r: c.radius }));
-    this.goal = { x: goal.x, y: goal.y, r: goal.touch };
+    const scene = orbitScene(setting, about, goal);
+    this.rocks = scene.rocks;
+    this.hazards = scene.hazards;
+    this.own = scene.own;
+    this.fields = scene.fields;
+    this.winds = scene.winds;
+    this.mouths = scene.mouths;
+    this.goal = scene.goal;
     this.crowded = this.rocks.length > 1 || this.fields.length > 0 || this.winds.length > 0;
     this.fastest = easySpeed(rules);
     this.reach = level.range + this.fastest * this.step;
@@ -247,67 +226,25 @@ class OrbitFan {
   }
 
   // ---------------------------------------------------------------- geometry
-  private setRect(d0: number, d1: number, t0: number, t1: number): void {
-    this.alpha = (t0 + t1) / 2;
-    const delta = (t1 - t0) / 2;
-    this.delta = delta;
-    this.ca = cos(this.alpha);
-    this.sa = sin(this.alpha);
-    const c = delta < Math.PI ? cos(delta) : -1;
-    const s = delta < Math.PI / 2 ? sin(delta) : 1;
-    this.X0 = c > 0 ? d0 * c : d1 * c;
-    this.X1 = d1;
-    this.Y0 = -d1 * s;
-    this.Y1 = d1 * s;
+  /** Least and greatest distance of a place from the rectangle about asteroid i, px. */
+  private near(i: number, { x, y }: Place): number {
+    return this.rect.near(x - this.rocks[i].x, y - this.rocks[i].y);
   }
 
-  private setPlain(x0: number, x1: number, y0: number, y1: number): void {
-    this.alpha = 0;
-    this.delta = 0;
-    this.ca = 1;
-    this.sa = 0;
-    this.X0 = x0;
-    this.X1 = x1;
-    this.Y0 = y0;
-    this.Y1 = y1;
-  }
-
-  private near(i: number, s: Place): number {
-    const rx = s.x - this.rocks[i].x;
-    const ry = s.y - this.rocks[i].y;
-    const x = rx * this.ca + ry * this.sa;
-    const y = ry * this.ca - rx * this.sa;
-    const dx = Math.max(0, this.X0 - x, x - this.X1);
-    const dy = Math.max(0, this.Y0 - y, y - this.Y1);
-    return Math.sqrt(dx * dx + dy * dy);
-  }
-
-  private far(i: number, s: Place): number {
-    const rx = s.x - this.rocks[i].x;
-    const ry = s.y - this.rocks[i].y;
-    const x = rx * this.ca + ry * this.sa;
-    const y = ry * this.ca - rx * this.sa;
-    const dx = Math.max(x - this.X0, this.X1 - x);
-    const dy = Math.max(y - this.Y0, this.Y1 - y);
-    return Math.sqrt(dx * dx + dy * dy);
-  }
-
-  private farthest(): number {
-    const x = Math.max(-this.X0, this.X1);
-    const y = Math.max(-this.Y0, this.Y1);
-    return Math.sqrt(x * x + y * y);
+  private far(i: number, { x, y }: Place): number {
+    return this.rect.far(x - this.rocks[i].x, y - this.rocks[i].y);
   }
 
   /** Whether j may be nearer than i somewhere in the rectangle. */
   private mayBeNearer(i: number, j: number): boolean {
     const ox = this.rocks[j].x - this.rocks[i].x;
     const oy = this.rocks[j].y - this.rocks[i].y;
-    const x = ox * this.ca + oy * this.sa;
-    const y = oy * this.ca - ox * this.sa;
-    const most = (x > 0 ? x * this.X1 : x * this.X0) + (y > 0 ? y * this.Y1 : y * this.Y0);
+    const x = ox * this.rect.ca + oy * this.rect.sa;
+    const y = oy * this.rect.ca - ox * this.rect.sa;
+    const most = (x > 0 ? x * this.rect.X1 : x * this.rect.X0) + (y > 0 ? y * this.rect.Y1 : y * this.rect.Y0);
     const square = ox * ox + oy * oy;
     const D = this.drift[i] + this.drift[j];
-    return most + D * (this.farthest() + Math.sqrt(square)) + SLACK * (1 + Math.sqrt(square)) >= square / 2;
+    return most + D * (this.rect.farthest() + Math.sqrt(square)) + SLACK * (1 + Math.sqrt(square)) >= square / 2;
   }
 
   /** Whether she may come nearer to j faster than to i, so that j may become the nearest in this step. */
@@ -321,7 +258,7 @@ class OrbitFan {
     const V = shift[i] + shift[j];
     const gain = h * (this.setting.strongest + rocks[i].k);
     const speed = Math.max(-this.vx0, this.vx1) + Math.max(-this.vy0, this.vy1) + 2 * gain;
-    return o * (this.vx1 + gain) + D * speed + V * (this.farthest() + o + D) + SLACK > 0;
+    return o * (this.vx1 + gain) + D * speed + V * (this.rect.farthest() + o + D) + SLACK > 0;
   }
 
   /** Whether i may be the nearest somewhere in the rectangle. */
@@ -330,12 +267,13 @@ class OrbitFan {
       if (j === i) continue;
       const ox = this.rocks[j].x - this.rocks[i].x;
       const oy = this.rocks[j].y - this.rocks[i].y;
-      const x = ox * this.ca + oy * this.sa;
-      const y = oy * this.ca - ox * this.sa;
-      const least = (x > 0 ? x * this.X0 : x * this.X1) + (y > 0 ? y * this.Y0 : y * this.Y1);
+      const x = ox * this.rect.ca + oy * this.rect.sa;
+      const y = oy * this.rect.ca - ox * this.rect.sa;
+      const least = (x > 0 ? x * this.rect.X0 : x * this.rect.X1) + (y > 0 ? y * this.rect.Y0 : y * this.rect.Y1);
       const square = ox * ox + oy * oy;
       const D = this.drift[i] + this.drift[j];
-      if (least - D * (this.farthest() + Math.sqrt(square)) - D * D - SLACK * (1 + Math.sqrt(square)) > square / 2) return false;
+      if (least - D * (this.rect.farthest() + Math.sqrt(square)) - D * D - SLACK * (1 + Math.sqrt(square)) > square / 2)
+        return false;
     }
     return true;
   }
@@ -372,7 +310,7 @@ class OrbitFan {
   }
 
   private tellPlaces(i: number, places: NonNullable<OrbitWatch['places']>): void {
-    const { ca, sa, X0, X1, Y0, Y1 } = this;
+    const { ca, sa, X0, X1, Y0, Y1 } = this.rect;
     const { x, y } = this.rocks[i];
     const D = this.drift[i];
     const x0 = Math.min(X0 * ca, X1 * ca) - Math.max(Y0 * sa, Y1 * sa);
@@ -410,16 +348,16 @@ class OrbitFan {
       }
       const rx = field.x - rocks[i].x;
       const ry = field.y - rocks[i].y;
-      const x = rx * this.ca + ry * this.sa;
-      const y = ry * this.ca - rx * this.sa;
+      const x = rx * this.rect.ca + ry * this.rect.sa;
+      const y = ry * this.rect.ca - rx * this.rect.sa;
       const g0 = push / far;
       const g1 = push / near;
       const D = drift[i];
       this.include(
-        least(this.X0 - x - D, g0, g1),
-        greatest(this.X1 - x + D, g0, g1),
-        least(this.Y0 - y - D, g0, g1),
-        greatest(this.Y1 - y + D, g0, g1),
+        least(this.rect.X0 - x - D, g0, g1),
+        greatest(this.rect.X1 - x + D, g0, g1),
+        least(this.rect.Y0 - y - D, g0, g1),
+        greatest(this.rect.Y1 - y + D, g0, g1),
       );
     }
     if (!this.inField) this.include(0, 0, 0, 0);
@@ -441,21 +379,21 @@ class OrbitFan {
       const g1 = Math.max(0, pull * (1 / near - 1 / range));
       const rx = rocks[j].x - rocks[i].x;
       const ry = rocks[j].y - rocks[i].y;
-      const x = rx * this.ca + ry * this.sa;
-      const y = ry * this.ca - rx * this.sa;
+      const x = rx * this.rect.ca + ry * this.rect.sa;
+      const y = ry * this.rect.ca - rx * this.rect.sa;
       this.include(
-        least(x - D - this.X1, g0, g1),
-        greatest(x + D - this.X0, g0, g1),
-        least(y - D - this.Y1, g0, g1),
-        greatest(y + D - this.Y0, g0, g1),
+        least(x - D - this.rect.X1, g0, g1),
+        greatest(x + D - this.rect.X0, g0, g1),
+        least(y - D - this.rect.Y1, g0, g1),
+        greatest(y + D - this.rect.Y0, g0, g1),
       );
     }
     for (const wind of this.winds) {
       if (this.near(i, wind) - drift[i] > wind.r + RIM_SLACK) continue;
       this.foreign = true;
       const isIn = this.far(i, wind) + drift[i] < wind.r - RIM_SLACK;
-      const x = wind.ax * this.ca + wind.ay * this.sa;
-      const y = wind.ay * this.ca - wind.ax * this.sa;
+      const x = wind.ax * this.rect.ca + wind.ay * this.rect.sa;
+      const y = wind.ay * this.rect.ca - wind.ax * this.rect.sa;
       this.windX0 += isIn ? x : Math.min(0, x);
       this.windX1 += isIn ? x : Math.max(0, x);
       this.windY0 += isIn ? y : Math.min(0, y);
@@ -495,7 +433,7 @@ class OrbitFan {
     const e1 = Math.max(d1, d1 + w1 * h + 0.5 * (c1 + (this.crowded ? strongest : 0)) * h * h);
     const r0 = l0 - dl >= 0 ? (l0 - dl) / (e1 * e1) : (l0 - dl) / (e0 * e0);
     const r1 = l1 + dl >= 0 ? (l1 + dl) / (e0 * e0) : (l1 + dl) / (e1 * e1);
-    this.setRect(e0, e1, t0 + Math.min(0, r0 * h), t1 + Math.max(0, r1 * h));
+    this.rect.sector(e0, e1, t0 + Math.min(0, r0 * h), t1 + Math.max(0, r1 * h));
     if (!this.isClear(i)) return false;
     this.windX0 = this.windX1 = this.windY0 = this.windY1 = 0;
     let R0 = 0;
@@ -505,8 +443,8 @@ class OrbitFan {
     if (this.crowded) this.forces(i, true);
     const isForeign = this.crowded && this.foreign;
     if (isForeign) {
-      const c = cos(this.delta);
-      const s = sin(this.delta);
+      const c = cos(this.rect.delta);
+      const s = sin(this.rect.delta);
       const xm = Math.max(-this.ax0, this.ax1, 0);
       const ym = Math.max(-this.ay0, this.ay1, 0);
       R0 = Math.min(this.ax0, this.ax0 * c) - ym * s;
@@ -520,8 +458,8 @@ class OrbitFan {
     let high = isForeign ? Math.max(R1, this.inField ? R1 : 0) : 0;
     let low = lowPull;
     if (isForeign && this.winds.length > 0) {
-      const c = cos(this.delta);
-      const s = sin(this.delta);
+      const c = cos(this.rect.delta);
+      const s = sin(this.rect.delta);
       const xm = Math.max(-this.windX0, this.windX1);
       const ym = Math.max(-this.windY0, this.windY1);
       low += Math.min(this.windX0, this.windX0 * c) - ym * s;
@@ -588,7 +526,7 @@ class OrbitFan {
       return false;
     }
     const bend = 0.5 * A * h * h;
-    this.setPlain(
+    this.rect.plain(
       Math.min(x0, x0 + h * u0 - bend),
       Math.max(x1, x1 + h * u1 + bend),
       Math.min(y0, y0 + h * v0 - bend),
@@ -599,11 +537,11 @@ class OrbitFan {
     this.forces(i, false);
     let { ax0, ax1, ay0, ay1 } = this;
     const isForeign = this.foreign;
-    const { X0, X1, Y0, Y1 } = this;
+    const { X0, X1, Y0, Y1 } = this.rect;
     const dx = Math.max(0, X0, -X1);
     const dy = Math.max(0, Y0, -Y1);
     const near = Math.sqrt(dx * dx + dy * dy);
-    const far = this.farthest();
+    const far = this.rect.farthest();
     const strength = this.inField ? 0 : pull;
     if (near < 0.5) {
       const a = strength + k;
@@ -696,7 +634,7 @@ class OrbitFan {
       for (let b = Math.floor(box[2] / turn); b <= b1; b++) {
         const t0 = Math.max(box[2], b * turn);
         const t1 = Math.min(box[3], (b + 1) * turn);
-        this.setRect(d0, d1, t0, t1);
+        this.rect.sector(d0, d1, t0, t1);
         this.setting.budget.look((2 + this.hazards.length) / 8 + ((c1 - c0 + 1) * (l1 - l0 + 1)) / 4);
         if (this.isDead(i, d1) || (final && !this.mayBeNearest(i))) continue;
         const whole = Math.floor(b / turns);
@@ -753,9 +691,9 @@ class OrbitFan {
       for (let b = first[1]; b <= b1; b++) {
         const y0 = Math.max(box[2], b * place);
         const y1 = Math.min(box[3], (b + 1) * place);
-        this.setPlain(x0, x1, y0, y1);
+        this.rect.plain(x0, x1, y0, y1);
         this.setting.budget.look((2 + this.hazards.length) / 8 + ((c1 - first[2] + 1) * (e1 - first[3] + 1)) / 2);
-        if (this.isDead(i, this.farthest()) || (final && !this.mayBeNearest(i))) continue;
+        if (this.isDead(i, this.rect.farthest()) || (final && !this.mayBeNearest(i))) continue;
         for (let c = first[2]; c <= c1; c++) {
           const u0 = Math.max(box[4], c * speed);
           const u1 = Math.min(box[5], (c + 1) * speed);
@@ -806,7 +744,7 @@ class OrbitFan {
         if (isPolar ? !this.convertParts(box, i, j, next) : !this.convert(box, chart, j, next)) return false;
       }
       this.rectOf(box, isPolar);
-      const near = isPolar ? box[0] : this.nearest();
+      const near = isPolar ? box[0] : this.rect.nearest();
       if (near > range + SLACK) {
         this.endedBy.add(RANGE);
         continue;
@@ -843,14 +781,8 @@ class OrbitFan {
   }
 
   private rectOf(box: Float64Array, isPolar: boolean): void {
-    if (isPolar) this.setRect(box[0], box[1], box[2], box[3]);
-    else this.setPlain(box[0], box[1], box[2], box[3]);
-  }
-
-  private nearest(): number {
-    const x = Math.max(0, this.X0, -this.X1);
-    const y = Math.max(0, this.Y0, -this.Y1);
-    return Math.sqrt(x * x + y * y);
+    if (isPolar) this.rect.sector(box[0], box[1], box[2], box[3]);
+    else this.rect.plain(box[0], box[1], box[2], box[3]);
   }
 
   // ---------------------------------------------------------------- conversion
@@ -917,14 +849,14 @@ class OrbitFan {
     const ox = rocks[i].x - rocks[j].x;
     const oy = rocks[i].y - rocks[j].y;
     // The rectangle about j, in its own frame.
-    const { alpha, ca, sa } = this;
+    const { alpha, ca, sa } = this.rect;
     const x = ox * ca + oy * sa;
     const y = oy * ca - ox * sa;
-    const X0 = this.X0 + x - D;
-    const X1 = this.X1 + x + D;
-    const Y0 = this.Y0 + y - D;
-    const Y1 = this.Y1 + y + D;
-    const farY = this.farthest();
+    const X0 = this.rect.X0 + x - D;
+    const X1 = this.rect.X1 + x + D;
+    const Y0 = this.rect.Y0 + y - D;
+    const Y1 = this.rect.Y1 + y + D;
+    const farY = this.rect.farthest();
     // Momentum
     let l0 = box[8];
     let l1 = box[9];
@@ -1010,38 +942,3 @@ class OrbitFan {
 
 const least = (v: number, g0: number, g1: number): number => Math.min(v * g0, v * g1);
 const greatest = (v: number, g0: number, g1: number): number => Math.max(v * g0, v * g1);
-
-const leastSquare = (a: number, b: number): number => (a > 0 ? a * a : b < 0 ? b * b : 0);
-const mostSquare = (a: number, b: number): number => Math.max(a * a, b * b);
-
-/** Tightens radial speed, momentum and energy of a polar box by each other; false when nothing is left. */
-function agree(part: Float64Array): boolean {
-  const p0 = leastSquare(part[8], part[9]) / (part[1] * part[1]);
-  const p1 = mostSquare(part[8], part[9]) / (part[0] * part[0]);
-  const most = 2 * part[11] - p0 + 1e-4;
-  if (most < 0) return false;
-  const W = Math.sqrt(most);
-  if (part[4] < -W) part[4] = -W;
-  if (part[5] > W) part[5] = W;
-  const lo = 2 * part[10] - p1 - 1e-4;
-  if (lo > 0) {
-    const s = Math.sqrt(lo);
-    if (part[4] > -s && part[4] < s) part[4] = s;
-    if (part[5] < s && part[5] > -s) part[5] = -s;
-  }
-  if (part[4] > part[5]) return false;
-  const q0 = leastSquare(part[4], part[5]);
-  const q1 = mostSquare(part[4], part[5]);
-  const e0 = (q0 + p0) / 2 - 1e-4;
-  const e1 = (q1 + p1) / 2 + 1e-4;
-  if (part[10] < e0) part[10] = e0;
-  if (part[11] > e1) part[11] = e1;
-  if (part[10] > part[11]) return false;
-  const l = part[1] * Math.sqrt(Math.max(0, 2 * part[11] - q0)) + 1e-3;
-  if (part[9] > l) part[9] = l;
-  if (part[8] < -l) part[8] = -l;
-  if (part[8] > part[9]) return false;
-  const d = (Math.sqrt(leastSquare(part[8], part[9])) - 1e-3) / Math.sqrt(Math.max(1e-9, 2 * part[11] - q0 + 1e-3));
-  if (part[0] < d) part[0] = d;
-  return part[0] <= part[1];
-}
