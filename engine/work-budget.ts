@@ -53,8 +53,8 @@ export class WorkBudget {
    * when it exceeds `most`.
    */
   looks = 0;
-  /** The limit in looks. */
-  readonly most: number;
+  /** The limit in looks; lower while only a share may be spent ({@link WorkBudget.within}). */
+  most: number;
   private bytes = 0;
 
   /**
@@ -125,6 +125,23 @@ export class WorkBudget {
       return work();
     } finally {
       this.bytes = bytes;
+    }
+  }
+
+  /**
+   * Runs a function that may spend at most a share of the limit, and no more than is left.
+   *
+   * @param share - from 0 to 1
+   * @param work - the function
+   * @returns what the function returns
+   */
+  within<T>(share: number, work: () => T): T {
+    const { most } = this;
+    this.most = Math.min(most, this.looks + share * most);
+    try {
+      return work();
+    } finally {
+      this.most = most;
     }
   }
 

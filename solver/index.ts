@@ -18,6 +18,7 @@ export {
   createDecider,
   type Decider,
   type DeciderOptions,
+  proofShare,
 } from './anytime/index.ts';
 export { type Cleaned, type CleanOptions, cleanRun } from './clean/index.ts';
 export {

@@ -18,7 +18,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     sources: ['solver/verify'],
     tests: [
       'tests/solver/near-miss',
-      ...['verify', 'proofs', 'lemmas', 'lemmas-of-ways'].map((name) => `tests/solver/${name}.test.ts`),
+      ...['verify', 'proofs', 'lemmas', 'lemmas-of-ways', 'orbits'].map((name) => `tests/solver/${name}.test.ts`),
     ],
   },
   'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },

@@ -1,4 +1,4 @@
-import { type Closest, type Effort, mergeSolutions, type Proof, type Solution } from '../../solver/index.ts';
+import { type Closest, type Effort, mergeSolutions, type Proof, proofShare, type Solution } from '../../solver/index.ts';
 import { LANES, PROOF_LANE, type Round } from './lane-numbers.ts';
 import type { LaneState } from './messages.ts';
 
@@ -46,7 +46,7 @@ export async function searchInRounds(
   while (left() > 0) {
     round.search += Math.min(step, Math.ceil(left() / LANES));
     const hasNone = last.every(({ solutions }) => solutions.length === 0);
-    if (hasNone) round.proof = Math.min(round.search * LANES, proved(last) + Math.max(0, left()));
+    if (hasNone) round.proof = Math.max(round.proof, proofShare(round.search * LANES, effort ?? Number.POSITIVE_INFINITY));
     last = await advance({ ...round });
     onRound(together(last, count));
     if (isStopped() || last.some(({ finished }) => finished)) break;

@@ -35,14 +35,18 @@ export interface AnytimeProof {
 
 /**
  * What is tried, one after the other: the provers that prove more with finer sets. `doomed` and `flowpipe` begin finer than quick
- * proofs do, which seldom lack work for them. The limits are what the larger of the attempts take that succeed, ticks.
+ * proofs do, which seldom lack work for them. The limits are what the larger of the attempts take that succeed, ticks; short
+ * attempts come first, because where she is lost quickly, a fine grid may take less work than a coarse one.
  */
 const ATTEMPTS: readonly Pick<Attempt, 'prover' | 'fineness' | 'limit'>[] = [
-  { prover: 'orbits', fineness: 0, limit: 2_000_000 },
+  { prover: 'orbits', fineness: 0, limit: 500_000 },
+  { prover: 'orbits', fineness: 3, limit: 500_000 },
+  { prover: 'orbits', fineness: 0, limit: 3_000_000 },
   { prover: 'flowpipe', fineness: 1, limit: 2_000_000 },
   { prover: 'doomed', fineness: 1, limit: 2_000_000 },
+  { prover: 'orbits', fineness: 2, limit: 8_000_000 },
   { prover: 'orbits', fineness: 1, limit: 8_000_000 },
-  { prover: 'orbits', fineness: 2, limit: 24_000_000 },
+  { prover: 'orbits', fineness: 3, limit: 24_000_000 },
 ];
 
 /** With more minerals than this, only the black hole is examined. */

@@ -3,6 +3,7 @@ import type { Proof } from '../proofs/index.ts';
 import type { Closest, Effort, Explored } from '../search/index.ts';
 import { createSolver, type Solution, type SolveOptions } from '../solve/index.ts';
 import { createAnytimeProof } from './anytime-proof.ts';
+import { proofShare } from './proof-share.ts';
 
 /** What a {@link Decider} looks for. */
 export interface DeciderOptions extends SolveOptions {
@@ -86,7 +87,7 @@ export function createDecider(scene: Scene, options: DeciderOptions = {}): Decid
       do {
         solver.advance(Math.max(1, Math.min(SLICE, end - spent())));
         if (proving === null || proving.finished || solver.best !== null) continue;
-        const may = Math.min(solver.effort.ticks, effort - solver.effort.ticks);
+        const may = proofShare(solver.effort.ticks, effort);
         if (may > given) proving.advance(may - given);
         given = Math.max(given, may);
       } while (spent() < end && !isOver() && isStopped?.() !== true);

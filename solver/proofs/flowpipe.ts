@@ -4,7 +4,6 @@ import { soonOverReason, startAxis } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
 import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
-import { longestPlay } from './soon-over.ts';
 
 /** Ticks per step, and the number of parts of half a turn by which sets are separated. */
 const FRAMES = 2;
@@ -50,7 +49,7 @@ export function proveFlowpipe(setting: Setting, about: About, goal: Thing, finen
   const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * longest;
   // At rest she can wait for any time.
   if (jump > 0 || (vx === 0 && vy === 0) || fastest > easySpeed(rules)) return null;
-  const last = longestPlay(level, longest, setting.budget);
+  const last = setting.longestPlay(longest);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {
     const horizon = share * last + more;

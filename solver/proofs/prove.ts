@@ -1,4 +1,4 @@
-import { type AccuracyName, unlimited, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
+import { type AccuracyName, unlimited, type WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { whyNotTried } from './assumptions.ts';
 import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
@@ -95,7 +95,6 @@ export function proveBy(prover: Prover, level: Level, about: About, options: Pro
 }
 
 /**
-/**
  * Tries to prove of each mineral that no run can collect it. When there are more than 64 of them, only the cheap provers are
  * used.
  * @param level the level
@@ -126,15 +125,13 @@ const ORBITS_SHARE = 0.03;
 
 /** The provers that may take seconds and apply only to a moving start. The one that covers frames as well comes first. */
 function proveSoonOver(settings: readonly Setting[], about: About, goal: Thing, options: ProveOptions): Proof | null {
-  const proof =
+  const last = settings.slice(-1);
+  const { budget } = last[0];
+  return (
     prove(settings.slice(0, 1), ['doomed'], about, goal, options) ??
-    prove(settings.slice(-1), ['flowpipe'], about, goal, options);
-  const { level, budget } = settings[settings.length - 1];
-  if (proof !== null || budget.isUsedUp) return proof;
-  const own = new WorkBudget(ORBITS_SHARE * budget.maxWork);
-  const found = prove(settingsOf(level, { ...options, budget: own }).slice(-1), ['orbits'], about, goal, options);
-  budget.looks += own.looks;
-  return found;
+    prove(last, ['flowpipe'], about, goal, options) ??
+    budget.within(ORBITS_SHARE, () => prove(last, ['orbits'], about, goal, options))
+  );
 }
 
 /** Frames come first, because a proof for them also holds in continuous time. */

@@ -2,6 +2,7 @@ import { type AccuracyName, type Box, boxOf, DEFAULT_MAX_TIME, TICK, unlimited, 
 import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
 import { driftWithin, effectsOf, fastestFrame, speedAfter, strongestPush } from './assumptions.ts';
 import { type Reachable, reachable } from './reachable.ts';
+import { longestPlays } from './soon-over.ts';
 
 /** A circle around (x, y), px from the start. */
 export interface Disc {
@@ -45,6 +46,8 @@ export interface Setting {
   readonly reached: Reachable;
   /** Limits the work of the provers. */
   readonly budget: WorkBudget;
+  /** Length of the longest random play, s; null when one lasts longer than `most` seconds or completes the level. */
+  longestPlay(most: number): number | null;
 }
 
 /** Computes the numbers of a level, for frames or for continuous time. */
@@ -59,6 +62,7 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean,
   const jump = frames ? frameJump(level, drift, strongest, fastestFrame(rules)) : 0;
   // Expensive in large levels and not needed by every prover, so computed on demand.
   let reached: Reachable | null = null;
+  const plays = longestPlays(level, budget);
   return {
     level,
     effects: effectsOf(level),
@@ -70,6 +74,7 @@ export function settingOf(level: Level, maxTime: number | null, frames: boolean,
     drift,
     jump,
     budget,
+    longestPlay: plays,
     get reached() {
       reached ??= reachable(level, drift, jump);
       return reached;

@@ -6,10 +6,23 @@ import { createRandom } from '../random.ts';
 const PLAYS = 120;
 
 /**
- * Length of the longest of some random plays, s, from which provers guess how far they have to follow her; null when one lasts
- * longer than `most` seconds or completes the level, so that following all plays is hopeless.
+ * Returns a function that tells the length of the longest of some random plays, s, from which provers guess how far they have to
+ * follow her; null when one lasts longer than `most` seconds or completes the level, so that following all plays is hopeless.
+ * Several provers ask, so the plays are played again only for more seconds than before.
  */
-export function longestPlay(level: Level, most: number, budget: WorkBudget): number | null {
+export function longestPlays(level: Level, budget: WorkBudget): (most: number) => number | null {
+  let asked = 0;
+  let known: number | null = null;
+  return (most) => {
+    if (known === null && most > asked) {
+      known = longestPlay(level, most, budget);
+      asked = most;
+    }
+    return known !== null && known <= most ? known : null;
+  };
+}
+
+function longestPlay(level: Level, most: number, budget: WorkBudget): number | null {
   const simulation = createSimulation(compile(level), budget);
   const random = createRandom(0);
   const last = Math.floor(most * TICK_RATE);

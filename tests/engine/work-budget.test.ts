@@ -19,6 +19,24 @@ const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'a
 const SEED = fc.nat(1_000_000);
 
 describe('a budget of work', () => {
+  it('lends a share of its limit, and never more than is left', () => {
+    fc.assert(
+      fc.property(fc.integer({ min: 0, max: 99 }), fc.double({ min: 0, max: 1, noNaN: true }), (spent, share) => {
+        const budget = new WorkBudget(100);
+        budget.piece(spent);
+        const before = budget.looks;
+        const spendAll = () => {
+          for (;;) budget.look(1);
+        };
+        expect(() => budget.within(share, spendAll)).toThrow(WorkLimitReached);
+        // the look that was too many counts as well
+        expect(budget.looks).toBe(Math.floor(Math.min(1600, before + 1600 * share)) + 1);
+        expect(budget.most).toBe(1600);
+        expect(budget.within(share, () => 'done')).toBe('done');
+      }),
+    );
+  });
+
   it('changes nothing if it suffices, and else stops the run with its reason', () => {
     fc.assert(
       fc.property(SEED, ACCURACY, fc.integer({ min: 1, max: 3000 }), (seed, accuracy, maxWork) => {

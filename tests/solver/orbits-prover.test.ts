@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation } from '../../engine/index.ts';
 import type { Level, LevelFile } from '../../schema/index.ts';
-import { proofPicture, proveBy, proveImpossible } from '../../solver/index.ts';
+import { proofPicture, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
 import { followOrbits } from '../../solver/proofs/orbits/index.ts';
 import { NUMBERS } from '../../solver/proofs/orbits/layer.ts';
 import { atan2, cos, sin } from '../../solver/proofs/orbits/trigonometry.ts';
@@ -210,6 +210,49 @@ describe('a proof', () => {
       const most = { steps: 100, boxes: 50_000 };
       expect(followOrbits(settingOf(of, 60, false), HOLE, thingOf(of, of.blackHole), grid, most).closed).toBe(false);
     }
+  });
+});
+
+describe('the checker accepts what the prover finds', () => {
+  // Each is a case in which it once did not.
+  const cases: Record<string, readonly [Partial<LevelFile>, number]> = {
+    'a slow flight through a centre to a nova': [
+      {
+        astronaut: { x: 0, y: 0, vx: 16, vy: -57.8 },
+        asteroids: [at(6.4, -23.1, 32)],
+        novae: [at(25.7, -92.9, 25), at(66, -64.2, 25), at(-23.6, -89, 16)],
+        range: 80,
+      },
+      0,
+    ],
+    'a fast flight through a centre': [
+      { astronaut: { x: 0, y: 0, vx: -307, vy: 368.9 }, asteroids: [at(-52, 62.5, 32)], range: 150 },
+      0,
+    ],
+    'a fast flight from afar through a centre that burns': [
+      {
+        astronaut: { x: 0, y: 0, vx: -90.9, vy: 285.9 },
+        asteroids: [{ ...at(-36.3, 114.2), hot: true }, at(-60.8, -103.3, 32)],
+        range: 150,
+      },
+      0,
+    ],
+    'a close pass with a short way to a nova': [
+      {
+        astronaut: { x: 0, y: 0, vx: 101, vy: -94 },
+        asteroids: [at(120, 0), at(300, -80)],
+        novae: [at(130, -98, 32)],
+        range: 250,
+      },
+      3,
+    ],
+  };
+  it.each(Object.keys(cases))('%s', (name) => {
+    const [file, fineness] = cases[name];
+    const of = level({ blackHole: { x: 5000, y: 0 }, minerals: [], ...file });
+    const proof = proveBy('orbits', of, HOLE, { accuracy: 'precise', fineness });
+    if (proof === null) throw new Error('expected a proof');
+    expect(verifyProof(of, proof)).toEqual({ ok: true });
   });
 });
 

@@ -3,7 +3,6 @@ import { soonOverReason } from '../doomed.ts';
 import type { About, OrbitGrid, Proof } from '../proof.ts';
 import { distance } from '../rounding.ts';
 import { EXACT, type Setting, type Thing } from '../setting.ts';
-import { longestPlay } from '../soon-over.ts';
 import { followOrbits } from './follow.ts';
 
 /** Random plays may last this long, s. */
@@ -16,13 +15,14 @@ const LONGEST = 20;
  * The steps that are claimed, as a factor of those needed and steps more: the checker computes sets of its own, which may end
  * somewhat later.
  */
-const SPARE = [1.25, 4] as const;
+const SPARE = [1.5, 8] as const;
 
 /** Grids by fineness, and how many boxes are followed on each. Too many boxes on a coarse grid hardly ever end. */
 const TRIES: readonly { readonly grid: OrbitGrid; readonly boxes: number }[] = [
   { grid: { place: 6, speed: 6, momentum: 1500, frames: 12 }, boxes: 100_000 },
   { grid: { place: 4, speed: 4, momentum: 1000, frames: 12 }, boxes: 250_000 },
-  { grid: { place: 3, speed: 3, momentum: 600, frames: 12 }, boxes: 400_000 },
+  { grid: { place: 3, speed: 3, momentum: 1000, frames: 12 }, boxes: 400_000 },
+  { grid: { place: 2, speed: 2, momentum: 1000, frames: 12 }, boxes: 400_000 },
 ];
 
 /** The greatest fineness at which `orbits` differs from a lower one. */
@@ -44,12 +44,12 @@ export const MOST_ORBITS = Math.max(...TRIES.map(({ boxes }) => boxes));
  * several
  */
 export function proveOrbits(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
-  const { level, jump, maxTime, budget } = setting;
+  const { level, jump, maxTime } = setting;
   const { vx, vy } = level.astronaut;
   const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
   // At rest she can wait for any time.
   if (jump > 0 || (vx === 0 && vy === 0 && !pushed)) return null;
-  if (longestPlay(level, LONGEST_PLAY, budget) === null) return null;
+  if (setting.longestPlay(LONGEST_PLAY) === null) return null;
   const { grid, boxes } = TRIES[Math.min(fineness, FINEST_ORBITS)];
   const most = Math.ceil(LONGEST / (grid.frames * TICK));
   const { closed, steps: needed, endedBy } = followOrbits(setting, about, goal, grid, { steps: most, boxes });

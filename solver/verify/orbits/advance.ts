@@ -9,8 +9,11 @@ const OF_MOMENTUM = 1e-5;
 /** What of its distance must remain in any case of a box in polar coordinates. */
 const LEAST_SHARE = 0.1;
 
-/** A step in polar coordinates is made in parts, each of which takes her nearer by half of her distance at most. */
-const SHARE_OF_PART = 2;
+/** A step in polar coordinates is made in parts, each of which takes her nearer by an eighth of her distance or little more. */
+const SHARE_OF_PART = 8;
+
+/** Length of a part of a step in x and y, s. */
+const PART_NEAR = 0.05;
 
 /** The most parts of a step. */
 const MOST_PARTS = 64;
@@ -119,10 +122,17 @@ export class Stepper {
     return true;
   }
 
-  /** Advances a box in x and y, with velocities and the angular momentum. */
+  /** Advances a box in x and y, with velocities and the angular momentum; false when `isSafe` does not agree. */
   near(i: number, box: Float64Array, isSafe: (chart: number) => boolean): boolean {
+    const { seconds } = this.scene;
+    // On the way past the centre the pull turns, so it is known better in short parts.
+    const parts = Math.max(1, Math.ceil(seconds / PART_NEAR - 1e-9));
+    for (let n = 0; n < parts; n++) if (!this.partNear(i, box, seconds / parts, isSafe)) return false;
+    return true;
+  }
+
+  private partNear(i: number, box: Float64Array, h: number, isSafe: (chart: number) => boolean): boolean {
     const { places, forces, scene } = this;
-    const h = scene.seconds;
     const half = (h * h) / 2;
     const x0 = box[0];
     const x1 = box[1];

@@ -2,9 +2,9 @@ import type { OrbitGrid } from '../../proofs/index.ts';
 import { cosineAndSine } from './angles.ts';
 import { Boxes, SIZE } from './boxes.ts';
 import { Sight, Vector } from './convert.ts';
-import { isFar } from './forces.ts';
 import { Places } from './places.ts';
-import { type Chart, ROUNDING, type Rock, type Scene, TIE } from './scene.ts';
+import { ROUNDING, type Rock, type Scene } from './scene.ts';
+import { OWN, Whereabouts } from './whereabouts.ts';
 
 /** Nearer to an asteroid than this, px, boxes are in x and y; further away if she is fast. */
 const CLOSE = 32;
@@ -21,9 +21,6 @@ const IN_CENTRE = 1e-6;
  */
 const OVERHANG = 0.01;
 
-/** The asteroid of the chart. */
-const OWN = -1;
-
 /** In the chart of asteroid i, boxes in polar coordinates have the number 2 i, those in x and y 2 i + 1. */
 export const isNear = (chart: number): boolean => (chart & 1) === 1;
 export const asteroidOf = (chart: number): number => chart >> 1;
@@ -32,19 +29,14 @@ export const asteroidOf = (chart: number): number => chart >> 1;
  * Cuts boxes along the grid, drops what has ended, and joins the rest to the boxes of a time. A piece stays in the chart of its
  * asteroid as long as this may be the nearest at one of its places, since the forces of all others are known in any chart.
  */
-export class Sorter {
+export class Sorter extends Whereabouts {
   /** The pieces that were looked at. */
   looked = 0;
-  private readonly scene: Scene;
   private readonly grid: OrbitGrid;
   private readonly most: number;
   private readonly turn: number;
   private readonly around: number;
-  private readonly moved: Float64Array;
-  private mostMoved = 0;
-  private time = 0;
   private boxes = new Boxes();
-  private readonly places = new Places();
   private readonly target = new Places();
   private readonly piece = new Float64Array(SIZE);
   private readonly nearPiece = new Float64Array(SIZE);
@@ -60,23 +52,17 @@ export class Sorter {
    * @param most - the most pieces to look at; no more are put into the boxes
    */
   constructor(scene: Scene, grid: OrbitGrid, most: number) {
-    this.scene = scene;
+    super(scene);
     this.grid = grid;
     this.most = most;
     this.around = Math.round((2 * Math.PI * 100) / grid.place);
     this.turn = (2 * Math.PI) / this.around;
-    this.moved = new Float64Array(scene.charts.length);
   }
 
   /** Puts everything that follows into these boxes, at this time, s. */
   into(boxes: Boxes, time: number): void {
     this.boxes = boxes;
-    this.time = time;
-    this.mostMoved = 0;
-    for (let i = 0; i < this.moved.length; i++) {
-      this.moved[i] = this.scene.drift(i, time);
-      this.mostMoved = Math.max(this.mostMoved, this.moved[i]);
-    }
+    this.at(time);
   }
 
   /** Whether there are so many pieces that some were left out. */
@@ -171,7 +157,11 @@ export class Sorter {
           piece[2] = t0;
           piece[3] = t1;
           this.toOther(i, nearest);
-        } else if (!stays && !(a * place >= Math.max(CLOSE, SHARE * flight))) {
+        } else if (
+          !stays &&
+          (!(a * place >= Math.max(CLOSE, SHARE * flight)) ||
+            this.mayPassClose(a * place, -c * speed, Math.sqrt(rate * rate + across * across), M0, M1))
+        ) {
           piece[2] = t0;
           piece[3] = t1;
           this.toNear(i, i);
@@ -186,62 +176,6 @@ export class Sorter {
         }
       }
     }
-  }
-
-  /** How far she can go within a step, px. */
-  private flight(speed: number): number {
-    const { seconds, push } = this.scene;
-    return seconds * (speed + (push * seconds) / 2);
-  }
-
-  /** Whether all places of `places` lie in one hazard. */
-  private isBlocked(chart: Chart, i: number): boolean {
-    const { places, moved } = this;
-    for (const body of chart.blocked) {
-      const radius = body.radius - moved[i] - ROUNDING;
-      if (isFar(body, places, radius)) continue;
-      places.look(body.x, body.y, body.r);
-      if (places.far < radius) return true;
-    }
-    for (const rock of chart.rocks) {
-      if (rock.radius <= 0) continue;
-      const radius = rock.radius - Math.max(moved[i], moved[rock.index]) - ROUNDING;
-      if (isFar(rock, places, radius)) continue;
-      places.look(rock.x, rock.y, rock.r);
-      if (places.far < radius) return true;
-    }
-    return false;
-  }
-
-  /** Whether all places of `places` are out of range of all asteroids but that of the chart. */
-  private isOutOfOthers(chart: Chart, i: number): boolean {
-    const { places, moved, scene } = this;
-    for (const rock of chart.rocks) {
-      const radius = scene.range + Math.max(moved[i], moved[rock.index]) + ROUNDING;
-      if (isFar(rock, places, radius)) continue;
-      places.look(rock.x, rock.y, rock.r);
-      if (places.near <= radius) return false;
-    }
-    return true;
-  }
-
-  /** OWN when the chart's asteroid may be the nearest at one of `places`; otherwise one that is certainly nearer. */
-  private nearest({ rocks }: Chart, i: number): number {
-    const { places, moved, mostMoved } = this;
-    let best = OWN;
-    let least = Number.POSITIVE_INFINITY;
-    const farthest = 2 * (places.most + 2 * mostMoved + 1);
-    for (const rock of rocks) {
-      if (rock.r > farthest) break;
-      places.look(rock.x, rock.y, rock.r);
-      const blur = Math.max(moved[i], moved[rock.index]);
-      const slack = (blur + TIE) * (places.most + rock.r) + (blur * blur) / 2 + TIE;
-      if (places.dot0 > (rock.r * rock.r) / 2 + slack && places.far < least) {
-        best = rock.index;
-        least = places.far;
-      }
-    }
-    return best;
   }
 
   /** Sorts in a box in x and y. */
@@ -319,8 +253,13 @@ export class Sorter {
         piece[8] = Math.max(box[8], xv0 - yv1 - ROUNDING);
         piece[9] = Math.min(box[9], xv1 - yv0 + ROUNDING);
         if (piece[8] > piece[9]) continue;
-        const flight = this.flight(Math.sqrt(xRate * xRate + yRate * yRate) + 2 * speed + grid.momentum / CLOSE);
-        if (!stays && least >= Math.max(CLOSE + place, SHARE * flight + 2 * place)) this.toPolar(i, piece);
+        const rate = Math.sqrt(xRate * xRate + yRate * yRate);
+        const flight = this.flight(rate + 2 * speed + grid.momentum / CLOSE);
+        const isOut = !stays && least >= Math.max(CLOSE + place, SHARE * flight + 2 * place);
+        const nearing =
+          Math.max(-x0 * vx0, -x0 * vx1, -x1 * vx0, -x1 * vx1) + Math.max(-y0 * vy0, -y0 * vy1, -y1 * vy0, -y1 * vy1);
+        if (isOut && !this.mayPassClose(least - 2 * place, nearing / least + speed, rate, piece[8], piece[9]))
+          this.toPolar(i, piece);
         else this.joinNear(i, a, b, c, e, least, piece);
       }
     }
@@ -357,12 +296,12 @@ export class Sorter {
         Math.max(velocity.b0 * velocity.b0, velocity.b1 * velocity.b1),
     );
     const room = Math.max(CLOSE, SHARE * this.flight(fastest + grid.speed + grid.momentum / CLOSE)) + 2 * grid.place;
-    if (sight.d0 < room) {
+    this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
+    const [M0, M1] = [this.m0, this.m1];
+    if (sight.d0 < room || this.mayPassClose(sight.d0, fastest, fastest, M0, M1)) {
       this.toNear(i, j);
       return;
     }
-    this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
-    const [M0, M1] = [this.m0, this.m1];
     const [s0, s1, u0, u1] = [sight.d0, sight.d1, sight.t0, sight.t1];
     const middle = (t0 + t1) / 2;
     const { place } = grid;
@@ -380,13 +319,7 @@ export class Sorter {
         target.look(-from.x, -from.y, from.r);
         if (target.near > d1 + blur + ROUNDING || target.far < d0 - blur - ROUNDING) continue;
         turned.copy(velocity);
-        turned.onAxesTurnedBy((from0 + from1) / 2 - middle);
-        turned.tilt((from1 - from0) / 2);
-        const across0 = Math.min(e0 * turned.b0, e1 * turned.b0);
-        const across1 = Math.max(e0 * turned.b1, e1 * turned.b1);
-        const N0 = Math.max(M0, across0 - ROUNDING);
-        const N1 = Math.min(M1, across1 + ROUNDING);
-        if (N0 <= N1) this.sector(j, a, b, e0, e1, from0, from1, turned.a0, turned.a1, N0, N1, true);
+        this.turnedSector(j, a, b, e0, e1, from0, from1, middle, M0, M1);
       }
     }
   }
@@ -470,19 +403,32 @@ export class Sorter {
         target.look(0, 1, 1);
         if (target.dot0 > y1 + ROUNDING || target.dot1 < y0 - ROUNDING) continue;
         turned.set(vx0, vx1, vy0, vy1);
-        turned.onAxesTurnedBy((from0 + from1) / 2);
-        turned.tilt((from1 - from0) / 2);
-        const across0 = Math.min(e0 * turned.b0, e1 * turned.b0);
-        const across1 = Math.max(e0 * turned.b1, e1 * turned.b1);
-        const N0 = Math.max(L0, across0 - ROUNDING);
-        const N1 = Math.min(L1, across1 + ROUNDING);
-        if (N0 <= N1) this.sector(i, a, b, e0, e1, from0, from1, turned.a0, turned.a1, N0, N1, true);
+        this.turnedSector(i, a, b, e0, e1, from0, from1, 0, L0, L1);
       }
     }
   }
 
-  private rock(i: number, j: number): Rock {
-    return this.scene.charts[i].rocks.find(({ index }) => index === j) as Rock;
+  /** Sorts in a cell of places, where `turned` is the velocity along axes at the angle `axes`. What has other momenta is left out. */
+  private turnedSector(
+    i: number,
+    a: number,
+    b: number,
+    d0: number,
+    d1: number,
+    t0: number,
+    t1: number,
+    axes: number,
+    L0: number,
+    L1: number,
+  ): void {
+    const { turned } = this;
+    turned.onAxesTurnedBy((t0 + t1) / 2 - axes);
+    turned.tilt((t1 - t0) / 2);
+    const across0 = Math.min(d0 * turned.b0, d1 * turned.b0);
+    const across1 = Math.max(d0 * turned.b1, d1 * turned.b1);
+    const M0 = Math.max(L0, across0 - ROUNDING);
+    const M1 = Math.min(L1, across1 + ROUNDING);
+    if (M0 <= M1) this.sector(i, a, b, d0, d1, t0, t1, turned.a0, turned.a1, M0, M1, true);
   }
 
   /** Sets `velocity` to that of a sector, along and across the direction to its middle. */

@@ -1,0 +1,106 @@
+import { isFar } from './forces.ts';
+import { Places } from './places.ts';
+import { type Chart, ROUNDING, type Rock, type Scene, TIE } from './scene.ts';
+
+/** Who may come nearer than this to an asteroid within a step, px, has coordinates in x and y. */
+const PASS = 16;
+
+/** The asteroid of the chart. */
+export const OWN = -1;
+
+/** Where a set of places lies among everything at one time: in a hazard, out of range, nearest to which asteroid. */
+export abstract class Whereabouts {
+  protected readonly scene: Scene;
+  /** The places that are asked about. */
+  protected readonly places = new Places();
+  /** How far recoil may have moved each asteroid, px, and the most of these. */
+  protected readonly moved: Float64Array;
+  private mostMoved = 0;
+  /** The time, s. */
+  protected time = 0;
+
+  constructor(scene: Scene) {
+    this.scene = scene;
+    this.moved = new Float64Array(scene.charts.length);
+  }
+
+  protected at(time: number): void {
+    this.time = time;
+    this.mostMoved = 0;
+    for (let i = 0; i < this.moved.length; i++) {
+      this.moved[i] = this.scene.drift(i, time);
+      this.mostMoved = Math.max(this.mostMoved, this.moved[i]);
+    }
+  }
+
+  /** How far she can go within a step, px. */
+  protected flight(speed: number): number {
+    const { seconds, push } = this.scene;
+    return seconds * (speed + (push * seconds) / 2);
+  }
+
+  /**
+   * Whether she may come close to the asteroid within a step, where polar coordinates are of no use.
+   * @param inward - how fast she comes nearer at most, px/s
+   */
+  protected mayPassClose(distance: number, inward: number, speed: number, L0: number, L1: number): boolean {
+    const { seconds, push } = this.scene;
+    const gain = push * seconds;
+    // at the nearest place, angular momentum is distance times speed
+    return distance - seconds * (Math.max(0, inward) + gain) < PASS && Math.max(0, L0, -L1) < PASS * (speed + gain);
+  }
+
+  /** Whether all places of `places` lie in one hazard. */
+  protected isBlocked(chart: Chart, i: number): boolean {
+    const { places, moved } = this;
+    for (const body of chart.blocked) {
+      const radius = body.radius - moved[i] - ROUNDING;
+      if (isFar(body, places, radius)) continue;
+      places.look(body.x, body.y, body.r);
+      if (places.far < radius) return true;
+    }
+    for (const rock of chart.rocks) {
+      if (rock.radius <= 0) continue;
+      const radius = rock.radius - Math.max(moved[i], moved[rock.index]) - ROUNDING;
+      if (isFar(rock, places, radius)) continue;
+      places.look(rock.x, rock.y, rock.r);
+      if (places.far < radius) return true;
+    }
+    return false;
+  }
+
+  /** Whether all places of `places` are out of range of all asteroids but that of the chart. */
+  protected isOutOfOthers(chart: Chart, i: number): boolean {
+    const { places, moved, scene } = this;
+    for (const rock of chart.rocks) {
+      const radius = scene.range + Math.max(moved[i], moved[rock.index]) + ROUNDING;
+      if (isFar(rock, places, radius)) continue;
+      places.look(rock.x, rock.y, rock.r);
+      if (places.near <= radius) return false;
+    }
+    return true;
+  }
+
+  /** OWN when the chart's asteroid may be the nearest at one of `places`; otherwise one that is certainly nearer. */
+  protected nearest({ rocks }: Chart, i: number): number {
+    const { places, moved, mostMoved } = this;
+    let best = OWN;
+    let least = Number.POSITIVE_INFINITY;
+    const farthest = 2 * (places.most + 2 * mostMoved + 1);
+    for (const rock of rocks) {
+      if (rock.r > farthest) break;
+      places.look(rock.x, rock.y, rock.r);
+      const blur = Math.max(moved[i], moved[rock.index]);
+      const slack = (blur + TIE) * (places.most + rock.r) + (blur * blur) / 2 + TIE;
+      if (places.dot0 > (rock.r * rock.r) / 2 + slack && places.far < least) {
+        best = rock.index;
+        least = places.far;
+      }
+    }
+    return best;
+  }
+
+  protected rock(i: number, j: number): Rock {
+    return this.scene.charts[i].rocks.find(({ index }) => index === j) as Rock;
+  }
+}
