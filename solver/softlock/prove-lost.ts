@@ -1,5 +1,6 @@
 import { type AccuracyName, isAccuracyName, type Simulation, STATE_SIZE, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, NO_OBJECTS, objectsIn } from '../../schema/basics/index.ts';
+import { type AnytimeProof, createAnytimeProof } from '../anytime/index.ts';
 import { type Proof, type Prover, proveBy } from '../proofs/index.ts';
 import { verifyProof } from '../verify/index.ts';
 
@@ -92,4 +93,25 @@ export function proveLost(simulation: Simulation, maxTicks: number, alive: numbe
     if (proof !== null && verifyProof(from.level, proof).ok) return { proof, level: from.level, work: budget.spent };
   }
   return { proof: null, level: null, work: budget.spent };
+}
+
+/** `orbits` follows her for so many seconds at most. */
+const ORBITS_SOON = 20;
+
+/**
+ * Begins a search for a proof with ever finer sets that the black hole cannot be reached from the state of a run.
+ * @param simulation a run in progress; it is not changed
+ * @param maxTicks the longest run, ticks from the state on
+ * @param alive the longest that she was seen alive after the state, ticks
+ * @returns null if no prover covers the state
+ */
+export function createLongProof(simulation: Simulation, maxTicks: number, alive: number): AnytimeProof | null {
+  const { name } = simulation.scene.accuracy;
+  const from = isAccuracyName(name) ? levelFrom(simulation) : null;
+  if (from === null) return null;
+  const seconds = alive * TICK;
+  const provers: Prover[] = seconds > ORBITS_SOON ? [] : ['orbits'];
+  if (seconds <= SOON) provers.push('doomed');
+  if (seconds <= SOON && from.isUpright) provers.push('flowpipe');
+  return provers.length === 0 ? null : createAnytimeProof(from.level, { accuracy: name as AccuracyName, maxTicks, provers });
 }

@@ -2,6 +2,7 @@ import { createSearch } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { verifyRun } from '../verified-run.ts';
 import type { Examined, SurveyTask } from './survey-task.ts';
+import { dateLoss, proveLoss, type TracedRun } from './trace-run.ts';
 
 /** Ticks between two states of one of the level's own runs. */
 const STRIDE = 30;
@@ -27,32 +28,81 @@ const FINE_PROVED = 8;
 const MOST_ENTRIES = 8;
 
 /**
- * The work of a survey: gathers states, searches from each and tries to prove it lost, and finds the moments at which they were
- * lost; then it searches longer from those that are not proved.
+ * Rounds of ever finer proofs and longer searches: the most that an attempt to prove may take, and the ticks of a search from
+ * each state from which no run was found.
  */
-export function* surveySteps(task: SurveyTask): Steps<void> {
+const ROUNDS: readonly { readonly attempt: number; readonly search: number }[] = [
+  { attempt: 2_000_000, search: 160_000 },
+  { attempt: 8_000_000, search: 640_000 },
+  { attempt: 24_000_000, search: 2_560_000 },
+];
+
+/**
+ * The work of a survey: dates the losses of the traced runs; gathers states, searches from each and tries to prove it lost, and
+ * finds the moments at which they were lost. Then it searches longer from those that are not proved, and tries finer proofs.
+ */
+export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[]): Steps<void> {
+  yield* complete(task);
+  for (const run of traced) yield* dateLoss(task, run, FIRST_SEARCH);
+  for (const run of traced) yield* proveLoss(task, run);
   yield* gather(task);
   for (const state of byTick(task)) yield* task.searchFrom(state, FIRST_SEARCH);
+  yield* proveLasting(task);
+  yield* findEntries(task, 'proved', findProvedEntry);
+  for (const run of traced) yield* dateLoss(task, run, SEARCH);
+  for (const run of traced) yield* proveLoss(task, run);
+  for (const state of byTick(task)) yield* task.searchFrom(state, SEARCH);
+  yield* findEntries(task, 'not found', findEntry);
+  for (const { attempt, search } of ROUNDS) {
+    yield* proveFiner(task, traced, attempt);
+    for (const run of traced) yield* dateLoss(task, run, search);
+    for (const run of traced) yield* proveLoss(task, run);
+    for (const state of byTick(task)) yield* task.searchFrom(state, search);
+    // what was lost before may have turned out to be open, and the moment of loss is a later one
+    task.dropOpenEntries();
+    yield* findEntries(task, 'not found', findEntry);
+  }
+}
+
+function* proveLasting(task: SurveyTask): Steps<void> {
   // the earliest first: what comes after a state that is proved lost is lost as well
   for (const state of byTick(task).reverse()) {
     // how she dies within a second does not matter
     if (state.alive >= LIVES_ON) yield* task.prove(state);
   }
-  yield* findEntries(task, 'proved', findProvedEntry);
-  for (const state of byTick(task)) yield* task.searchFrom(state, SEARCH);
-  yield* findEntries(task, 'not found', findEntry);
+}
+
+/** Tries finer proofs: first of the moments at which runs and places are lost, as they decide most, then of the other states. */
+function* proveFiner(task: SurveyTask, traced: readonly TracedRun[], most: number): Steps<void> {
+  const moments = [...traced.flatMap(({ lost }) => lost ?? []), ...task.entryStates()];
+  const lasting = byTick(task)
+    .reverse()
+    .filter(({ alive }) => alive >= LIVES_ON);
+  const states = [...new Set([...moments, ...lasting])];
+  for (let isLeft = true; isLeft; ) {
+    isLeft = false;
+    for (const state of states) isLeft = (yield* task.proveLonger(state, most)) || isLeft;
+  }
 }
 
 /** The latest first: a run that is found from a late state shows that the states before it are open. */
 const byTick = ({ states }: SurveyTask): Examined[] => [...states].sort((a, b) => b.tick - a.tick);
 
-function* gather(task: SurveyTask): Steps<void> {
+/** Notes which of the level's own runs complete it. */
+function* complete(task: SurveyTask): Steps<void> {
   const { scene, maxTicks } = task;
-  for (const [run, holds] of task.runs.slice(0, MOST_RUNS).entries()) {
+  for (const holds of task.runs.slice(0, MOST_RUNS)) {
     const completed = verifyRun(scene, holds, { minerals: 'any' }, maxTicks);
     task.ticks += completed?.tick ?? maxTicks;
     if (completed !== null) task.complete(completed.holds);
-    for (let tick = 0; tick < (completed?.tick ?? maxTicks); tick += STRIDE) {
+    yield null;
+  }
+}
+
+function* gather(task: SurveyTask): Steps<void> {
+  const { scene, maxTicks } = task;
+  for (const [run, holds] of task.runs.slice(0, MOST_RUNS).entries()) {
+    for (let tick = 0; tick < maxTicks; tick += STRIDE) {
       const state = task.stateAt({ holds, tick }, run);
       if (state === null) break;
       task.states.push(state);
