@@ -2,6 +2,7 @@ import { useEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../context/index.ts';
+import { LostLegend } from '../lost/index.ts';
 import { createCanvasState } from './canvas-state.ts';
 import { EndReason } from './EndReason.tsx';
 import './canvas.css';
@@ -10,6 +11,7 @@ import { DeathLegend } from './DeathLegend.tsx';
 import { DeathTip } from './DeathTip.tsx';
 import type { SearchPicture } from './layers/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
+import { RunLossLabel } from './RunLossLabel.tsx';
 
 interface CanvasViewProps {
   /** What searches show on the canvas; read every frame. */
@@ -49,7 +51,9 @@ export function CanvasView({ search }: CanvasViewProps) {
         {words}
       </p>
       <EndReason canvas={canvas} />
+      <RunLossLabel canvas={canvas} />
       <DeathLegend />
+      <LostLegend />
       <DeathTip canvas={canvas} host={host} />
     </>
   );

@@ -40,12 +40,13 @@ const ROUNDS: readonly { readonly attempt: number; readonly search: number }[] =
 /**
  * The work of a survey: dates the losses of the traced runs; gathers states, searches from each and tries to prove it lost, and
  * finds the moments at which they were lost. Then it searches longer from those that are not proved, and tries finer proofs.
+ * @param explores whether states are examined that a search reaches
  */
-export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[]): Steps<void> {
-  yield* complete(task);
+export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[], explores: boolean): Steps<void> {
+  yield* gatherOwn(task);
   for (const run of traced) yield* dateLoss(task, run, FIRST_SEARCH);
   for (const run of traced) yield* proveLoss(task, run);
-  yield* gather(task);
+  if (explores) yield* gatherReached(task);
   for (const state of byTick(task)) yield* task.searchFrom(state, FIRST_SEARCH);
   yield* proveLasting(task);
   yield* findEntries(task, 'proved', findProvedEntry);
@@ -88,20 +89,17 @@ function* proveFiner(task: SurveyTask, traced: readonly TracedRun[], most: numbe
 /** The latest first: a run that is found from a late state shows that the states before it are open. */
 const byTick = ({ states }: SurveyTask): Examined[] => [...states].sort((a, b) => b.tick - a.tick);
 
-/** Notes which of the level's own runs complete it. */
-function* complete(task: SurveyTask): Steps<void> {
+/** The states along the level's own runs. */
+function* gatherOwn(task: SurveyTask): Steps<void> {
   const { scene, maxTicks } = task;
-  for (const holds of task.runs.slice(0, MOST_RUNS)) {
+  const runs = task.runs.slice(0, MOST_RUNS);
+  for (const holds of runs) {
     const completed = verifyRun(scene, holds, { minerals: 'any' }, maxTicks);
     task.ticks += completed?.tick ?? maxTicks;
     if (completed !== null) task.complete(completed.holds);
     yield null;
   }
-}
-
-function* gather(task: SurveyTask): Steps<void> {
-  const { scene, maxTicks } = task;
-  for (const [run, holds] of task.runs.slice(0, MOST_RUNS).entries()) {
+  for (const [run, holds] of runs.entries()) {
     for (let tick = 0; tick < maxTicks; tick += STRIDE) {
       const state = task.stateAt({ holds, tick }, run);
       if (state === null) break;
@@ -109,6 +107,11 @@ function* gather(task: SurveyTask): Steps<void> {
       yield null;
     }
   }
+}
+
+/** The states that a search reaches. */
+function* gatherReached(task: SurveyTask): Steps<void> {
+  const { scene, maxTicks } = task;
   const search = createSearch(scene, { seed: task.nextSeed(), maxTicks });
   while (search.effort.ticks < EXPLORE && !search.exhausted) {
     const before = search.effort.ticks;

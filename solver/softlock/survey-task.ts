@@ -8,8 +8,8 @@ import {
   TICK_RATE,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
-import type { Proof } from '../proofs/index.ts';
 import type { AnytimeProof } from '../anytime/index.ts';
+import type { Proof } from '../proofs/index.ts';
 import { createSearch, type Moment } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { createReplay, cutHolds } from '../verified-run.ts';
@@ -103,7 +103,21 @@ export class SurveyTask {
     const [x, y, vx, vy] = this.state;
     const onward = this.completing.find((other) => leadsThrough(other, cut, tick)) ?? null;
     const standing: Standing = { is: onward === null ? 'unknown' : 'open' };
-    return { holds: cut, tick, x, y, vx, vy, standing, alive: 0, run, onward, isProofSought: false, proving: undefined, isKnownTried: false };
+    return {
+      holds: cut,
+      tick,
+      x,
+      y,
+      vx,
+      vy,
+      standing,
+      alive: 0,
+      run,
+      onward,
+      isProofSought: false,
+      proving: undefined,
+      isKnownTried: false,
+    };
   }
 
   /** Notes a run that completes the level: all states on it are open. */
@@ -272,7 +286,10 @@ export class SurveyTask {
   playOut(holds: readonly Hold[]): { readonly completes: boolean; readonly last: number } {
     this.goTo({ holds, tick: this.maxTicks });
     const { ending, tick } = this.simulation;
-    return { completes: ending?.outcome === 'completed', last: ending === null ? tick : Math.max(0, Math.ceil(ending.time * TICK_RATE) - 1) };
+    return {
+      completes: ending?.outcome === 'completed',
+      last: ending === null ? tick : Math.max(0, Math.ceil(ending.time * TICK_RATE) - 1),
+    };
   }
 
   places(): LostPlace[] {

@@ -13,6 +13,8 @@ export interface SurveyOptions {
   readonly runs?: readonly (readonly Hold[])[];
   /** Runs that fail, such as attempts of players: since when each was lost is looked for before anything else. None by default. */
   readonly traced?: readonly (readonly Hold[])[];
+  /** Whether states that a search reaches are examined as well, besides those of runs; true by default. */
+  readonly explores?: boolean;
   /** Seed of the random choices, a whole number; 0 by default. */
   readonly seed?: number;
   /** The longest a run may last, ticks; 3600 by default. */
@@ -63,9 +65,10 @@ export interface SoftlockSurvey {
  */
 export function createSoftlockSurvey(scene: Scene, options: SurveyOptions = {}): SoftlockSurvey {
   const { seed = 0, maxTicks = DEFAULT_MAX_TICKS, runs = scene.level.runs.map(({ holds }) => holds) } = options;
+  const { explores = true } = options;
   const traced = (options.traced ?? []).map(createTracedRun);
   const task = new SurveyTask(scene, { runs, seed, maxTicks });
-  const work = surveySteps(task, traced);
+  const work = surveySteps(task, traced, explores);
   let asked = 0;
   let finished = false;
   return {

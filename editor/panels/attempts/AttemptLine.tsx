@@ -14,11 +14,19 @@ function Sign({ outcome }: Pick<AttemptRow, 'outcome'>) {
   );
 }
 
-/** An attempt or a play in the list. @param minerals of the level */
-export function AttemptLine({ row, minerals: all }: { readonly row: AttemptRow; readonly minerals: number }) {
+interface AttemptLineProps {
+  readonly row: AttemptRow;
+  /** Of the level. */
+  readonly minerals: number;
+  /** Since when it was lost, in words; null: not known, or not lost. */
+  readonly since: string | null;
+}
+
+/** An attempt or a play in the list. */
+export function AttemptLine({ row, minerals: all, since }: AttemptLineProps) {
   const { title, end, tick, minerals, verdict, outcome } = row;
   return (
-    <span className="attempt-line" title={`${title}: ${end}`}>
+    <span className="attempt-line" title={since === null ? `${title}: ${end}` : `${title}: ${end} ${since}`}>
       <Sign outcome={outcome} />
       <span className="runs__text">
         <span className="runs__line">
@@ -32,6 +40,7 @@ export function AttemptLine({ row, minerals: all }: { readonly row: AttemptRow; 
           {verdict !== null && verdict !== 'ok' && <b className="attempt-line__verdict">{verdict} </b>}
           {end}
         </span>
+        {since !== null && <span className="runs__facts attempt-line__since numbers">{since}</span>}
       </span>
       <MoreButton />
     </span>
