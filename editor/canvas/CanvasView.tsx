@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'react';
+import { type ReactNode, useEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../context/index.ts';
@@ -16,10 +16,12 @@ import { RunLossLabel } from './RunLossLabel.tsx';
 interface CanvasViewProps {
   /** What searches show on the canvas; read every frame. */
   readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
+  /** The legend of what searches show. */
+  readonly legend: ReactNode;
 }
 
 /** The canvas of the level. */
-export function CanvasView({ search }: CanvasViewProps) {
+export function CanvasView({ search, legend }: CanvasViewProps) {
   const editor = useEditor();
   const level = useLevel();
   const host = useRef<HTMLDivElement>(null);
@@ -52,8 +54,11 @@ export function CanvasView({ search }: CanvasViewProps) {
       </p>
       <EndReason canvas={canvas} />
       <RunLossLabel canvas={canvas} />
-      <DeathLegend />
-      <LostLegend />
+      <div className="legends">
+        {legend}
+        <LostLegend />
+        <DeathLegend />
+      </div>
       <DeathTip canvas={canvas} host={host} />
     </>
   );

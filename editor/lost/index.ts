@@ -1,5 +1,5 @@
 export { LostLegend } from './LostLegend.tsx';
-export { lossInWords, lostFromInWords, sinceInWords } from './loss-words.ts';
+export { briefLossInWords, lossInWords, lostFromInWords, sinceInWords } from './loss-words.ts';
 export { type LostPicture, type LostWay, lostPictureOf, type PathOf } from './lost-picture.ts';
 export { type LostFindings, lossKey, lostOf } from './lost-store.ts';
 export { countLost, lostInWords } from './lost-words.ts';

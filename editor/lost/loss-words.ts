@@ -22,6 +22,12 @@ export function lossInWords(loss: Loss, end: number): string | null {
   return since === null ? null : `${since}; ends at ${end.toFixed(2)} s`;
 }
 
+/** The same in a few words: `lost from 2.35 s, ends at 4.10 s`. @param end of the run, s */
+export function briefLossInWords(loss: Loss, end: number): string | null {
+  const from = lostFromInWords(loss);
+  return from === null ? null : `${from}, ends at ${end.toFixed(2)} s`;
+}
+
 /** The beginning of the loss in a few words, for a mark: `lost from 2.35 s`, `no run found from 2.35 s`. */
 export function lostFromInWords({ lost, proved }: Pick<Loss, 'lost' | 'proved'>): string | null {
   if (proved !== null) return `lost from ${seconds(proved.tick)}`;

@@ -56,6 +56,7 @@ export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[], exp
   yield* findEntries(task, 'not found', findEntry);
   for (const { attempt, search } of ROUNDS) {
     yield* proveFiner(task, traced, attempt);
+    yield* findEntries(task, 'proved', findProvedEntry);
     for (const run of traced) yield* dateLoss(task, run, search);
     for (const run of traced) yield* proveLoss(task, run);
     for (const state of byTick(task)) yield* task.searchFrom(state, search);

@@ -56,7 +56,7 @@ interface Wanted {
 interface Entry {
   readonly at: Examined;
   readonly open: number | null;
-  states: number;
+  readonly states: Set<Examined>;
   alive: number;
 }
 
@@ -262,14 +262,15 @@ export class SurveyTask {
   }
 
   /** Notes the moment at which a state was lost. */
-  enter(at: Examined, open: number | null, { tick, alive }: Examined): void {
-    this.entries.push({ at, open, states: 1, alive: Math.max(at.alive, tick + alive - at.tick) });
+  enter(at: Examined, open: number | null, state: Examined): void {
+    const alive = Math.max(at.alive, state.tick + state.alive - at.tick);
+    this.entries.push({ at, open, states: new Set([state]), alive });
   }
 
   /** Notes that a state lies beyond an entry. */
-  follow(entry: Entry, { tick, alive }: Examined): void {
-    entry.states++;
-    entry.alive = Math.max(entry.alive, tick + alive - entry.at.tick);
+  follow(entry: Entry, state: Examined): void {
+    entry.states.add(state);
+    entry.alive = Math.max(entry.alive, state.tick + state.alive - entry.at.tick);
   }
 
   /** The states at which it was lost, as far as they are found. */
@@ -300,10 +301,10 @@ export class SurveyTask {
       const near = places.findIndex(
         ({ x, y, standing }) => standing.is === at.standing.is && (x - at.x) * (x - at.x) + (y - at.y) * (y - at.y) < NEAR * NEAR,
       );
-      if (near >= 0) places[near] = { ...places[near], states: places[near].states + states };
+      if (near >= 0) places[near] = { ...places[near], states: places[near].states + states.size };
       else {
         const { x, y, holds, tick, standing, run } = at;
-        places.push({ x, y, holds, tick, standing, run, alive, open, states });
+        places.push({ x, y, holds, tick, standing, run, alive, open, states: states.size });
       }
     }
     return places;

@@ -1,5 +1,7 @@
 import { DoorOpen, FileQuestionMark } from 'lucide-react';
 import { TICK } from '../../../engine/index.ts';
+import { lostFromInWords, sinceInWords } from '../../lost/index.ts';
+import type { Loss } from '../../workers/index.ts';
 import { OutcomeSign } from '../runs/index.ts';
 import { MoreButton } from '../tree/index.ts';
 import type { AttemptRow } from './attempt-rows.ts';
@@ -18,15 +20,15 @@ interface AttemptLineProps {
   readonly row: AttemptRow;
   /** Of the level. */
   readonly minerals: number;
-  /** Since when it was lost, in words; null: not known, or not lost. */
-  readonly since: string | null;
+  /** Since when it was lost; null: not known, or not lost. */
+  readonly loss: Loss | null;
 }
 
 /** An attempt or a play in the list. */
-export function AttemptLine({ row, minerals: all, since }: AttemptLineProps) {
+export function AttemptLine({ row, minerals: all, loss }: AttemptLineProps) {
   const { title, end, tick, minerals, verdict, outcome } = row;
   return (
-    <span className="attempt-line" title={since === null ? `${title}: ${end}` : `${title}: ${end} ${since}`}>
+    <span className="attempt-line" title={loss === null ? `${title}: ${end}` : `${title}: ${end} It is ${sinceInWords(loss)}.`}>
       <Sign outcome={outcome} />
       <span className="runs__text">
         <span className="runs__line">
@@ -40,7 +42,7 @@ export function AttemptLine({ row, minerals: all, since }: AttemptLineProps) {
           {verdict !== null && verdict !== 'ok' && <b className="attempt-line__verdict">{verdict} </b>}
           {end}
         </span>
-        {since !== null && <span className="runs__facts attempt-line__since numbers">{since}</span>}
+        {loss !== null && <span className="runs__facts attempt-line__since numbers">{lostFromInWords(loss)}</span>}
       </span>
       <MoreButton />
     </span>

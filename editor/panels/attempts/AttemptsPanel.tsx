@@ -3,10 +3,11 @@ import { type KeyboardEvent, useCallback, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { joinHolds } from '../../../engine/index.ts';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
-import { type LostFindings, lossKey, lostOf, sinceInWords } from '../../lost/index.ts';
+import { type LostFindings, lossKey, lostFromInWords, lostOf } from '../../lost/index.ts';
 import { type Reading, readingOf } from '../../plays/index.ts';
 import { hashNow, shelfOf } from '../../shelf/index.ts';
 import { Button } from '../../ui/index.ts';
+import type { Loss } from '../../workers/index.ts';
 import { plural } from '../figures/index.ts';
 import { PlayButton, Progress, useThrottledProof } from '../parts/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
@@ -38,12 +39,11 @@ const SHOWN_TITLES: Readonly<Record<Shown, string>> = {
 };
 const FIRST: ListOptions = { sort: 'newest', shown: 'all', words: '' };
 
-/** Since when an attempt was lost, as a sentence about her; null if it is not known or it was not. */
-function lossOfRow(losses: LostFindings['losses'], { outcome, holds, accuracy }: AttemptRow): string | null {
+/** Since when an attempt was lost; null if it is not known or it was not. */
+function lossOfRow(losses: LostFindings['losses'], { outcome, holds, accuracy }: AttemptRow): Loss | null {
   if (losses.size === 0 || outcome === 'completed') return null;
   const loss = losses.get(lossKey(joinHolds(holds), accuracy));
-  const since = loss === undefined ? null : sinceInWords(loss);
-  return since === null ? null : `${since[0].toUpperCase()}${since.slice(1)}.`;
+  return loss === undefined || lostFromInWords(loss) === null ? null : loss;
 }
 
 /** The attempts of this session and the opened plays of the level. Those that are selected are shown on the canvas. */
@@ -74,7 +74,6 @@ export function AttemptsPanel() {
     return true;
   };
   const all = attempts.length + plays.length;
-  const sinceOf = (row: AttemptRow): string | null => lossOfRow(losses, row);
   const heightOf = useCallback((row: AttemptRow) => HEIGHTS[lossOfRow(losses, row) === null ? 0 : 1], [losses]);
 
   return (
@@ -106,7 +105,7 @@ export function AttemptsPanel() {
             onOpen={(row) => replayRow(editor, level, row)}
             onKey={onKey}
             menu={(row) => rowMenu(editor, level, row)}
-            render={(row) => <AttemptLine row={row} minerals={minerals} since={sinceOf(row)} />}
+            render={(row) => <AttemptLine row={row} minerals={minerals} loss={lossOfRow(losses, row)} />}
           />
           <DeathList />
         </>
