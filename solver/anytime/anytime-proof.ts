@@ -27,8 +27,10 @@ export interface AnytimeProof {
   readonly finished: boolean;
   /** The work done so far, in ticks of a search that take about as long. */
   readonly ticks: number;
-  /** How much more work has to be given for the next attempt, ticks; 0 when it is finished. */
-  readonly needs: number;
+  /** The most work that the next attempt may take, ticks; 0 when it is finished. */
+  readonly nextLimit: number;
+  /** Makes the next attempt, however little work has been asked for. */
+  attempt(): void;
   /**
    * Continues the work. The same total gives the same result however it is split into calls: an attempt is made once the total
    * covers its limit.
@@ -155,8 +157,12 @@ export function createAnytimeProof(level: Level, options: AnytimeOptions): Anyti
     get ticks() {
       return spent;
     },
-    get needs() {
-      return proof !== null || next.done === true ? 0 : spent + next.value.limit - asked;
+    get nextLimit() {
+      return proof !== null || next.done === true ? 0 : next.value.limit;
+    },
+    attempt() {
+      if (proof === null && next.done !== true) next = attempts.next(attempt(next.value));
+      asked = Math.max(asked, spent);
     },
     advance(ticks) {
       asked += ticks;

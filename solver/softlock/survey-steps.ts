@@ -1,6 +1,7 @@
 import { createSearch } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { verifyRun } from '../verified-run.ts';
+import { proveLostByOrbits } from './prove-lost.ts';
 import type { Examined, SurveyTask } from './survey-task.ts';
 import { dateLoss, proveLoss, type TracedRun } from './trace-run.ts';
 
@@ -28,13 +29,13 @@ const FINE_PROVED = 8;
 const MOST_ENTRIES = 8;
 
 /**
- * Rounds of ever finer proofs and longer searches: the most that an attempt to prove may take, and the ticks of a search from
- * each state from which no run was found.
+ * Rounds of longer searches from each state from which no run was found, ticks, and of finer proofs: the most that an attempt may
+ * take, ticks.
  */
-const ROUNDS: readonly { readonly attempt: number; readonly search: number }[] = [
-  { attempt: 2_000_000, search: 160_000 },
-  { attempt: 8_000_000, search: 640_000 },
-  { attempt: 24_000_000, search: 2_560_000 },
+const ROUNDS: readonly { readonly search: number; readonly attempt: number }[] = [
+  { search: 160_000, attempt: 2_000_000 },
+  { search: 640_000, attempt: 8_000_000 },
+  { search: 2_560_000, attempt: 24_000_000 },
 ];
 
 /**
@@ -54,15 +55,18 @@ export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[], exp
   for (const run of traced) yield* proveLoss(task, run);
   for (const state of byTick(task)) yield* task.searchFrom(state, SEARCH);
   yield* findEntries(task, 'not found', findEntry);
-  for (const { attempt, search } of ROUNDS) {
-    yield* proveFiner(task, traced, attempt);
-    yield* findEntries(task, 'proved', findProvedEntry);
+  for (const state of decisive(task, traced)) yield* task.prove(state, proveLostByOrbits);
+  yield* findEntries(task, 'proved', findProvedEntry);
+  for (const run of traced) yield* proveLoss(task, run);
+  for (const { search, attempt } of ROUNDS) {
     for (const run of traced) yield* dateLoss(task, run, search);
-    for (const run of traced) yield* proveLoss(task, run);
     for (const state of byTick(task)) yield* task.searchFrom(state, search);
     // what was lost before may have turned out to be open, and the moment of loss is a later one
     task.dropOpenEntries();
     yield* findEntries(task, 'not found', findEntry);
+    yield* proveFiner(task, traced, attempt);
+    yield* findEntries(task, 'proved', findProvedEntry);
+    for (const run of traced) yield* proveLoss(task, run);
   }
 }
 
@@ -74,13 +78,18 @@ function* proveLasting(task: SurveyTask): Steps<void> {
   }
 }
 
-/** Tries finer proofs: first of the moments at which runs and places are lost, as they decide most, then of the other states. */
-function* proveFiner(task: SurveyTask, traced: readonly TracedRun[], most: number): Steps<void> {
+/** The states to be proved: first the moments at which runs and places are lost, as they decide most, then the others. */
+function decisive(task: SurveyTask, traced: readonly TracedRun[]): ReadonlySet<Examined> {
   const moments = [...traced.flatMap(({ lost }) => lost ?? []), ...task.entryStates()];
   const lasting = byTick(task)
     .reverse()
     .filter(({ alive }) => alive >= LIVES_ON);
-  const states = [...new Set([...moments, ...lasting])];
+  return new Set([...moments, ...lasting]);
+}
+
+/** Tries finer proofs. @param most what an attempt may take, ticks */
+function* proveFiner(task: SurveyTask, traced: readonly TracedRun[], most: number): Steps<void> {
+  const states = decisive(task, traced);
   for (let isLeft = true; isLeft; ) {
     isLeft = false;
     for (const state of states) isLeft = (yield* task.proveLonger(state, most)) || isLeft;

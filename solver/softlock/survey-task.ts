@@ -29,17 +29,14 @@ const SHIFTS = [0, -2, 2, -5, 5, -10, 10];
 /** A run that is not over this many ticks after its last release is given up. */
 const WAIT = 900;
 
-/** A piece of motion of a prover costs as much as this many ticks. */
-const TICKS_A_PIECE = 10;
-
 /** A state while it is examined. */
 export type Examined = { -readonly [K in keyof SurveyedState]: SurveyedState[K] } & {
   readonly vx: number;
   readonly vy: number;
   /** The holds of a run through this state that completes the level; null while none is known. */
   onward: readonly Hold[] | null;
-  /** Whether a proof was sought. */
-  isProofSought: boolean;
+  /** How proofs were sought. */
+  readonly sought: Set<typeof proveLost>;
   /** The search for a proof with ever finer sets; null: there is none for this state, undefined: not begun. */
   proving: AnytimeProof | null | undefined;
   /** Whether it was tried how runs go on from similar states. */
@@ -114,7 +111,7 @@ export class SurveyTask {
       alive: 0,
       run,
       onward,
-      isProofSought: false,
+      sought: new Set(),
       proving: undefined,
       isKnownTried: false,
     };
@@ -201,13 +198,13 @@ export class SurveyTask {
   }
 
   /** Tries once to prove that a state is lost. */
-  *prove(state: Examined): Steps<void> {
-    if (state.isProofSought || state.standing.is === 'open' || state.standing.is === 'proved') return;
-    state.isProofSought = true;
+  *prove(state: Examined, by = proveLost): Steps<void> {
+    if (state.sought.has(by) || state.standing.is === 'open' || state.standing.is === 'proved') return;
+    state.sought.add(by);
     if (this.followsProof(state)) return;
     this.goTo(state);
-    const { proof, work } = proveLost(this.simulation, this.maxTicks, state.alive);
-    this.ticks += TICKS_A_PIECE * work;
+    const { proof, ticks } = by(this.simulation, this.maxTicks, state.alive);
+    this.ticks += ticks;
     if (proof !== null) this.noteProof(state, proof);
     yield null;
   }
@@ -224,12 +221,12 @@ export class SurveyTask {
       state.proving = createLongProof(this.simulation, this.maxTicks, state.alive);
     }
     const { proving } = state;
-    if (proving === null || proving.finished || proving.needs > most) return false;
-    this.reserved = proving.needs;
+    if (proving === null || proving.finished || proving.nextLimit > most) return false;
+    this.reserved = proving.nextLimit;
     yield null;
     this.reserved = 0;
     const before = proving.ticks;
-    proving.advance(proving.needs);
+    proving.attempt();
     this.ticks += proving.ticks - before;
     if (proving.proof !== null) this.noteProof(state, proving.proof);
     yield null;
