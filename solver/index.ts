@@ -151,6 +151,7 @@ export {
   createSoftlockSurvey,
   LIVES_ON,
   type LostPlace,
+  type RunLoss,
   type SoftlockSurvey,
   type Standing,
   type SurveyedState,

@@ -111,9 +111,8 @@ function LevelScreen() {
         right={[<SideTabs key="tabs" side="right" label="Inspector and tools" panels={RIGHT} />, PROBLEMS.content]}
         canvas={
           <>
-            <CanvasView key={key} search={overlay} />
+            <CanvasView key={key} search={overlay} legend={<HeatLegend />} />
             <Toolbar />
-            <HeatLegend />
             {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
           </>
         }

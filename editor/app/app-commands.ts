@@ -1,5 +1,6 @@
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
+import { LOST_KEY } from '../lost/index.ts';
 import { listHistoryOf } from '../panels/levels/index.ts';
 import { solverSessionOf } from '../panels/solver/index.ts';
 import { LAYERS, type Layer } from '../session/index.ts';
@@ -13,6 +14,7 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   ghosts: 'ghosts of attempts and candidates',
   heatMap: 'search heat map',
   deaths: 'heat map of deaths',
+  lost: 'states that are already lost',
 };
 
 /** Commands that work whatever is shown. */
@@ -97,6 +99,7 @@ export function appCommands(editor: Editor): readonly Command[] {
         id: `view.layer-${layer}`,
         title: `Show or hide the ${LAYER_TITLES[layer]}`,
         group: 'View',
+        ...(layer === 'lost' && { keys: [LOST_KEY] }),
         run: () => {
           const { layers } = session.getState();
           session.setState({ layers: { ...layers, [layer]: !layers[layer] } });

@@ -1,7 +1,8 @@
-import { useEffect, useRef } from 'react';
+import { type ReactNode, useEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../context/index.ts';
+import { LostLegend } from '../lost/index.ts';
 import { createCanvasState } from './canvas-state.ts';
 import { EndReason } from './EndReason.tsx';
 import './canvas.css';
@@ -10,14 +11,17 @@ import { DeathLegend } from './DeathLegend.tsx';
 import { DeathTip } from './DeathTip.tsx';
 import type { SearchPicture } from './layers/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
+import { RunLossLabel } from './RunLossLabel.tsx';
 
 interface CanvasViewProps {
   /** What searches show on the canvas; read every frame. */
   readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
+  /** The legend of what searches show. */
+  readonly legend: ReactNode;
 }
 
 /** The canvas of the level. */
-export function CanvasView({ search }: CanvasViewProps) {
+export function CanvasView({ search, legend }: CanvasViewProps) {
   const editor = useEditor();
   const level = useLevel();
   const host = useRef<HTMLDivElement>(null);
@@ -49,7 +53,12 @@ export function CanvasView({ search }: CanvasViewProps) {
         {words}
       </p>
       <EndReason canvas={canvas} />
-      <DeathLegend />
+      <RunLossLabel canvas={canvas} />
+      <div className="legends">
+        {legend}
+        <LostLegend />
+        <DeathLegend />
+      </div>
       <DeathTip canvas={canvas} host={host} />
     </>
   );

@@ -1,6 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Box } from '../../engine/index.ts';
+import { type Box, joinHolds } from '../../engine/index.ts';
 import type { Editor, OpenLevel, Pose } from '../context/index.ts';
+import { type LostPicture, lossKey, lostOf, lostPictureOf } from '../lost/index.ts';
 import { shelfOf } from '../shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { SearchPicture } from './layers/index.ts';
@@ -10,11 +11,13 @@ import type { Picture } from './stage.ts';
 /** What the stage shows of an open level, read once per frame. @param search what searches show */
 export function pictureOf(
   { settings, session }: Editor,
-  { document, selection, hovered, proof, ghosts, playtest }: OpenLevel,
+  level: OpenLevel,
   canvas: StoreApi<CanvasState>,
   search: Pick<StoreApi<SearchPicture>, 'getState'>,
 ): () => Picture {
-  const plays = shelfOf({ document }).store;
+  const { document, selection, hovered, proof, ghosts, playtest, attempts } = level;
+  const plays = shelfOf(level).store;
+  const found = lostOf(level);
   // the pose of a tick is computed once, however many frames show it
   let posed: { proof: object; tick: number; pose: Pose } | null = null;
   const pose = (): Pose => {
@@ -25,6 +28,22 @@ export function pictureOf(
     const now = proof.proof();
     if (posed === null || posed.proof !== now || posed.tick !== at) posed = { proof: now, tick: at, pose: poseAt(now, at) };
     return posed.pose;
+  };
+  // made anew when one of its parts changes
+  let shaded: { readonly parts: readonly unknown[]; readonly lost: LostPicture } | null = null;
+  const lost = (): LostPicture | null => {
+    const { layers, mode } = session.getState();
+    if (!layers.lost || mode === 'play') return null;
+    const [findings, now, own] = [found.getState(), proof.proof(), attempts.store.getState()];
+    const parts = [findings.losing, findings.losses, now.run, layers.ghosts, own];
+    if (shaded === null || parts.some((part, i) => part !== shaded?.parts[i])) {
+      const paths = (layers.ghosts ? own : []).map(({ holds, accuracy, points }) => ({
+        key: lossKey(joinHolds(holds), accuracy),
+        points,
+      }));
+      shaded = { parts, lost: lostPictureOf(findings, now, paths) };
+    }
+    return shaded.lost;
   };
   let her = proof.proof().scene.box;
   const box = (): Box => {
@@ -47,6 +66,7 @@ export function pictureOf(
       ghosts: ghosts.getState(),
       search: search.getState(),
       deaths: plays.getState().deaths,
+      lost: lost(),
       pose: pose(),
       editing: session.getState().mode === 'edit',
       showsRun: session.getState().mode === 'edit' || settings.getState().runInPlay,

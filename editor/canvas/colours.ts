@@ -19,6 +19,8 @@ export interface Colours extends GameColours {
   readonly heat: string;
   /** of the heat map of deaths */
   readonly death: string;
+  /** of states that are already lost */
+  readonly lost: string;
   readonly slack: string;
   readonly select: string;
   readonly guide: string;
@@ -38,6 +40,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     near: '#ffc04d',
     heat: heatColour('dark'),
     death: '#ff6b61',
+    lost: '#d59bff',
     slack: '#7cf2b0',
     select: '#5fb0ff',
     guide: '#ff7ad9',
@@ -55,6 +58,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     near: '#9a6200',
     heat: heatColour('light'),
     death: '#c3261b',
+    lost: '#7b1fb8',
     slack: '#0b7a45',
     select: '#0b63c4',
     guide: '#b0128a',

@@ -3,6 +3,7 @@ import type { Box } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { Ghost, Pose } from '../context/index.ts';
 import type { ObjectKey } from '../document/index.ts';
+import type { LostPicture } from '../lost/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { Layer } from '../session/index.ts';
 import type { DeathMap } from '../shelf/index.ts';
@@ -11,6 +12,7 @@ import { COLOURS, type Theme } from './colours.ts';
 import {
   AstronautLayer,
   DeathLayer,
+  LostLayer,
   ObjectLayer,
   OverlayLayer,
   SearchLayer,
@@ -37,6 +39,8 @@ export interface Picture {
   readonly search: SearchPicture;
   /** Where players die in the opened plays; null: not known. */
   readonly deaths: DeathMap | null;
+  /** Where the level is already lost; null: it is not shown. */
+  readonly lost: LostPicture | null;
   readonly pose: Pose;
   readonly editing: boolean;
   /** Whether the path of the run is shown. */
@@ -52,6 +56,7 @@ interface Layers {
   readonly overlay: OverlayLayer;
   readonly search: SearchLayer;
   readonly deaths: DeathLayer;
+  readonly lost: LostLayer;
   readonly way: WayLayer;
   readonly astronaut: AstronautLayer;
 }
@@ -86,7 +91,7 @@ class LevelScene extends Scene {
     const space = this.scene.get('space') as SpaceScene;
     const isRedressed = this.layers?.theme !== picture.theme;
     if (isRedressed) this.layers = this.dress(picture.theme, objects, space);
-    const { overlay, search, deaths, way, astronaut } = this.layers as Layers;
+    const { overlay, search, deaths, lost, way, astronaut } = this.layers as Layers;
     const fresh = last === null || isRedressed;
     const { view } = picture.canvas;
     if (fresh || last.canvas.view !== view) {
@@ -100,6 +105,7 @@ class LevelScene extends Scene {
     if (zoomed || !same('proof', 'ghosts', 'layers', 'showsRun')) way.show({ ...picture, zoom: view.zoom });
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
     if (!same('deaths', 'layers')) deaths.show(picture.layers.deaths ? picture.deaths : null);
+    if (zoomed || !same('lost')) lost.show(picture.lost, view.zoom);
     if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
@@ -112,6 +118,7 @@ class LevelScene extends Scene {
     this.layers?.overlay.destroy();
     this.layers?.search.destroy();
     this.layers?.deaths.destroy();
+    this.layers?.lost.destroy();
     this.layers?.way.destroy();
     this.layers?.astronaut.destroy();
     objects.clear();
@@ -122,6 +129,7 @@ class LevelScene extends Scene {
       overlay: new OverlayLayer(this, colours),
       search: new SearchLayer(this, colours),
       deaths: new DeathLayer(this, colours),
+      lost: new LostLayer(this, colours),
       way: new WayLayer(this, colours),
       astronaut: new AstronautLayer(this, colours),
     };

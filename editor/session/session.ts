@@ -7,7 +7,7 @@ export type Tool = 'select' | 'hand' | Placeable;
 export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** Optional layers over the level. */
-export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths'] as const;
+export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths', 'lost'] as const;
 export type Layer = (typeof LAYERS)[number];
 
 /** Speeds of the timeline and the playtest, relative to real time. */
@@ -82,7 +82,16 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     isPlayingBack: false,
     rate: 1,
     accuracy,
-    layers: { ranges: true, margins: true, nearMisses: true, slackFan: true, ghosts: true, heatMap: false, deaths: true },
+    layers: {
+      ranges: true,
+      margins: true,
+      nearMisses: true,
+      slackFan: true,
+      ghosts: true,
+      heatMap: false,
+      deaths: true,
+      lost: false,
+    },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
     askedRule: null,

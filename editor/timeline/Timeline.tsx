@@ -5,6 +5,7 @@ import type { LiveProof, Reach } from '../proof/index.ts';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';
 import { GunLane } from './GunLane.tsx';
+import { LossMark } from './LossMark.tsx';
 import { followPlayback } from './playback.ts';
 import { Ruler } from './Ruler.tsx';
 import { reachedBy } from './reached.ts';
@@ -154,6 +155,7 @@ export function Timeline() {
         <div ref={graphs} className="timeline__graphs">
           <Graphs margins={details.margins} scale={drawn} width={width} height={Math.max(24, size.height - KEY_HEIGHT)} />
         </div>
+        <LossMark scale={scale} width={width} end={end} />
         <div className="timeline__end" style={{ left: ending }} aria-hidden />
         <Cursors scale={scale} end={end} />
       </div>

@@ -18,6 +18,8 @@ const ENTRIES: readonly (readonly [sign: ReactNode, words: string])[] = [
   [look('slack'), 'Slack: how far this press or release alone may slip while the run still completes the level.'],
   [look('missed'), 'Not reached: the run ends before or during this hold.'],
   [look('after'), 'After the end of a run that fails.'],
+  [look('lost'), 'The run is already lost; this is proved.'],
+  [look('not-found'), 'No run was found from here on, which proves nothing.'],
   [mark('A2'), 'Asteroid 2 becomes the target.'],
   [mark('◆1'), 'Mineral 1 is collected.'],
   [mark('R1 /R1'), 'She enters repulsor 1; she leaves it.'],

@@ -1,4 +1,4 @@
-import type { LevelVerdict, LostMineral, RunFindings } from '../../check/index.ts';
+import type { LevelVerdict, LostMineral, RunFindings, Softlocks } from '../../check/index.ts';
 import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
 import type { PlayVerdict } from '../../game/index.ts';
@@ -76,6 +76,10 @@ export interface Requests {
     /** The index of the first of `plays` among all plays. */
     readonly first: number;
   };
+  /** Where the level is already lost although she lives on, examined with so much effort, ticks. */
+  lost: Played & { readonly effort: number };
+  /** Since when runs were lost that do not complete the level, with so much effort for all of them, ticks. */
+  losses: Played & { readonly traced: readonly (readonly Hold[])[]; readonly effort: number };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
 }
@@ -130,6 +134,58 @@ export interface Setting {
   readonly sameVerdict: boolean;
 }
 
+/** How it is known that a state is lost: by a proof, or only because no run was found. */
+export type LostKnown = 'proved' | 'not found';
+
+/** A state from which the black hole can't be reached any more, as far as is known. */
+export interface LostMoment {
+  /** px */
+  readonly x: number;
+  readonly y: number;
+  readonly tick: number;
+  readonly known: LostKnown;
+  /** The reason of the proof; null without one. */
+  readonly reason: string | null;
+  /** How long the search was that found no run, ticks; null with a proof. */
+  readonly searched: number | null;
+}
+
+/** A lost state, and the longest that she was seen alive after it, ticks. */
+export interface LostState extends LostMoment {
+  readonly alive: number;
+}
+
+/** Where a level is already lost, as far as it has been examined. */
+export interface Losing {
+  readonly counts: Softlocks['states'];
+  /** Lost states after which she lives on for a second or more. */
+  readonly states: readonly LostState[];
+  /** Where such states begin, the longest life first. */
+  readonly places: readonly LostState[];
+  readonly ticks: number;
+  readonly finished: boolean;
+}
+
+/** Since when a run was lost, as far as is known. */
+export interface Loss {
+  /** The last tick at which she is alive. */
+  readonly last: number;
+  readonly completes: boolean;
+  /** The last tick at which the black hole is known to be in reach; null if none is known. */
+  readonly open: number | null;
+  /** The first moment from which no run was found; null if none is known. */
+  readonly lost: LostMoment | null;
+  /** The first moment that is proved lost; null if none is. */
+  readonly proved: LostMoment | null;
+}
+
+/** The losses of runs, in the order in which they were asked for. */
+export interface Losses {
+  readonly losses: readonly Loss[];
+  readonly ticks: number;
+  readonly finished: boolean;
+}
+
 /** What a play is found to be. */
 export interface CheckedPlay {
   readonly verdict: PlayVerdict;
@@ -159,6 +215,8 @@ export interface Results {
   /** `grade`: 1 to 10 */
   generate: { readonly file: LevelFile; readonly grade: number };
   plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
+  lost: Losing;
+  losses: Losses;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
 }
@@ -177,6 +235,8 @@ export interface Progresses {
   generate: { readonly attempts: number };
   /** The number of plays that are verified. */
   plays: { readonly done: number };
+  lost: Losing;
+  losses: Losses;
   path: never;
 }
 

@@ -49,6 +49,13 @@ const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check', 'path']);
 /** A folder of plays takes a while, and must delay neither pictures and proofs nor wait for a search. */
 const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
 
+/**
+ * What is already lost is examined for as long as it is shown, and a part of it can take seconds: it must delay nothing else. Runs
+ * come and go more often than the level changes, so each of the two has its own worker.
+ */
+const LOST: ReadonlySet<JobKind> = new Set(['lost']);
+const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -64,6 +71,8 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   fix: null,
   generate: null,
   plays: null,
+  lost: null,
+  losses: null,
 };
 
 /** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
@@ -181,14 +190,18 @@ class Lane {
   }
 }
 
-/** Workers for long, short and quick jobs and for plays, started on demand. */
+/** The kinds of jobs that have a worker of their own; all others share one. */
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES];
+
+/** Workers for long, short and quick jobs, for plays and for what is lost, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
-  const lanes = { long: new Lane(options), short: new Lane(options), quick: new Lane(options), plays: new Lane(options) };
+  const shared = new Lane(options);
+  const own = OWN.map((kinds) => ({ kinds, lane: new Lane(options) }));
   let last = 0;
   return {
     start(kind, request, onProgress = () => {}) {
       const id = ++last;
-      const lane = LONG.has(kind) ? lanes.long : QUICK.has(kind) ? lanes.quick : PLAYS.has(kind) ? lanes.plays : lanes.short;
+      const lane = own.find(({ kinds }) => kinds.has(kind))?.lane ?? shared;
       const end = new Promise<JobEnd<typeof kind>>((resolve) => {
         lane.give({
           id,
@@ -201,10 +214,7 @@ export function createWorkers(options: WorkersOptions): Workers {
       return { end, cancel: () => lane.cancel(id) };
     },
     close() {
-      lanes.long.close();
-      lanes.short.close();
-      lanes.quick.close();
-      lanes.plays.close();
+      for (const lane of [shared, ...own.map((one) => one.lane)]) lane.close();
     },
   };
 }

@@ -15,6 +15,8 @@ export interface AnytimeOptions {
   readonly maxTicks?: number;
   /** Asked from time to time during an attempt, which is given up when it returns true. By default no attempt is. */
   readonly isStopped?: () => boolean;
+  /** The provers that may be tried; all by default. */
+  readonly provers?: readonly Prover[];
 }
 
 /** A search for a proof that goes on for as long as it is given work. */
@@ -25,6 +27,10 @@ export interface AnytimeProof {
   readonly finished: boolean;
   /** The work done so far, in ticks of a search that take about as long. */
   readonly ticks: number;
+  /** The most work that the next attempt may take, ticks; 0 when it is finished. */
+  readonly nextLimit: number;
+  /** Makes the next attempt, however little work has been asked for. */
+  attempt(): void;
   /**
    * Continues the work. The same total gives the same result however it is split into calls: an attempt is made once the total
    * covers its limit.
@@ -87,15 +93,16 @@ interface Attempt {
   readonly limit: number;
 }
 
-function* attemptsFor(abouts: readonly About[]): Generator<Attempt, void, boolean> {
+function* attemptsFor(abouts: readonly About[], provers: readonly Prover[]): Generator<Attempt, void, boolean> {
+  const wanted = ATTEMPTS.filter(({ prover }) => provers.includes(prover));
   // each prover is probed first: true means that it may prove something with more work
   const applies = new Set<string>();
-  for (const prover of new Set(ATTEMPTS.map((attempt) => attempt.prover))) {
+  for (const prover of new Set(wanted.map((attempt) => attempt.prover))) {
     for (const about of abouts) {
       if (yield { prover, about, fineness: 0, limit: PROBE }) applies.add(`${prover} ${keyOf(about)}`);
     }
   }
-  for (const attempt of ATTEMPTS) {
+  for (const attempt of wanted) {
     for (const about of abouts) if (applies.has(`${attempt.prover} ${keyOf(about)}`)) yield { ...attempt, about };
   }
 }
@@ -129,7 +136,7 @@ function aboutsOf({ minerals }: Level, goal: Goal): About[] {
  */
 export function createAnytimeProof(level: Level, options: AnytimeOptions): AnytimeProof {
   const { accuracy, goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS, isStopped = () => false } = options;
-  const attempts = attemptsFor(aboutsOf(level, goal));
+  const attempts = attemptsFor(aboutsOf(level, goal), options.provers ?? ATTEMPTS.map(({ prover }) => prover));
   let next = attempts.next();
   let proof: Proof | null = null;
   let asked = 0;
@@ -153,6 +160,13 @@ export function createAnytimeProof(level: Level, options: AnytimeOptions): Anyti
     },
     get ticks() {
       return spent;
+    },
+    get nextLimit() {
+      return proof !== null || next.done === true ? 0 : next.value.limit;
+    },
+    attempt() {
+      if (proof === null && next.done !== true) next = attempts.next(attempt(next.value));
+      asked = Math.max(asked, spent);
     },
     advance(ticks) {
       asked += ticks;

@@ -1,3 +1,3 @@
-export type { LostPlace, Standing, SurveyedState } from './standing.ts';
+export type { LostPlace, RunLoss, Standing, SurveyedState } from './standing.ts';
 export { createSoftlockSurvey, type SoftlockSurvey, type SurveyOptions } from './survey.ts';
 export { LIVES_ON } from './survey-steps.ts';

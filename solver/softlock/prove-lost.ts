@@ -1,11 +1,13 @@
 import { type AccuracyName, isAccuracyName, type Simulation, STATE_SIZE, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, NO_OBJECTS, objectsIn } from '../../schema/basics/index.ts';
-import { type Proof, type Prover, proveBy } from '../proofs/index.ts';
+import { type AnytimeProof, createAnytimeProof } from '../anytime/index.ts';
+import { type Proof, type ProveOptions, type Prover, proveBy } from '../proofs/index.ts';
 import { verifyProof } from '../verify/index.ts';
 
 /**
  * The provers that say nothing of the angle of her box: they take her box for a disc, of half its shorter side where a hazard
- * must overlap it and of half its diagonal where it could touch the black hole, or examine every angle.
+ * must overlap it and of half its diagonal where it could touch the black hole, or examine every angle. `orbits` is one of them,
+ * too.
  */
 const AT_ANY_ANGLE: readonly Prover[] = ['out-of-range', 'enclosed', 'covered', 'doomed'];
 
@@ -18,6 +20,17 @@ const MAX_WORK = 10_000;
 /** `doomed` and `flowpipe` follow her for so many seconds, and cost the most: they are left out where she can live on longer. */
 const SOON = 8;
 const SOON_OVER: readonly Prover[] = ['doomed', 'flowpipe'];
+
+/**
+ * `orbits` follows her for so many seconds at most, and has a limit of its own, pieces of motion: what it proves of such states,
+ * it proves with less.
+ */
+const ORBITS_SOON = 20;
+const ORBITS_WORK = 12_500;
+
+/** A piece of motion of the provers takes about as long as so many ticks of a search. */
+const TICKS_A_PIECE = 10;
+const ORBITS_TICKS_A_PIECE = 16;
 
 /** What is known about a state in which a run can be, as a level that starts there. */
 interface StateLevel {
@@ -69,8 +82,8 @@ export interface LostProof {
   readonly proof: Proof | null;
   /** The level that the proof is about; null without a proof. */
   readonly level: Level | null;
-  /** What the provers cost, pieces of motion. */
-  readonly work: number;
+  /** What the provers cost, ticks of a search that take about as long. */
+  readonly ticks: number;
 }
 
 /**
@@ -82,14 +95,59 @@ export interface LostProof {
 export function proveLost(simulation: Simulation, maxTicks: number, alive: number): LostProof {
   const { name } = simulation.scene.accuracy;
   const from = isAccuracyName(name) ? levelFrom(simulation) : null;
-  if (from === null) return { proof: null, level: null, work: 0 };
+  if (from === null) return { proof: null, level: null, ticks: 0 };
   const budget = new WorkBudget(MAX_WORK);
-  const provers = from.isUpright ? [...AT_ANY_ANGLE, ...UPRIGHT] : AT_ANY_ANGLE;
+  const seconds = alive * TICK;
+  const provers = (from.isUpright ? [...AT_ANY_ANGLE, ...UPRIGHT] : AT_ANY_ANGLE).filter(
+    (prover) => seconds <= SOON || !SOON_OVER.includes(prover),
+  );
+  const proof = proveWithin(provers, from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
+  return { proof, level: proof === null ? null : from.level, ticks: TICKS_A_PIECE * budget.spent };
+}
+
+/**
+ * The same by `orbits`, which costs more, and covers states from which she lives on longer.
+ * @param simulation a run in progress; it is not changed
+ * @param maxTicks the longest run, ticks from the state on
+ * @param alive the longest that she was seen alive after the state, ticks
+ */
+export function proveLostByOrbits(simulation: Simulation, maxTicks: number, alive: number): LostProof {
+  const { name } = simulation.scene.accuracy;
+  const from = isAccuracyName(name) && alive * TICK <= ORBITS_SOON ? levelFrom(simulation) : null;
+  if (from === null) return { proof: null, level: null, ticks: 0 };
+  const budget = new WorkBudget(ORBITS_WORK);
+  const proof = proveWithin(['orbits'], from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
+  return { proof, level: proof === null ? null : from.level, ticks: ORBITS_TICKS_A_PIECE * budget.spent };
+}
+
+/** The first proof that a prover finds and the separate checker confirms; null if there is none within the budget. */
+function proveWithin(
+  provers: readonly Prover[],
+  level: Level,
+  options: ProveOptions & { readonly budget: WorkBudget },
+): Proof | null {
   for (const prover of provers) {
-    if (budget.isUsedUp || (alive * TICK > SOON && SOON_OVER.includes(prover))) continue;
-    const options = { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget };
-    const proof = proveBy(prover, from.level, { kind: 'blackHole' }, options);
-    if (proof !== null && verifyProof(from.level, proof).ok) return { proof, level: from.level, work: budget.spent };
+    if (options.budget.isUsedUp) return null;
+    const proof = proveBy(prover, level, { kind: 'blackHole' }, options);
+    if (proof !== null && verifyProof(level, proof).ok) return proof;
   }
-  return { proof: null, level: null, work: budget.spent };
+  return null;
+}
+
+/**
+ * Begins a search for a proof with ever finer sets that the black hole cannot be reached from the state of a run.
+ * @param simulation a run in progress; it is not changed
+ * @param maxTicks the longest run, ticks from the state on
+ * @param alive the longest that she was seen alive after the state, ticks
+ * @returns null if no prover covers the state
+ */
+export function createLongProof(simulation: Simulation, maxTicks: number, alive: number): AnytimeProof | null {
+  const { name } = simulation.scene.accuracy;
+  const from = isAccuracyName(name) ? levelFrom(simulation) : null;
+  if (from === null) return null;
+  const seconds = alive * TICK;
+  const provers: Prover[] = seconds > ORBITS_SOON ? [] : ['orbits'];
+  if (seconds <= SOON) provers.push('doomed');
+  if (seconds <= SOON && from.isUpright) provers.push('flowpipe');
+  return provers.length === 0 ? null : createAnytimeProof(from.level, { accuracy: name as AccuracyName, maxTicks, provers });
 }

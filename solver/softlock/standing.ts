@@ -1,3 +1,4 @@
+import type { Hold } from '../../schema/basics/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import type { Moment } from '../search/index.ts';
 
@@ -47,4 +48,20 @@ export interface LostPlace extends SurveyedState {
   readonly open: number | null;
   /** How many of the states that were examined lie beyond: they are lost, and were reached near this place. */
   readonly states: number;
+}
+
+/** Since when a run was lost that does not complete the level, as far as it is known. All moments are moments of the run. */
+export interface RunLoss {
+  /** The holds of the run. */
+  readonly holds: readonly Hold[];
+  /** The last tick at which she is alive, or at which the longest run is over. */
+  readonly last: number;
+  /** Whether the run completes the level; then it is lost at no time. */
+  readonly completes: boolean;
+  /** The last tick at which the black hole is known to be in reach; null if none is known. */
+  readonly open: number | null;
+  /** The first moment that was examined from which no run was found, or that is proved lost; null if none is known. */
+  readonly lost: SurveyedState | null;
+  /** The first moment that is proved lost; null if none is. */
+  readonly proved: SurveyedState | null;
 }

@@ -1,7 +1,9 @@
 import { createSearch } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { verifyRun } from '../verified-run.ts';
+import { proveLostByOrbits } from './prove-lost.ts';
 import type { Examined, SurveyTask } from './survey-task.ts';
+import { dateLoss, proveLoss, type TracedRun } from './trace-run.ts';
 
 /** Ticks between two states of one of the level's own runs. */
 const STRIDE = 30;
@@ -27,38 +29,99 @@ const FINE_PROVED = 8;
 const MOST_ENTRIES = 8;
 
 /**
- * The work of a survey: gathers states, searches from each and tries to prove it lost, and finds the moments at which they were
- * lost; then it searches longer from those that are not proved.
+ * Rounds of longer searches from each state from which no run was found, ticks, and of finer proofs: the most that an attempt may
+ * take, ticks.
  */
-export function* surveySteps(task: SurveyTask): Steps<void> {
-  yield* gather(task);
+const ROUNDS: readonly { readonly search: number; readonly attempt: number }[] = [
+  { search: 160_000, attempt: 2_000_000 },
+  { search: 640_000, attempt: 8_000_000 },
+  { search: 2_560_000, attempt: 24_000_000 },
+];
+
+/**
+ * The work of a survey: dates the losses of the traced runs; gathers states, searches from each and tries to prove it lost, and
+ * finds the moments at which they were lost. Then it searches longer from those that are not proved, and tries finer proofs.
+ * @param explores whether states are examined that a search reaches
+ */
+export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[], explores: boolean): Steps<void> {
+  yield* gatherOwn(task);
+  for (const run of traced) yield* dateLoss(task, run, FIRST_SEARCH);
+  for (const run of traced) yield* proveLoss(task, run);
+  if (explores) yield* gatherReached(task);
   for (const state of byTick(task)) yield* task.searchFrom(state, FIRST_SEARCH);
+  yield* proveLasting(task);
+  yield* findEntries(task, 'proved', findProvedEntry);
+  for (const run of traced) yield* dateLoss(task, run, SEARCH);
+  for (const run of traced) yield* proveLoss(task, run);
+  for (const state of byTick(task)) yield* task.searchFrom(state, SEARCH);
+  yield* findEntries(task, 'not found', findEntry);
+  for (const state of decisive(task, traced)) yield* task.prove(state, proveLostByOrbits);
+  yield* findEntries(task, 'proved', findProvedEntry);
+  for (const run of traced) yield* proveLoss(task, run);
+  for (const { search, attempt } of ROUNDS) {
+    for (const run of traced) yield* dateLoss(task, run, search);
+    for (const state of byTick(task)) yield* task.searchFrom(state, search);
+    // what was lost before may have turned out to be open, and the moment of loss is a later one
+    task.dropOpenEntries();
+    yield* findEntries(task, 'not found', findEntry);
+    yield* proveFiner(task, traced, attempt);
+    yield* findEntries(task, 'proved', findProvedEntry);
+    for (const run of traced) yield* proveLoss(task, run);
+  }
+}
+
+function* proveLasting(task: SurveyTask): Steps<void> {
   // the earliest first: what comes after a state that is proved lost is lost as well
   for (const state of byTick(task).reverse()) {
     // how she dies within a second does not matter
     if (state.alive >= LIVES_ON) yield* task.prove(state);
   }
-  yield* findEntries(task, 'proved', findProvedEntry);
-  for (const state of byTick(task)) yield* task.searchFrom(state, SEARCH);
-  yield* findEntries(task, 'not found', findEntry);
+}
+
+/** The states to be proved: first the moments at which runs and places are lost, as they decide most, then the others. */
+function decisive(task: SurveyTask, traced: readonly TracedRun[]): ReadonlySet<Examined> {
+  const moments = [...traced.flatMap(({ lost }) => lost ?? []), ...task.entryStates()];
+  const lasting = byTick(task)
+    .reverse()
+    .filter(({ alive }) => alive >= LIVES_ON);
+  return new Set([...moments, ...lasting]);
+}
+
+/** Tries finer proofs. @param most what an attempt may take, ticks */
+function* proveFiner(task: SurveyTask, traced: readonly TracedRun[], most: number): Steps<void> {
+  const states = decisive(task, traced);
+  for (let isLeft = true; isLeft; ) {
+    isLeft = false;
+    for (const state of states) isLeft = (yield* task.proveLonger(state, most)) || isLeft;
+  }
 }
 
 /** The latest first: a run that is found from a late state shows that the states before it are open. */
 const byTick = ({ states }: SurveyTask): Examined[] => [...states].sort((a, b) => b.tick - a.tick);
 
-function* gather(task: SurveyTask): Steps<void> {
+/** The states along the level's own runs. */
+function* gatherOwn(task: SurveyTask): Steps<void> {
   const { scene, maxTicks } = task;
-  for (const [run, holds] of task.runs.slice(0, MOST_RUNS).entries()) {
+  const runs = task.runs.slice(0, MOST_RUNS);
+  for (const holds of runs) {
     const completed = verifyRun(scene, holds, { minerals: 'any' }, maxTicks);
     task.ticks += completed?.tick ?? maxTicks;
     if (completed !== null) task.complete(completed.holds);
-    for (let tick = 0; tick < (completed?.tick ?? maxTicks); tick += STRIDE) {
+    yield null;
+  }
+  for (const [run, holds] of runs.entries()) {
+    for (let tick = 0; tick < maxTicks; tick += STRIDE) {
       const state = task.stateAt({ holds, tick }, run);
       if (state === null) break;
       task.states.push(state);
       yield null;
     }
   }
+}
+
+/** The states that a search reaches. */
+function* gatherReached(task: SurveyTask): Steps<void> {
+  const { scene, maxTicks } = task;
   const search = createSearch(scene, { seed: task.nextSeed(), maxTicks });
   while (search.effort.ticks < EXPLORE && !search.exhausted) {
     const before = search.effort.ticks;

@@ -1,10 +1,19 @@
-import { createSimulation, joinHolds, playScript, type Scene, type Simulation, STATE_SIZE } from '../../engine/index.ts';
+import {
+  createSimulation,
+  joinHolds,
+  playScript,
+  type Scene,
+  type Simulation,
+  STATE_SIZE,
+  TICK_RATE,
+} from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
+import type { AnytimeProof } from '../anytime/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import { createSearch, type Moment } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { createReplay, cutHolds } from '../verified-run.ts';
-import { proveLost } from './prove-lost.ts';
+import { createLongProof, proveLost } from './prove-lost.ts';
 import type { LostPlace, Standing, SurveyedState } from './standing.ts';
 
 /** Ticks of a search between two breaks. */
@@ -20,17 +29,16 @@ const SHIFTS = [0, -2, 2, -5, 5, -10, 10];
 /** A run that is not over this many ticks after its last release is given up. */
 const WAIT = 900;
 
-/** A piece of motion of a prover costs as much as this many ticks. */
-const TICKS_A_PIECE = 10;
-
 /** A state while it is examined. */
 export type Examined = { -readonly [K in keyof SurveyedState]: SurveyedState[K] } & {
   readonly vx: number;
   readonly vy: number;
   /** The holds of a run through this state that completes the level; null while none is known. */
   onward: readonly Hold[] | null;
-  /** Whether a proof was sought. */
-  isProofSought: boolean;
+  /** How proofs were sought. */
+  readonly sought: Set<typeof proveLost>;
+  /** The search for a proof with ever finer sets; null: there is none for this state, undefined: not begun. */
+  proving: AnytimeProof | null | undefined;
   /** Whether it was tried how runs go on from similar states. */
   isKnownTried: boolean;
 };
@@ -45,7 +53,7 @@ interface Wanted {
 interface Entry {
   readonly at: Examined;
   readonly open: number | null;
-  states: number;
+  readonly states: Set<Examined>;
   alive: number;
 }
 
@@ -56,13 +64,15 @@ export class SurveyTask {
   readonly maxTicks: number;
   readonly states: Examined[] = [];
   ticks = 0;
+  /** What the next step may take, ticks: it is made once so much more work is asked for. */
+  reserved = 0;
   runCount = 0;
   private readonly seed: number;
   private readonly simulation: Simulation;
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly completing: (readonly Hold[])[] = [];
   private readonly proved: (Moment & { readonly proof: Proof })[] = [];
-  private readonly entries: Entry[] = [];
+  private entries: Entry[] = [];
   private searches = 0;
 
   constructor(scene: Scene, { runs, seed, maxTicks }: Wanted) {
@@ -90,7 +100,21 @@ export class SurveyTask {
     const [x, y, vx, vy] = this.state;
     const onward = this.completing.find((other) => leadsThrough(other, cut, tick)) ?? null;
     const standing: Standing = { is: onward === null ? 'unknown' : 'open' };
-    return { holds: cut, tick, x, y, vx, vy, standing, alive: 0, run, onward, isProofSought: false, isKnownTried: false };
+    return {
+      holds: cut,
+      tick,
+      x,
+      y,
+      vx,
+      vy,
+      standing,
+      alive: 0,
+      run,
+      onward,
+      sought: new Set(),
+      proving: undefined,
+      isKnownTried: false,
+    };
   }
 
   /** Notes a run that completes the level: all states on it are open. */
@@ -174,22 +198,51 @@ export class SurveyTask {
   }
 
   /** Tries once to prove that a state is lost. */
-  *prove(state: Examined): Steps<void> {
-    if (state.isProofSought || state.standing.is === 'open' || state.standing.is === 'proved') return;
-    state.isProofSought = true;
-    const before = this.proved.find(({ holds, tick }) => tick <= state.tick && leadsThrough(state.holds, holds, tick));
-    if (before !== undefined) {
-      state.standing = { is: 'proved', proof: before.proof };
-      return;
-    }
+  *prove(state: Examined, by = proveLost): Steps<void> {
+    if (state.sought.has(by) || state.standing.is === 'open' || state.standing.is === 'proved') return;
+    state.sought.add(by);
+    if (this.followsProof(state)) return;
     this.goTo(state);
-    const { proof, work } = proveLost(this.simulation, this.maxTicks, state.alive);
-    this.ticks += TICKS_A_PIECE * work;
-    if (proof !== null) {
-      state.standing = { is: 'proved', proof };
-      this.proved.push({ holds: state.holds, tick: state.tick, proof });
-    }
+    const { proof, ticks } = by(this.simulation, this.maxTicks, state.alive);
+    this.ticks += ticks;
+    if (proof !== null) this.noteProof(state, proof);
     yield null;
+  }
+
+  /**
+   * Makes the next attempt to prove a state lost with finer sets.
+   * @param most attempts that may take more than this are left for later, ticks
+   * @returns whether an attempt was made
+   */
+  *proveLonger(state: Examined, most: number): Steps<boolean> {
+    if (state.standing.is !== 'not found' || this.followsProof(state)) return false;
+    if (state.proving === undefined) {
+      this.goTo(state);
+      state.proving = createLongProof(this.simulation, this.maxTicks, state.alive);
+    }
+    const { proving } = state;
+    if (proving === null || proving.finished || proving.nextLimit > most) return false;
+    this.reserved = proving.nextLimit;
+    yield null;
+    this.reserved = 0;
+    const before = proving.ticks;
+    proving.attempt();
+    this.ticks += proving.ticks - before;
+    if (proving.proof !== null) this.noteProof(state, proving.proof);
+    yield null;
+    return true;
+  }
+
+  /** Notes that a state comes after one that is proved lost, if it does. */
+  private followsProof(state: Examined): boolean {
+    const before = this.proved.find(({ holds, tick }) => tick <= state.tick && leadsThrough(state.holds, holds, tick));
+    if (before !== undefined) state.standing = { is: 'proved', proof: before.proof };
+    return before !== undefined;
+  }
+
+  private noteProof(state: Examined, proof: Proof): void {
+    state.standing = { is: 'proved', proof };
+    this.proved.push({ holds: state.holds, tick: state.tick, proof });
   }
 
   /** The latest tick on the way to a state at which the black hole is known to be in reach; null if none is known. */
@@ -206,14 +259,35 @@ export class SurveyTask {
   }
 
   /** Notes the moment at which a state was lost. */
-  enter(at: Examined, open: number | null, { tick, alive }: Examined): void {
-    this.entries.push({ at, open, states: 1, alive: Math.max(at.alive, tick + alive - at.tick) });
+  enter(at: Examined, open: number | null, state: Examined): void {
+    const alive = Math.max(at.alive, state.tick + state.alive - at.tick);
+    this.entries.push({ at, open, states: new Set([state]), alive });
   }
 
   /** Notes that a state lies beyond an entry. */
-  follow(entry: Entry, { tick, alive }: Examined): void {
-    entry.states++;
-    entry.alive = Math.max(entry.alive, tick + alive - entry.at.tick);
+  follow(entry: Entry, state: Examined): void {
+    entry.states.add(state);
+    entry.alive = Math.max(entry.alive, state.tick + state.alive - entry.at.tick);
+  }
+
+  /** The states at which it was lost, as far as they are found. */
+  entryStates(): Examined[] {
+    return this.entries.map(({ at }) => at);
+  }
+
+  /** Forgets the entries from which a run was found since. */
+  dropOpenEntries(): void {
+    this.entries = this.entries.filter(({ at }) => at.standing.is !== 'open');
+  }
+
+  /** Plays holds to their end. @returns how the run ends, and the last tick at which she is alive */
+  playOut(holds: readonly Hold[]): { readonly completes: boolean; readonly last: number } {
+    this.goTo({ holds, tick: this.maxTicks });
+    const { ending, tick } = this.simulation;
+    return {
+      completes: ending?.outcome === 'completed',
+      last: ending === null ? tick : Math.max(0, Math.ceil(ending.time * TICK_RATE) - 1),
+    };
   }
 
   places(): LostPlace[] {
@@ -224,10 +298,10 @@ export class SurveyTask {
       const near = places.findIndex(
         ({ x, y, standing }) => standing.is === at.standing.is && (x - at.x) * (x - at.x) + (y - at.y) * (y - at.y) < NEAR * NEAR,
       );
-      if (near >= 0) places[near] = { ...places[near], states: places[near].states + states };
+      if (near >= 0) places[near] = { ...places[near], states: places[near].states + states.size };
       else {
         const { x, y, holds, tick, standing, run } = at;
-        places.push({ x, y, holds, tick, standing, run, alive, open, states });
+        places.push({ x, y, holds, tick, standing, run, alive, open, states: states.size });
       }
     }
     return places;

@@ -5,20 +5,22 @@ import {
   type AccuracyName,
   compile,
   createSimulation,
+  joinHolds,
   playScript,
   type Scene,
   STATE_SIZE,
   simulate,
+  TICK_RATE,
 } from '../../engine/index.ts';
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
-import { createSearch, createSoftlockSurvey, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
-import { levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
+import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
+import { createLongProof, levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
 import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 
 function surveyed(level: Level, ticks: number, accuracy: AccuracyName = 'precise'): { scene: Scene; survey: SoftlockSurvey } {
   const scene = compile(level, accuracy);
   const survey = createSoftlockSurvey(scene);
-  while (!survey.finished && survey.effort.ticks < ticks) survey.advance(Math.min(50_000, ticks - survey.effort.ticks));
+  survey.advance(ticks);
   return { scene, survey };
 }
 
@@ -37,7 +39,7 @@ const past = resolveLevel({
   ],
 });
 
-const { scene, survey } = surveyed(past, 20_000_000);
+const { scene, survey } = surveyed(past, 6_000_000);
 const proved = survey.states.filter(({ standing }) => standing.is === 'proved');
 const open = survey.states.filter(({ standing }) => standing.is === 'open');
 
@@ -57,9 +59,11 @@ function bruteForce(of: Scene, holds: readonly Hold[], tick: number): boolean {
   return tries.some((more) => simulate(of, [...holds, ...more], { record: false }).outcome === 'completed');
 }
 
+/** The part of holds before a tick. */
+const upTo = (holds: readonly Hold[], tick: number): Hold[] => cutHolds(joinHolds(holds), tick - 1);
+
 describe('where the dead end is known', () => {
   it('states past the black hole are proved lost, and states before it are open', () => {
-    expect(survey.finished).toBe(true);
     expect(proved.length).toBeGreaterThan(20);
     expect(open.length).toBeGreaterThan(3);
     for (const { x } of proved) expect(x).toBeGreaterThan(60);
@@ -182,6 +186,156 @@ describe('a search from a moment of a run', () => {
     const search = createSearch(scene, { after: { holds: [], tick: 1000 } });
     search.advance(1000);
     expect(search).toMatchObject({ exhausted: true, solutions: [] });
+  });
+});
+
+describe('since when a run was lost', () => {
+  const slugs = ['first-swing', 'let-go', 'hot-rock', 'soft-landing', 'firewalk', 'tailwind'];
+  /** Every run that is known to complete a level, its own and those that a search finds. */
+  const completing = new Map<string, (readonly Hold[])[]>();
+  const completingRuns = (slug: string): (readonly Hold[])[] => {
+    const known = completing.get(slug);
+    if (known !== undefined) return known;
+    const { level } = shipped(slug);
+    const of = compile(level);
+    const search = createSearch(of, { seed: 7 });
+    search.advance(60_000);
+    const runs = [...level.runs, ...search.solutions].map(({ holds }) => joinHolds(holds));
+    completing.set(slug, runs);
+    return runs;
+  };
+  /** How a run begins, and then something else: most of these fail. */
+  const spoiled = fc.record({
+    slug: fc.constantFrom(...slugs),
+    run: fc.nat(),
+    cut: fc.double({ min: 0.1, max: 0.95, noNaN: true }),
+    onward: fc.array(fc.tuple(fc.integer({ min: 1, max: 90 }), fc.integer({ min: 1, max: 90 })), { maxLength: 3 }),
+  });
+
+  it('is never before the last moment that it has in common with a run that completes the level', () => {
+    fc.assert(
+      fc.property(spoiled, ({ slug, run, cut, onward }) => {
+        const { level } = shipped(slug);
+        const of = compile(level);
+        const runs = completingRuns(slug);
+        const way = runs[run % runs.length];
+        const tick = Math.floor(cut * simulate(of, way, { record: false }).time * TICK_RATE);
+        let at = tick;
+        const more = onward.map(([pause, held]): Hold => {
+          const press = at + pause;
+          at = press + held;
+          return [press, at];
+        });
+        const holds = joinHolds([...cutHolds(way, tick - 1), ...more]);
+        // it knows none of the runs
+        const tracing = createSoftlockSurvey(of, { runs: [], traced: [holds], explores: false });
+        tracing.advance(700_000);
+        const [{ completes, open, lost, proved, last }] = tracing.losses;
+        const end = simulate(of, holds, { record: false });
+        expect(completes).toBe(end.outcome === 'completed');
+        if (completes) {
+          expect([open, lost, proved]).toEqual([last, null, null]);
+          return;
+        }
+        // what is known to be open is never called proved, nor what comes before
+        expect(proved === null || proved.tick > tick).toBe(true);
+        expect(lost === null || open === null || open < lost.tick).toBe(true);
+        expect(lost === null || proved === null || lost.tick <= proved.tick).toBe(true);
+        if (end.outcome !== 'timeout') expect(Math.abs(last - end.time * TICK_RATE)).toBeLessThanOrEqual(1);
+        for (const moment of [lost, proved]) {
+          if (moment === null) continue;
+          const simulation = createSimulation(of);
+          playScript(simulation, holds, moment.tick);
+          const state = new Float64Array(STATE_SIZE);
+          simulation.readState(state);
+          expect([simulation.ending, state[0], state[1]]).toEqual([null, moment.x, moment.y]);
+        }
+      }),
+      { numRuns: 12 },
+    );
+  }, 240_000);
+
+  it('is the moment at which brute force stops completing the level', () => {
+    const [held] = past.runs.slice(1).map(({ holds }) => holds);
+    const tracing = createSoftlockSurvey(scene, { traced: [held], explores: false });
+    tracing.advance(3_000_000);
+    const [{ open, lost, proved }] = tracing.losses;
+    expect(open).not.toBeNull();
+    expect(lost).not.toBeNull();
+    expect(proved).not.toBeNull();
+    for (const tick of [proved?.tick ?? 0, (proved?.tick ?? 0) + 60]) {
+      expect(bruteForce(scene, upTo(held, tick), tick), `${tick}`).toBe(false);
+    }
+    // letting go at the last open moment, something completes it
+    const search = createSearch(scene, { after: { holds: upTo(held, open ?? 0), tick: open ?? 0 }, maxTicks: 4000 });
+    search.advance(50_000);
+    expect(search.solutions.length).toBeGreaterThan(0);
+  });
+
+  it('comes no earlier with more effort, and is proved no later', () => {
+    const tracing = createSoftlockSurvey(scene, { traced: [[[0, 600]]], explores: false });
+    let [open, proved] = [-1, Number.POSITIVE_INFINITY];
+    for (let i = 0; i < 30; i++) {
+      tracing.advance(100_000);
+      const [now] = tracing.losses;
+      expect(now.open ?? -1).toBeGreaterThanOrEqual(open);
+      expect(now.proved?.tick ?? Number.POSITIVE_INFINITY).toBeLessThanOrEqual(proved);
+      open = now.open ?? -1;
+      proved = now.proved?.tick ?? Number.POSITIVE_INFINITY;
+    }
+    expect(proved).toBeLessThan(600);
+  });
+});
+
+describe('no state on a run that completes the level is called lost', () => {
+  it.each(['hot-rock', 'firewalk', 'blind-date', 'run-up'])(
+    'in %s, although the survey does not know the run',
+    (slug) => {
+      const { level } = shipped(slug);
+      const of = compile(level);
+      const whole = joinHolds(level.runs[0].holds);
+      const end = Math.floor(simulate(of, whole, { record: false }).time * TICK_RATE);
+      for (let i = 1; i < 8; i++) {
+        const tick = Math.floor((i * end) / 8);
+        const simulation = createSimulation(of);
+        playScript(simulation, whole, tick);
+        if (simulation.ending !== null) break;
+        expect(proveLost(simulation, 3600, 60).proof, `tick ${tick}`).toBeNull();
+        const longer = createLongProof(simulation, 3600, 60);
+        while (longer !== null && longer.nextLimit > 0 && longer.nextLimit <= 2_000_000) longer.attempt();
+        expect(longer?.proof ?? null, `tick ${tick}`).toBeNull();
+      }
+    },
+    240_000,
+  );
+});
+
+describe('finer proofs', () => {
+  it('prove states that others leave open, and withstand searches with other seeds', () => {
+    const found = createSoftlockSurvey(scene, { explores: false });
+    found.advance(6_000_000);
+    const states = found.states.filter(({ standing }) => standing.is === 'proved' && standing.proof.code === 'orbits');
+    expect(states.length).toBeGreaterThan(0);
+    for (const state of states.filter((_, i) => i % Math.ceil(states.length / 4) === 0)) {
+      for (const seed of [11, 12]) {
+        const search = createSearch(scene, { after: state, seed, maxTicks: state.tick + 3600 });
+        search.advance(50_000);
+        expect(search.solutions, JSON.stringify(state)).toEqual([]);
+      }
+    }
+  }, 240_000);
+
+  it('are refused where no level starts in the state, and where she lives on for too long', () => {
+    const at = (level: Level, accuracy: AccuracyName, alive: number) => {
+      const simulation = createSimulation(compile(level, accuracy));
+      playScript(simulation, [[0, 30]], 30);
+      return createLongProof(simulation, 3600, alive);
+    };
+    expect(at(past, 'precise', 60)).not.toBeNull();
+    expect(at(past, 'precise', 60 * 21)).toBeNull();
+    expect(at(past, 'arcade', 60)).toBeNull();
+    expect(at({ ...past, recoil: true }, 'precise', 60)).toBeNull();
+    expect(at(shipped('short-cut').level, 'precise', 60)).toBeNull();
   });
 });
 

@@ -1,5 +1,7 @@
 import { DoorOpen, FileQuestionMark } from 'lucide-react';
 import { TICK } from '../../../engine/index.ts';
+import { lostFromInWords, sinceInWords } from '../../lost/index.ts';
+import type { Loss } from '../../workers/index.ts';
 import { OutcomeSign } from '../runs/index.ts';
 import { MoreButton } from '../tree/index.ts';
 import type { AttemptRow } from './attempt-rows.ts';
@@ -14,11 +16,19 @@ function Sign({ outcome }: Pick<AttemptRow, 'outcome'>) {
   );
 }
 
-/** An attempt or a play in the list. @param minerals of the level */
-export function AttemptLine({ row, minerals: all }: { readonly row: AttemptRow; readonly minerals: number }) {
+interface AttemptLineProps {
+  readonly row: AttemptRow;
+  /** Of the level. */
+  readonly minerals: number;
+  /** Since when it was lost; null: not known, or not lost. */
+  readonly loss: Loss | null;
+}
+
+/** An attempt or a play in the list. */
+export function AttemptLine({ row, minerals: all, loss }: AttemptLineProps) {
   const { title, end, tick, minerals, verdict, outcome } = row;
   return (
-    <span className="attempt-line" title={`${title}: ${end}`}>
+    <span className="attempt-line" title={loss === null ? `${title}: ${end}` : `${title}: ${end} It is ${sinceInWords(loss)}.`}>
       <Sign outcome={outcome} />
       <span className="runs__text">
         <span className="runs__line">
@@ -32,6 +42,7 @@ export function AttemptLine({ row, minerals: all }: { readonly row: AttemptRow; 
           {verdict !== null && verdict !== 'ok' && <b className="attempt-line__verdict">{verdict} </b>}
           {end}
         </span>
+        {loss !== null && <span className="runs__facts attempt-line__since numbers">{lostFromInWords(loss)}</span>}
       </span>
       <MoreButton />
     </span>

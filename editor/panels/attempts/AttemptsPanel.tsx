@@ -1,10 +1,13 @@
 import { FolderOpen, X } from 'lucide-react';
-import { type KeyboardEvent, useMemo, useState } from 'react';
+import { type KeyboardEvent, useCallback, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
+import { joinHolds } from '../../../engine/index.ts';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
+import { type LostFindings, lossKey, lostFromInWords, lostOf } from '../../lost/index.ts';
 import { type Reading, readingOf } from '../../plays/index.ts';
 import { hashNow, shelfOf } from '../../shelf/index.ts';
 import { Button } from '../../ui/index.ts';
+import type { Loss } from '../../workers/index.ts';
 import { plural } from '../figures/index.ts';
 import { PlayButton, Progress, useThrottledProof } from '../parts/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
@@ -14,8 +17,8 @@ import './attempts.css';
 import { DeathList } from './DeathList.tsx';
 import { replayRow, rowMenu } from './row-actions.ts';
 
-/** px */
-const rowHeight = () => 42;
+/** px, without and with a line that says since when the attempt was lost */
+const HEIGHTS = [42, 58] as const;
 
 const SORT_TITLES: Readonly<Record<Sort, string>> = {
   newest: 'Newest first',
@@ -36,6 +39,13 @@ const SHOWN_TITLES: Readonly<Record<Shown, string>> = {
 };
 const FIRST: ListOptions = { sort: 'newest', shown: 'all', words: '' };
 
+/** Since when an attempt was lost; null if it is not known or it was not. */
+function lossOfRow(losses: LostFindings['losses'], { outcome, holds, accuracy }: AttemptRow): Loss | null {
+  if (losses.size === 0 || outcome === 'completed') return null;
+  const loss = losses.get(lossKey(joinHolds(holds), accuracy));
+  return loss === undefined || lostFromInWords(loss) === null ? null : loss;
+}
+
 /** The attempts of this session and the opened plays of the level. Those that are selected are shown on the canvas. */
 export function AttemptsPanel() {
   const editor = useEditor();
@@ -47,6 +57,7 @@ export function AttemptsPanel() {
   const reading = useStore(readingOf(editor));
   const range = useProof((proof) => proof.level.range);
   const minerals = useProof((proof) => proof.level.minerals.length);
+  const losses = useStore(lostOf(level), (state) => state.losses);
   const [options, setOptions] = useState(FIRST);
   const [active, setActive] = useState<string | null>(null);
   const rows = useMemo(() => attemptRows(attempts, plays, options, range), [attempts, plays, options, range]);
@@ -63,6 +74,7 @@ export function AttemptsPanel() {
     return true;
   };
   const all = attempts.length + plays.length;
+  const heightOf = useCallback((row: AttemptRow) => HEIGHTS[lossOfRow(losses, row) === null ? 0 : 1], [losses]);
 
   return (
     <section className="panel attempts-panel" aria-label="Attempts and plays">
@@ -83,7 +95,7 @@ export function AttemptsPanel() {
           <Tree
             label="Attempts at the level"
             rows={rows}
-            rowHeight={rowHeight}
+            rowHeight={heightOf}
             multiple
             follows
             selected={selected}
@@ -93,7 +105,7 @@ export function AttemptsPanel() {
             onOpen={(row) => replayRow(editor, level, row)}
             onKey={onKey}
             menu={(row) => rowMenu(editor, level, row)}
-            render={(row) => <AttemptLine row={row} minerals={minerals} />}
+            render={(row) => <AttemptLine row={row} minerals={minerals} loss={lossOfRow(losses, row)} />}
           />
           <DeathList />
         </>

@@ -1,12 +1,13 @@
 import { Section } from '../parts/index.ts';
 import { DifficultyReport } from './DifficultyReport.tsx';
 import { FixReport } from './FixReport.tsx';
+import { LostReport } from './LostReport.tsx';
 import { RobustnessReport } from './RobustnessReport.tsx';
 import { SearchReport } from './SearchReport.tsx';
 import './solver.css';
 import { SearchSettingsForm } from './SearchSettingsForm.tsx';
 
-/** The solver panel: search, fixes, robustness and difficulty. */
+/** The solver panel: search, fixes, lost states, robustness and difficulty. */
 export function Solver() {
   return (
     <div className="panel__body solver">
@@ -15,6 +16,7 @@ export function Solver() {
         <SearchReport />
       </Section>
       <FixReport />
+      <LostReport />
       <RobustnessReport />
       <DifficultyReport />
     </div>

@@ -1,5 +1,6 @@
 import type { Editor, OpenLevel } from '../../context/index.ts';
 import { pageTimers } from '../../files/index.ts';
+import { type LostSession, watchLost } from '../../lost/index.ts';
 import { afterRest } from '../parts/index.ts';
 import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
@@ -19,6 +20,7 @@ export interface SolverSession {
   readonly fixes: FixSession;
   readonly proofs: ProofWatch;
   readonly checks: CheckWatch;
+  readonly lost: LostSession;
   readonly overlay: OverlayStore;
 }
 
@@ -34,9 +36,10 @@ export function solverSessionOf({ workers, session, open }: Editor, level: OpenL
   const robustness = watchRobustness({ level, workers, after: pageTimers.after, afterRest });
   const proofs = watchProofs({ level, workers, afterRest });
   const checks = watchChecks({ level, workers, afterRest });
+  const lost = watchLost({ level, session, workers, afterRest });
   const difficulty = createDifficultySession({ level, workers, settings });
   const fixes = createFixSession({ level, session, workers, settings });
-  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, overlay };
+  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, overlay };
   sessions.set(level, solver);
   const stop = open.subscribe((current) => {
     if (current === level) return;
@@ -48,6 +51,7 @@ export function solverSessionOf({ workers, session, open }: Editor, level: OpenL
     fixes.close();
     proofs.close();
     checks.close();
+    lost.close();
   });
   return solver;
 }

@@ -21,8 +21,8 @@ export function useShownRows<R extends TreeRow>(
 
   const measure = useRef(virtual.measure);
   measure.current = virtual.measure;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another pointer, other heights
-  useEffect(() => measure.current(), [least]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another pointer or other rows, other heights
+  useEffect(() => measure.current(), [least, rowHeight]);
 
   // Scrolls to the active row, whatever made it active.
   const scrollTo = useRef(virtual.scrollToIndex);

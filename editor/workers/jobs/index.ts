@@ -6,6 +6,7 @@ import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
 import { generate } from './generate.ts';
+import { losses, lost } from './lost.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
@@ -26,5 +27,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   thumbnail,
   generate,
   plays,
+  lost,
+  losses,
   path,
 };

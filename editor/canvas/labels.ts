@@ -1,0 +1,59 @@
+import { reasonInWords } from '../../check/words/index.ts';
+import { STATE_SIZE } from '../../engine/index.ts';
+import { isWhole, type LiveProof } from '../proof/index.ts';
+import { labelPlace } from './label-place.ts';
+import { type Point, toScreen, type View } from './view.ts';
+
+/** greatest width of a label in px, repeated in `canvas.css` */
+const WIDEST = 232;
+/** px: a line of text, and what stands around all lines */
+const [LINE, AROUND] = [18, 10];
+/** ticks between the points of the way that a label should not cover */
+const EACH = 12;
+/** px between the points of another label that a label should not cover */
+const GRAIN = 12;
+
+const sizeOf = (words: string) => {
+  const width = 18 + 7 * words.length;
+  return { width: Math.min(WIDEST, width), height: AROUND + LINE * Math.ceil(width / WIDEST) };
+};
+
+/** Why the shown run fails; null if it does not, or is not known to. */
+export const reasonOf = (proof: LiveProof): string | null =>
+  isWhole(proof) ? reasonInWords(proof.run, proof.level.range) : null;
+
+function pointsOfWay({ states, count }: LiveProof['run']['way'], view: View): Point[] {
+  const points = [];
+  for (let k = 0; k < count; k += EACH) {
+    points.push(toScreen(view, { x: states[k * STATE_SIZE], y: states[k * STATE_SIZE + 1] }));
+  }
+  return points;
+}
+
+/** Where the reason stands, its centre in px of the screen. @param at the end of the run, px of the level */
+export const reasonPlace = (words: string, at: Point, way: LiveProof['run']['way'], view: View): Point =>
+  labelPlace(toScreen(view, at), sizeOf(words), view, pointsOfWay(way, view));
+
+/**
+ * Where a label at a moment of the run stands, beside the reason at its end.
+ * @param at px of the level
+ * @param reason why the run fails; null: it says nothing
+ * @param end of the run, px of the level
+ */
+export function momentPlace(
+  words: string,
+  at: Point,
+  { reason, end, way }: { readonly reason: string | null; readonly end: Point; readonly way: LiveProof['run']['way'] },
+  view: View,
+): Point {
+  const covered = pointsOfWay(way, view);
+  if (reason !== null) {
+    const place = reasonPlace(reason, end, way, view);
+    const { width, height } = sizeOf(reason);
+    // a few points weigh more than all of the way
+    for (let x = place.x - width / 2; x <= place.x + width / 2; x += GRAIN) {
+      for (let y = place.y - height / 2; y <= place.y + height / 2; y += GRAIN) covered.push({ x, y });
+    }
+  }
+  return labelPlace(toScreen(view, at), sizeOf(words), view, covered);
+}
