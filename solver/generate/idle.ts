@@ -1,11 +1,12 @@
 import { compile, createSimulation, playScript, type Scene, type Simulation } from '../../engine/index.ts';
-import type { Hold } from '../../schema/basics/index.ts';
+import type { Disc, Hold } from '../../schema/basics/index.ts';
 import { playGameAtRandom } from '../difficulty/index.ts';
 import { createRandom, type Random } from '../random.ts';
 import { type Candidate, cutHolds } from '../verified-run.ts';
 import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
+import { type Image, partnerOf } from './themes/index.ts';
 
 // Games from the start, and games that leave each known run at a random tick.
 const GAMES = 300;
@@ -78,14 +79,24 @@ function without(layout: Layout, list: List, object: unknown): Layout {
 /**
  * Removes idle objects: those without which every game ends as before, in the same tick. The games are the known runs and some
  * hundred random ones ({@link playGames}). So what is removed neither helps a run nor kills in any of them.
+ * @param image a nova and its counterpart by symmetry stay or go together
  * @returns the leaner layout, and the ticks simulated
  */
-export function withoutIdle(layout: Layout, runs: readonly Candidate[], seed: number): { layout: Layout; ticks: number } {
+export function withoutIdle(
+  layout: Layout,
+  runs: readonly Candidate[],
+  seed: number,
+  image: Image | null = null,
+): { layout: Layout; ticks: number } {
   const games = playGames(sceneFor(layout), runs, createRandom(seed));
   let ticks = games.length * 500;
   let lean = layout;
   for (const { list, place } of objectsOf(layout)) {
-    const candidate = without(lean, list, place);
+    let candidate = without(lean, list, place);
+    if (image !== null && list === 'novae') {
+      const other = partnerOf(image, place as Disc, candidate.novae);
+      if (other !== undefined) candidate = without(candidate, list, other);
+    }
     if (candidate.asteroids.length === 0) continue;
     const simulation = createSimulation(sceneFor(candidate));
     const isIdle = games.every(({ holds, ending }) => {

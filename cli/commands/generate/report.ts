@@ -41,6 +41,9 @@ export function generatePretty({ levels, rejected, reasons, variety }: GenerateR
 const WORDS: Readonly<Record<Rejection, string>> = {
   noRoom: 'without room for the asteroids',
   noRun: 'without a run to build around',
+  noDetour: 'whose minerals lead nowhere else',
+  offTheme: 'with too little of the theme',
+  asymmetric: 'not symmetric enough',
   tooEasy: 'too easy',
   tooHard: 'too hard',
   unforgiving: 'not robust',
