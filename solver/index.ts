@@ -58,11 +58,16 @@ export {
 } from './difficulty/index.ts';
 export {
   createGenerator,
+  createPackJudge,
   type Generated,
   type GeneratorOptions,
   INGREDIENTS,
   type Ingredient,
   type LevelGenerator,
+  type PackJudge,
+  type PackOptions,
+  type PackTheme,
+  packLevel,
   type Rejection,
   SYMMETRIES,
   type SymmetryKind,

@@ -19,7 +19,7 @@ const STRAYS = 60;
 const FOLLOWED = 200;
 
 // Places that are tried, and the ticks to find a run that gets there.
-const PLACES = 4;
+const PLACES = 6;
 const SEARCH_EFFORT = 250_000;
 
 const MINERALS = 3;

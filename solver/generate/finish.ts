@@ -42,6 +42,7 @@ export function* finish(
     detour === null ? ways.slice(0, 3) : [...ways.slice(0, 3), detour],
     random.next(),
     image,
+    stage.figures,
   );
   yield ticks;
   const bare = sceneOf(layout);

@@ -8,5 +8,6 @@ export {
   type WantedDifficulty,
   type WantedSize,
 } from './generator-spec.ts';
+export { createPackJudge, type PackJudge, type PackOptions, type PackTheme, packLevel } from './pack.ts';
 export { SYMMETRIES, type SymmetryKind, THEME_NAMES, type ThemeName } from './theme-name.ts';
 export { type Variety, varietyOf } from './variety.ts';

@@ -21,12 +21,15 @@ const ANY: Goal = { minerals: 'any' };
 
 // Runs that are tried before a layout is discarded, and where a theme is particular about them.
 const SCRIPTS = 1000;
-const THEME_SCRIPTS = 2500;
+const THEME_SCRIPTS = 1500;
 
 // How many suitable runs are compared. The one whose success is nearest to the wanted value is kept.
 const ROUTES = 5;
 
 const SAMPLES = 60;
+
+// What a rank of 1 weighs, as a difference of success.
+const RANK = 0.3;
 
 // Every tenth tick suffices to see whether many single presses win.
 const STRIDE = 10;
@@ -69,7 +72,7 @@ export function findRoute(layout: Layout, spec: GeneratorSpec, random: Random, t
     const p40 = successProbability(scene, run.holds, ANY, 40, { samples: SAMPLES, seed: i }).p;
     if (p40 < spec.p40 || !forgives(scene, run.holds, spec.certifiedTicks, random)) continue;
     passed++;
-    const off = Math.abs(p40 - spec.routeP40) - rank;
+    const off = Math.abs(p40 - spec.routeP40) - RANK * rank;
     if (best === null || off < best.off) best = { route: { layout: ended, run }, off };
   }
   return best?.route ?? null;

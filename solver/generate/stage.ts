@@ -11,6 +11,8 @@ export interface Stage {
   readonly theme: Theme | null;
   /** Places that continue the composition, for more novae; without any, novae go wherever they help. */
   readonly slots: readonly Disc[];
+  /** The novae that the theme has composed. */
+  readonly figures: readonly Disc[];
   /** Where the counterpart of a nova belongs; null for no symmetry. */
   readonly image: Image | null;
   /** A run that collects all minerals, which lead elsewhere than the solution; null: minerals are placed in the end. */
@@ -20,7 +22,7 @@ export interface Stage {
 }
 
 /** A level without a theme. */
-export const PLAIN_STAGE: Stage = { theme: null, slots: [], image: null, detour: null, detourWays: [] };
+export const PLAIN_STAGE: Stage = { theme: null, slots: [], figures: [], image: null, detour: null, detourWays: [] };
 
 /** Whether a run is of the theme. */
 export function isOnTheme({ theme }: Stage, layout: Layout, run: Candidate): boolean {

@@ -13,7 +13,7 @@ const SPACING = 38;
 const ENDS = 60;
 
 // px from her centre to the rim of a wall, at most, and px that a wall's bead reaches along her path.
-const WIDEST = 62;
+const WIDEST = 72;
 const REACH = 26;
 
 // px of the route, at least, and between two stretches of it that have walls of their own.
@@ -25,7 +25,7 @@ export const corridors: Theme = {
   measured: 'share of the route between two walls',
   least: 0.5,
   symmetry: 'none',
-  adjust: ({ presses, room }) => ({ presses: [Math.max(2, presses[0]), presses[1]], room: Math.min(room, 8), novae: 0 }),
+  adjust: ({ room }) => ({ room: Math.min(room, 6), novae: 0 }),
 
   arrange(site) {
     const { width, height, asteroids } = site.spec;
@@ -69,9 +69,7 @@ export const corridors: Theme = {
 function comesBack(places: readonly Place[]): boolean {
   const along = [0];
   for (let i = 1; i < places.length; i++) along.push(along[i - 1] + distance(places[i - 1], places[i]));
-  return places.some((place, i) =>
-    places.some((other, k) => along[k] > along[i] + 3 * APART && distance(place, other) < APART),
-  );
+  return places.some((place, i) => places.some((other, k) => along[k] > along[i] + 3 * APART && distance(place, other) < APART));
 }
 
 /** Evenly spaced places along a curve that runs beside a path; `gap` is signed, px. */

@@ -5,7 +5,7 @@ import type { Flight } from './flight.ts';
 import { COARSE, snap } from './site.ts';
 import type { Theme } from './theme.ts';
 
-const RADII = [40, 48, 56] as const;
+const RADII = [48, 56, 64] as const;
 
 const GAP = 16;
 
@@ -14,9 +14,9 @@ const NOVA = 16;
 /** Rows of repulsors across the level that she has to pass, and novae that go on with the rows. */
 export const fields: Theme = {
   measured: 'share of the time in fields',
-  least: 0.14,
+  least: 0.12,
   symmetry: 'mirror',
-  adjust: () => ({ asteroids: [2, 4], novae: 0 }),
+  adjust: () => ({ asteroids: [2, 3], novae: 0 }),
 
   arrange(site) {
     const { width, height } = site.spec;
@@ -34,14 +34,21 @@ export const fields: Theme = {
       for (let i = 0; i < count; i++) site.repulsor(place(along, middle + (i - (count - 1) / 2) * step), radius);
     }
     if (site.layout.repulsors.length < 2) return false;
-    const ends = site.random.below(2) === 0 ? [0.16, 0.84] : [0.84, 0.16];
+    const ends = site.random.below(2) === 0 ? [0.2, 0.84] : [0.8, 0.16];
     const start = place(long * ends[0], site.between(90, short - 90));
     site.start(start);
     let last: Place = start;
     for (let i = site.between(...site.spec.asteroids); i > 0; i--) {
       const first = last === start;
-      // asteroids on both sides of the row
-      const find = () => (first ? site.near(last, 100, 180) : site.near(last, 160, 320));
+      const sign = ends[0] < ends[1] ? 1 : -1;
+      // the first two lie on either side of the rows, so that her swing leads through a field
+      const beyond = (away: number): Place => {
+        const { x, y } = site.layout.repulsors[site.random.below(site.layout.repulsors.length)];
+        const aside = site.between(0, 120) - 60;
+        return isUpright ? { x: x + away, y: y + aside } : { x: x + aside, y: y + away };
+      };
+      const find = () =>
+        first ? beyond(-sign * site.between(radius + 50, radius + 110)) : beyond(sign * site.between(radius + 50, radius + 120));
       const found = site.asteroid(find, first ? 32 : 24);
       if (found === null) break;
       last = found;
@@ -51,7 +58,7 @@ export const fields: Theme = {
 
   rank(level, flight) {
     const share = fields.measure(level, flight);
-    return share < fields.least * 1.15 ? null : Math.min(1.5, 3 * share);
+    return share < fields.least ? null : Math.min(1.5, 3 * share);
   },
 
   compose(site) {

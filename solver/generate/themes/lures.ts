@@ -7,7 +7,7 @@ import { FINE, type Site, snap } from './site.ts';
 import type { Theme } from './theme.ts';
 
 /** px between a mineral and the route from which on it leads elsewhere. */
-export const ASIDE = 60;
+export const ASIDE = 50;
 
 // A pocket: beads on a circle around a mineral.
 const BEAD = 12;
