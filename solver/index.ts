@@ -64,6 +64,7 @@ export {
   INGREDIENTS,
   type Ingredient,
   type LevelGenerator,
+  nearestDistances,
   type PackJudge,
   type PackOptions,
   type PackTheme,

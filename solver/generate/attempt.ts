@@ -62,8 +62,7 @@ export function* attemptLevel(random: Random, spec: GeneratorSpec, description: 
   const route = findRoute(empty, spec, random, theme);
   yield ROUTE_EFFORT;
   if (route === null) return 'noRun';
-  const bare = { layout: withoutUnused(route.layout, route.run.holds), run: route.run };
-  const surrounded = theme === null ? withNovae(bare, spec, random) : yield* compose(bare, spec, theme, random);
+  const surrounded = theme === null ? withNovae(route, spec, random) : yield* compose(route, spec, theme, random);
   if (typeof surrounded === 'string') return surrounded;
   const { stage } = surrounded;
   let { layout } = surrounded;
@@ -109,7 +108,9 @@ function arrange(random: Random, spec: GeneratorSpec, theme: Theme): Layout | nu
 }
 
 /** A level without a theme: novae around its route. */
-function withNovae({ layout, run }: Route, spec: GeneratorSpec, random: Random): { layout: Layout; stage: Stage } {
+function withNovae(route: Route, spec: GeneratorSpec, random: Random): { layout: Layout; stage: Stage } {
+  const { run } = route;
+  const layout = withoutUnused(route.layout, run.holds);
   const tube = tubeOf(sceneOf(layout), run.holds, spec.tube, random);
   return { layout: addNovae(layout, spec, tube, spec.novae, random), stage: PLAIN_STAGE };
 }

@@ -3,6 +3,7 @@ import { type Candidate, verifyRun } from '../verified-run.ts';
 import { findDetour } from './detour.ts';
 import type { Rejection } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
+import { withoutUnused } from './harden.ts';
 import type { Layout } from './layout.ts';
 import type { Route } from './route.ts';
 import { ALL, sceneOf } from './scouting.ts';
@@ -32,11 +33,12 @@ export function* compose(
   let layout = bare;
   let detour: Candidate | null = null;
   if (spec.tempting) {
-    const found = yield* findDetour(layout, spec, run, spec.theme === 'lures' ? theme.least : 1, random);
+    const found = yield* findDetour(layout, spec, run, 1, random);
     if (found === null) return 'noDetour';
     layout = found.layout;
     detour = found.run;
   }
+  layout = withoutUnused(layout, run.holds, detour?.holds);
   const scene = sceneOf(layout);
   const detourWays: readonly Way[] = detour === null ? [] : tubeOf(scene, detour.holds, 1, random).slice(0, DETOUR_WAYS);
   const site = new Site(spec, random, layout, [...tubeOf(scene, run.holds, spec.tube, random), ...detourWays]);

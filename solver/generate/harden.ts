@@ -7,7 +7,7 @@ import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { narrowWay } from './narrow.ts';
 import { blockWay } from './novae.ts';
-import { luckyWays, sceneOf, scoutOnePress } from './scouting.ts';
+import { ALL, luckyWays, sceneOf, scoutOnePress } from './scouting.ts';
 import type { Stage } from './stage.ts';
 import { tubeOf, type Way, wayOf } from './tube.ts';
 
@@ -42,15 +42,19 @@ export function harden(
   return harder;
 }
 
-/** Removes the cold asteroids that a run neither targets nor needs to stay in range. */
-export function withoutUnused(layout: Layout, holds: readonly Hold[]): Layout {
+/** Removes the cold asteroids that neither a run nor the detour targets or needs to stay in range. */
+export function withoutUnused(layout: Layout, holds: readonly Hold[], detour: readonly Hold[] | null = null): Layout {
   const level = toLevel(layout);
   const unused = new Set(
-    findWarnings(level, [simulate(compile(level, 'arcade'), holds)])
+    findWarnings(
+      level,
+      [holds, ...(detour === null ? [] : [detour])].map((one) => simulate(compile(level, 'arcade'), one)),
+    )
       .filter(({ code }) => code === 'unused-asteroid')
       .map(({ pointer }) => Number(pointer.split('/')[2])),
   );
   const lean = { ...layout, asteroids: layout.asteroids.filter((_, i) => !unused.has(i)) };
+  if (detour !== null && verifyRun(sceneOf(lean), detour, ALL) === null) return layout;
   return verifyRun(sceneOf(lean), holds) === null ? layout : lean;
 }
 

@@ -10,4 +10,4 @@ export {
 } from './generator-spec.ts';
 export { createPackJudge, type PackJudge, type PackOptions, type PackTheme, packLevel } from './pack.ts';
 export { SYMMETRIES, type SymmetryKind, THEME_NAMES, type ThemeName } from './theme-name.ts';
-export { type Variety, varietyOf } from './variety.ts';
+export { nearestDistances, type Variety, varietyOf } from './variety.ts';

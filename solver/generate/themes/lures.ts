@@ -19,7 +19,7 @@ const ALIEN = 25;
 /** Minerals far from the route, in pockets of novae that are open to one side, with sleeping aliens beside them. */
 export const lures: Theme = {
   measured: 'minerals off the route',
-  least: 2,
+  least: 1,
   symmetry: 'none',
   adjust: () => ({ novae: 0 }),
   arrange: corridors.arrange,
