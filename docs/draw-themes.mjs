@@ -26,6 +26,8 @@ const cells = LEVELS.map((options, i) => {
   const [x, y] = [(i % 3) * (WIDTH + 10) + (i < 3 ? 0 : WIDTH / 2), Math.floor(i / 3) * (HEIGHT + LABEL + 10)];
   const inner = svg
     .slice(svg.indexOf('<svg'))
+    // ids of gradients and clips are those of one picture
+    .replaceAll(/(id="|url\(#|href="#)/g, `$1${options.theme}-`)
     .replace(/^<svg[^>]*>/, (tag) =>
       tag
         .replace(/ (width|height|x|y)="[^"]*"/g, '')
