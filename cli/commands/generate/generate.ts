@@ -80,7 +80,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
         SYMMETRIES,
       ),
     )
-    .option('--tempting', 'with a theme: a mineral lies off the run "solution"; lures always has two')
+    .option('--tempting', 'with a theme: a mineral lies off the run "solution"; lures always has one')
     .option(
       '--effort <ticks>',
       'most ticks of 1/60 s to simulate for each level',
