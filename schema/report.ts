@@ -319,13 +319,27 @@ export const generateReportSchema = z.strictObject({
       presses: z.int().nullable(),
       attempts: z.int().describe('Layouts tried.'),
       ticks: z.int().describe('Simulated, of 1/60 s each.'),
+      theme: z
+        .strictObject({
+          name: z.string(),
+          measured: z.string().describe('What is measured, in words.'),
+          value: z.number(),
+          least: z.number().describe('The least that a level of the theme measures.'),
+        })
+        .nullable()
+        .describe('How much the level is of the theme that was asked for; null without a theme.'),
+      symmetry: z
+        .strictObject({ kind: z.string(), share: share.describe('The share of novae that have a counterpart.') })
+        .nullable()
+        .describe('How symmetric the novae are; null where no symmetry was asked for.'),
+      aside: z.int().nullable().describe('Minerals that the run "solution" does not collect, and another run does.'),
     }),
   ),
   rejected: z.int().min(0).describe('Layouts that were thrown away.'),
   reasons: z
     .record(z.string(), z.int().min(0))
     .describe(
-      'How many layouts were thrown away for each reason: noRoom, noRun, tooEasy, tooHard, unforgiving, noMinerals, warnings.',
+      'How many layouts were thrown away for each reason: noRoom, noRun, noDetour, offTheme, asymmetric, tooEasy, tooHard, unforgiving, noMinerals, warnings; and alike in a pack.',
     ),
   variety: z
     .strictObject({

@@ -1,3 +1,4 @@
-export { generatedPath, keepLevel, makeDirectory } from './keep-level.ts';
+export { generatedPath, keepLevel, makeDirectory, packPath } from './keep-level.ts';
 export type { GenerateTask, MadeLevel } from './make-level.ts';
 export { makeLevels } from './make-levels.ts';
+export { makePack, type PackResult } from './make-pack.ts';

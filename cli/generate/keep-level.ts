@@ -11,14 +11,19 @@ import { namedPath } from '../shown-path.ts';
 /** What happened to a generated level; `in the way`: another file has its name, which is not overwritten. */
 export type Kept = 'written' | 'unchanged' | 'in the way';
 
-/** The file name of a level, made from its name and seed, so that the same seed gives the same file. */
-export function generatedPath(directory: string, name: string, seed: number): string {
-  const slug = name
+const slugOf = (name: string): string =>
+  name
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, '-')
     .replace(/^-|-$/g, '');
-  return join(directory, `${slug}-${seed}.level.json`);
-}
+
+/** The file name of a level, made from its name and seed, so that the same seed gives the same file. */
+export const generatedPath = (directory: string, name: string, seed: number): string =>
+  join(directory, `${slugOf(name)}-${seed}.level.json`);
+
+/** The file name of a level of a pack: its number, from 1, with as many digits as the last one has, and its name. */
+export const packPath = (directory: string, name: string, number: number, count: number): string =>
+  join(directory, `${`${number}`.padStart(Math.max(2, `${count}`.length), '0')}-${slugOf(name)}.level.json`);
 
 /**
  * Writes a level to a new file: completely or not at all.

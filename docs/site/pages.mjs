@@ -37,6 +37,7 @@ export const GROUPS = [
       { file: 'docs/fix.md', name: 'fix', text: 'Repair a level' },
       { file: 'docs/softlocks.md', name: 'softlocks', text: 'Where it is already lost' },
       { file: 'docs/difficulty.md', name: 'difficulty', text: 'Difficulty and new levels' },
+      { file: 'docs/generate.md', name: 'generate', text: 'Levels from a seed, themes and packs' },
       { file: 'docs/import-and-export.md', name: 'import-and-export', text: 'Import and export' },
       { file: 'docs/publish.md', name: 'publish', text: 'Publish levels' },
     ],

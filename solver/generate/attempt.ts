@@ -1,14 +1,17 @@
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
+import { compose } from './compose.ts';
 import { finish } from './finish.ts';
 import type { Attempt, Rejection } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { closeShortcuts, harden, withoutUnused } from './harden.ts';
 import { type Layout, layOut } from './layout.ts';
 import { addNovae } from './novae.ts';
-import { findRoute } from './route.ts';
+import { findRoute, type Route } from './route.ts';
 import { ANY, findWays, gradeRun, sceneOf, scoutOnePress, sortByP40 } from './scouting.ts';
+import { isOnTheme, PLAIN_STAGE, type Stage } from './stage.ts';
+import { Site, THEMES, type Theme, withImages } from './themes/index.ts';
 import { forgives, tubeOf } from './tube.ts';
 
 // The cost of the search for a route, ticks, about.
@@ -42,22 +45,27 @@ const SHRINK = 2;
  * Makes one attempt at a level that fulfils a spec. A run comes first and the level is built around it:
  *
  * 1. Lay out asteroids at random, and find a run through them that ends where the black hole is then placed ({@link
- *    findRoute}).
- * 2. Add novae outside a tube around the run, which holds the run's slightly mistimed variations as well.
+ *    findRoute}). A theme lays out its own asteroids and fields, and says which runs suit it.
+ * 2. Add novae outside a tube around the run, which holds the run's slightly mistimed variations as well; a theme composes them
+ *    ({@link compose}).
  * 3. Find other runs; the best of all says how hard the level is. While it is too easy, keep the run whose own grade is closest to
- *    what is wanted, and close what is easier ({@link harden}). Where nothing can be closed, the black hole shrinks.
+ *    what is wanted, and close what is easier ({@link harden}). Where nothing can be closed, the black hole shrinks. A theme
+ *    says where novae may go, and the best run has to be of the theme.
  * 4. Remove idle objects, add minerals, measure the finished level and check everything that is claimed of it ({@link finish}).
  *
  * A level that fails any of the promises is discarded.
  */
 export function* attemptLevel(random: Random, spec: GeneratorSpec, description: string): Attempt {
-  const empty = layOut(random, spec);
+  const theme = spec.theme === null ? null : THEMES[spec.theme];
+  const empty = theme === null ? layOut(random, spec) : arrange(random, spec, theme);
   if (empty === null) return 'noRoom';
-  const route = findRoute(empty, spec, random);
+  const route = findRoute(empty, spec, random, theme);
   yield ROUTE_EFFORT;
   if (route === null) return 'noRun';
-  let layout: Layout = withoutUnused(route.layout, route.run.holds);
-  layout = addNovae(layout, spec, tubeOf(sceneOf(layout), route.run.holds, spec.tube, random), spec.novae, random);
+  const surrounded = theme === null ? withNovae(route, spec, random) : yield* compose(route, spec, theme, random);
+  if (typeof surrounded === 'string') return surrounded;
+  const { stage } = surrounded;
+  let { layout } = surrounded;
 
   let known: readonly Candidate[] = [route.run];
   let reason: Rejection = 'tooEasy';
@@ -65,39 +73,67 @@ export function* attemptLevel(random: Random, spec: GeneratorSpec, description: 
     const scene = sceneOf(layout);
     const still = known.filter(({ holds }) => verifyRun(scene, holds) !== null);
     const found = yield* findWays(scene, ANY, random.next(), EASIER_EFFORT);
-    known = sortByP40(scene, different([...still, ...found])).slice(0, WAYS);
-    if (known.length === 0) return 'noRun';
+    const all = sortByP40(scene, different([...still, ...found]));
+    if (all.length === 0) return 'noRun';
+    known = withOnTheme(all, WAYS, layout, stage);
     const [best] = known;
-    const grades = known.slice(0, GRADED).map((way) => gradeRun(scene, way, 1).value);
+    const graded = withOnTheme(known, GRADED, layout, stage);
+    const grades = graded.map((way) => gradeRun(scene, way, 1).value);
     yield GRADING * GRADED * best.tick;
     if (grades[0] > spec.grade[1]) return 'tooHard';
     const presses = scoutOnePress(scene, best);
-    const isHardEnough = grades[0] >= spec.grade[0];
+    const isHardEnough = grades[0] >= spec.grade[0] && isOnTheme(stage, layout, best);
     if (isHardEnough && presses.count <= spec.onePress * presses.tried) {
-      const generated = yield* finish(layout, spec, known, random, description);
+      const generated = yield* finish(layout, spec, known, random, description, stage);
       if (typeof generated !== 'string') return generated;
       reason = generated;
       if (reason !== 'tooEasy') return reason;
     }
-    const kept = keptOf(layout, spec, known, grades, random);
+    const kept = keptOf(layout, spec, graded, grades, random, stage);
     if (kept === null) return 'unforgiving';
-    const tube = tubeOf(scene, kept.holds, spec.certifiedTicks, random);
-    const closed = closeShortcuts(layout, spec, tube, best, random);
-    const harder = closed === layout ? harden(layout, spec, kept, known, random) : closed;
+    const tube = [...tubeOf(scene, kept.holds, spec.certifiedTicks, random), ...stage.detourWays];
+    const closed = closeShortcuts(layout, spec, tube, best, random, stage.slots);
+    const harder = closed === layout ? harden(layout, spec, kept, known, random, stage) : closed;
     const next = harder === layout ? shrunk(layout) : harder;
     if (next === null) return reason;
-    layout = next;
+    layout = stage.image === null ? next : withImages(new Site(spec, random, next, tube), stage.image);
   }
   return reason;
 }
 
-/** The run to keep open: of those that forgive enough, the one whose grade is closest to the lower half of the wanted ones. */
+/** The start, asteroids and fields of a theme; null when they do not fit. */
+function arrange(random: Random, spec: GeneratorSpec, theme: Theme): Layout | null {
+  const site = new Site(spec, random);
+  return theme.arrange(site) ? site.layout : null;
+}
+
+/** A level without a theme: novae around its route. */
+function withNovae(route: Route, spec: GeneratorSpec, random: Random): { layout: Layout; stage: Stage } {
+  const { run } = route;
+  const layout = withoutUnused(route.layout, run.holds);
+  const tube = tubeOf(sceneOf(layout), run.holds, spec.tube, random);
+  return { layout: addNovae(layout, spec, tube, spec.novae, random), stage: PLAIN_STAGE };
+}
+
+/** The first runs, and the first that is of the theme if it comes later. */
+function withOnTheme(ways: readonly Candidate[], most: number, layout: Layout, stage: Stage): readonly Candidate[] {
+  const first = ways.slice(0, most);
+  if (stage.theme === null || first.some((way) => isOnTheme(stage, layout, way))) return first;
+  const other = ways.find((way) => isOnTheme(stage, layout, way));
+  return other === undefined ? first : [...first, other];
+}
+
+/**
+ * The run to keep open: of those that forgive enough and are of the theme, the one whose grade is closest to the lower half of the
+ * wanted ones.
+ */
 function keptOf(
   layout: Layout,
   spec: GeneratorSpec,
   ways: readonly Candidate[],
   grades: readonly number[],
   random: Random,
+  stage: Stage,
 ): Candidate | null {
   const scene = sceneOf(layout);
   const wanted = (spec.grade[0] + Math.min(spec.grade[1], spec.grade[0] + 2)) / 2;
@@ -105,7 +141,7 @@ function keptOf(
   let least = Number.POSITIVE_INFINITY;
   for (const [i, grade] of grades.entries()) {
     const off = Math.abs(grade - wanted);
-    if (off >= least) continue;
+    if (off >= least || !isOnTheme(stage, layout, ways[i])) continue;
     const { p } = successProbability(scene, ways[i].holds, ANY, 40, { samples: SAMPLES, seed: 1 });
     if (p < spec.p40 + RESERVE || !forgives(scene, ways[i].holds, spec.certifiedTicks, random)) continue;
     kept = ways[i];

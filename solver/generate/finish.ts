@@ -3,7 +3,7 @@ import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import { measureRobustness } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
-import type { Attempt, Rejection } from './generated.ts';
+import type { Attempt, Rejection, SymmetryMeasure, ThemeMeasure } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { withoutIdle } from './idle.ts';
 import type { Layout } from './layout.ts';
@@ -11,12 +11,17 @@ import { toLevelFile } from './level-file.ts';
 import { placeMinerals } from './minerals.ts';
 import { nameLevel } from './name.ts';
 import { ALL, ANY, findWays, gradeRun, sceneOf } from './scouting.ts';
+import type { Stage } from './stage.ts';
+import { flightOf, symmetryOf } from './themes/index.ts';
 import { wayOf } from './tube.ts';
 
 const MINERALS = 3;
 
 // Ticks to find a run that collects all minerals.
 const COLLECTING = 800_000;
+
+// The least share of novae with a counterpart, where a symmetry was asked for.
+const LEAST_SYMMETRY = 0.6;
 
 // The cost of the measurements, in runs, about.
 const MEASURING = 8000;
@@ -28,9 +33,17 @@ export function* finish(
   ways: readonly Candidate[],
   random: Random,
   description: string,
+  stage: Stage,
 ): Attempt {
   const [solution] = ways;
-  const { layout, ticks } = withoutIdle(hardened, ways.slice(0, 3), random.next());
+  const { image, detour } = stage;
+  const { layout, ticks } = withoutIdle(
+    hardened,
+    detour === null ? ways.slice(0, 3) : [...ways.slice(0, 3), detour],
+    random.next(),
+    image,
+    stage.figures,
+  );
   yield ticks;
   const bare = sceneOf(layout);
   const precise = compile(bare.level);
@@ -45,6 +58,18 @@ export function* finish(
     if (certifiedTicks < spec.certifiedTicks || p40.p < spec.p40) return 'unforgiving';
   }
 
+  const theme = themeMeasure(layout, spec, solution, stage);
+  if (theme !== null && theme.value < theme.least) return 'offTheme';
+  const symmetry = symmetryMeasure(layout, spec, stage);
+  if (symmetry !== null && spec.symmetry !== null && symmetry.share < LEAST_SYMMETRY) return 'asymmetric';
+  const measures = { holds: solution.holds, robustness, arcade, grade, theme, symmetry };
+  if (detour !== null) {
+    const level = fileOf(layout, solution, detour, spec, random, description);
+    const aside = MINERALS - (verifyRun(precise, solution.holds)?.minerals.length ?? 0);
+    if (aside === 0) return 'noDetour';
+    return holdsUp(level) ? { level, ...measures, aside } : 'warnings';
+  }
+
   // Put the minerals on several paths first, so that they have to be looked for. If no run collects them all, put them on the
   // path to the black hole.
   const several = Array.from({ length: MINERALS }, (_, i) => wayOf(bare, ways[i % ways.length].holds));
@@ -57,15 +82,40 @@ export function* finish(
     const collecting = onTheWay === null ? yield* findWays(sceneOf(full), ALL, random.next(), COLLECTING, [solution]) : [];
     const all = onTheWay ?? collecting[0];
     if (all === undefined) continue;
-    const runs = [
-      { name: 'solution', holds: solution.holds },
-      { name: 'all-minerals', holds: all.holds },
-    ];
-    const level = toLevelFile(full, nameLevel(random), description, runs);
-    if (holdsUp(level)) return { level, holds: solution.holds, robustness, arcade, grade };
+    const level = fileOf(full, solution, all, spec, random, description);
+    const aside = MINERALS - (verifyRun(sceneOf(full), solution.holds)?.minerals.length ?? 0);
+    if (holdsUp(level)) return { level, ...measures, aside };
     reason = 'warnings';
   }
   return reason;
+}
+
+/** The file of a finished level with its two runs. */
+function fileOf(
+  layout: Layout,
+  solution: Candidate,
+  all: Candidate,
+  spec: GeneratorSpec,
+  random: Random,
+  description: string,
+): LevelFile {
+  const runs = [
+    { name: 'solution', holds: solution.holds },
+    { name: 'all-minerals', holds: all.holds },
+  ];
+  return toLevelFile(layout, nameLevel(random, spec.theme), description, runs);
+}
+
+function themeMeasure(layout: Layout, spec: GeneratorSpec, solution: Candidate, { theme }: Stage): ThemeMeasure | null {
+  if (theme === null || spec.theme === null) return null;
+  const scene = sceneOf(layout);
+  const value = theme.measure(scene.level, flightOf(scene, solution.holds));
+  return { name: spec.theme, measured: theme.measured, value, least: theme.least };
+}
+
+function symmetryMeasure(layout: Layout, spec: GeneratorSpec, { theme, image }: Stage): SymmetryMeasure | null {
+  const kind = spec.symmetry ?? theme?.symmetry ?? 'none';
+  return image === null ? null : { kind, share: symmetryOf(layout, image) };
 }
 
 /** Whether both runs of a finished file do what their names say at `precise` and `arcade`, and no warnings are left. */

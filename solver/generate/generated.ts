@@ -1,6 +1,7 @@
 import type { Hold, LevelFile } from '../../schema/index.ts';
 import type { Grade } from '../difficulty/index.ts';
 import type { Robustness } from '../robustness/index.ts';
+import type { SymmetryKind, ThemeName } from './theme-name.ts';
 
 /** A generated level with its measurements. */
 export interface Generated {
@@ -14,19 +15,56 @@ export interface Generated {
   readonly arcade: Robustness;
   /** The grade of the level, measured at `precise`. */
   readonly grade: Grade;
+  /** How much the level is of the theme that was asked for; null without a theme. */
+  readonly theme: ThemeMeasure | null;
+  /** How symmetric the novae are; null where no symmetry was asked for, by an option or by the theme. */
+  readonly symmetry: SymmetryMeasure | null;
+  /** How many minerals `solution` does not collect. */
+  readonly aside: number;
+}
+
+/** How much a level is of a theme. */
+export interface ThemeMeasure {
+  readonly name: ThemeName;
+  /** What is measured. */
+  readonly measured: string;
+  readonly value: number;
+  /** The least that a level of the theme measures. */
+  readonly least: number;
+}
+
+/** How symmetric the novae of a level are. */
+export interface SymmetryMeasure {
+  readonly kind: SymmetryKind;
+  /** The share of novae that have a counterpart. */
+  readonly share: number;
 }
 
 /**
- * Why an attempt was given up: the asteroids did not fit; no run was good enough to build a level around; the level is too easy
+ * Why an attempt was given up: the asteroids did not fit; no run was good enough to build a level around; no minerals were found that
+ * lead elsewhere; too little of the theme or of the symmetry is there; the level is too easy
  * and nothing makes it harder; it is too hard; its best run forgives too little; no minerals were found that one run collects; a
  * warning is left.
  */
-export type Rejection = 'noRoom' | 'noRun' | 'tooEasy' | 'tooHard' | 'unforgiving' | 'noMinerals' | 'warnings';
+export type Rejection =
+  | 'noRoom'
+  | 'noRun'
+  | 'noDetour'
+  | 'offTheme'
+  | 'asymmetric'
+  | 'tooEasy'
+  | 'tooHard'
+  | 'unforgiving'
+  | 'noMinerals'
+  | 'warnings';
 
 /** Every reason, in the order in which attempts meet them. */
 export const REJECTIONS: readonly Rejection[] = [
   'noRoom',
   'noRun',
+  'noDetour',
+  'offTheme',
+  'asymmetric',
   'tooEasy',
   'tooHard',
   'unforgiving',

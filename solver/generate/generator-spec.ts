@@ -1,5 +1,6 @@
 import type { OwnRules } from '../../schema/basics/index.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
+import type { SymmetryKind, ThemeName } from './theme-name.ts';
 
 /** How hard a generated level should be: a word, or a grade from 1 to 10 that is met within 0.5. */
 export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
@@ -46,6 +47,12 @@ export interface GeneratorOptions {
   readonly ingredients?: readonly Ingredient[];
   /** Rules of the level; by default the game's own. */
   readonly rules?: OwnRules;
+  /** What the level is composed around; by default nothing in particular. */
+  readonly theme?: ThemeName;
+  /** The symmetry of the novae of a level with a theme; by default the theme's own. */
+  readonly symmetry?: SymmetryKind;
+  /** Whether a level with a theme has a mineral that leads elsewhere than the solution. By default only `lures` has. */
+  readonly tempting?: boolean;
 }
 
 /** What a level has to fulfil, derived from the options. Lengths are in px. */
@@ -70,6 +77,8 @@ export interface GeneratorSpec {
   readonly p40: number;
   /** The success under timing noise of 40 ms that the intended run should have before novae are added. */
   readonly routeP40: number;
+  /** The shortest and the longest press of the intended run, ticks. */
+  readonly hold: readonly [number, number];
   /** The longest pause of the intended run, ticks: the longer the pause, the farther a small error leads. */
   readonly coast: number;
   /** The largest share of single presses that may win. */
@@ -77,6 +86,11 @@ export interface GeneratorSpec {
   readonly ingredients: readonly Ingredient[];
   /** Rules that differ from the game's own; they are written into the level. */
   readonly rules: OwnRules;
+  readonly theme: ThemeName | null;
+  /** The symmetry that was asked for; null leaves it to the theme. */
+  readonly symmetry: SymmetryKind | null;
+  /** Whether a mineral has to lead elsewhere than the solution. */
+  readonly tempting: boolean;
 }
 
 const SIZES = { small: [520, 420], medium: [800, 600], large: [1280, 800] } as const;
@@ -93,7 +107,8 @@ export const GREATEST_SIDE = 4000;
  * Derives what a level has to fulfil.
  * @throws RangeError if the size or the grade is out of range
  */
-export function specOf({ size = 'medium', difficulty = 'medium', ingredients, rules = {} }: GeneratorOptions): GeneratorSpec {
+export function specOf(options: GeneratorOptions): GeneratorSpec {
+  const { size = 'medium', difficulty = 'medium', ingredients, rules = {}, theme = null, symmetry = null } = options;
   const [width, height] = typeof size === 'string' ? SIZES[size] : [size.width, size.height];
   for (const [name, side] of Object.entries({ width, height })) {
     if (side >= LEAST_SIDE && side <= GREATEST_SIDE) continue;
@@ -120,9 +135,13 @@ export function specOf({ size = 'medium', difficulty = 'medium', ingredients, ru
     certifiedTicks: hardness < 0.3 ? 2 : 1,
     p40: 0.9 - 0.6 * hardness,
     routeP40: 0.97 - 0.4 * hardness,
+    hold: [20, 159],
     coast: Math.round(100 + 120 * hardness),
     onePress: 0.06 * (1 - hardness) + 0.002,
     ingredients: ingredients ?? USUAL_INGREDIENTS,
     rules,
+    theme,
+    symmetry,
+    tempting: options.tempting ?? theme === 'lures',
   };
 }

@@ -2,6 +2,7 @@ import { createRandom } from '../random.ts';
 import { attemptLevel } from './attempt.ts';
 import { type Attempt, type Generated, REJECTIONS, type Rejection } from './generated.ts';
 import { type GeneratorOptions, specOf } from './generator-spec.ts';
+import { THEMES } from './themes/index.ts';
 
 /** Generates one level. The caller decides how long it works. */
 export interface LevelGenerator {
@@ -43,7 +44,8 @@ const OVERHEAD = 1000;
  * ```
  */
 export function createGenerator(options: GeneratorOptions): LevelGenerator {
-  const spec = specOf(options);
+  const asked = specOf(options);
+  const spec = asked.theme === null ? asked : { ...asked, ...THEMES[asked.theme].adjust(asked) };
   const random = createRandom(options.seed);
   const description = `Generated from seed ${options.seed}.`;
   let attempts = 0;

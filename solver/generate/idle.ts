@@ -1,11 +1,12 @@
 import { compile, createSimulation, playScript, type Scene, type Simulation } from '../../engine/index.ts';
-import type { Hold } from '../../schema/basics/index.ts';
+import type { Disc, Hold } from '../../schema/basics/index.ts';
 import { playGameAtRandom } from '../difficulty/index.ts';
 import { createRandom, type Random } from '../random.ts';
 import { type Candidate, cutHolds } from '../verified-run.ts';
-import type { Layout } from './layout.ts';
+import { distance, type Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
+import { type Image, partnerOf } from './themes/index.ts';
 
 // Games from the start, and games that leave each known run at a random tick.
 const GAMES = 300;
@@ -66,6 +67,28 @@ function objectsOf(layout: Layout): { list: List; place: unknown }[] {
   return [...own, ...PLACED_KINDS.flatMap(({ list }) => layout.placed[list].map((place) => ({ list, place })))];
 }
 
+// px between neighbours of one row or ring, at most.
+const LINK = 64;
+
+/**
+ * The novae that stay or go together with one: those of its row or ring, or else its counterpart by symmetry. Empty if it is not the
+ * first of its row, or is gone already.
+ */
+function belonging(nova: Disc, novae: readonly Disc[], image: Image | null, figures: readonly Disc[]): readonly Disc[] {
+  if (!novae.includes(nova)) return [];
+  if (!figures.includes(nova)) {
+    const other = image === null ? undefined : partnerOf(image, nova, novae);
+    return other === undefined || other === nova || figures.includes(other) ? [nova] : [nova, other];
+  }
+  const row = [nova];
+  for (const one of row) {
+    const isNext = (other: Disc) => !row.includes(other) && other.radius === one.radius && distance(other, one) <= LINK;
+    row.push(...novae.filter((other) => figures.includes(other) && isNext(other)));
+  }
+  const first = novae.find((other) => row.includes(other));
+  return first === nova ? row : [];
+}
+
 /** The layout without one object. */
 function without(layout: Layout, list: List, object: unknown): Layout {
   if (list in layout.placed) {
@@ -78,14 +101,25 @@ function without(layout: Layout, list: List, object: unknown): Layout {
 /**
  * Removes idle objects: those without which every game ends as before, in the same tick. The games are the known runs and some
  * hundred random ones ({@link playGames}). So what is removed neither helps a run nor kills in any of them.
+ * @param image a nova and its counterpart by symmetry stay or go together
+ * @param figures novae that a theme has composed: those of one row or ring stay or go together
  * @returns the leaner layout, and the ticks simulated
  */
-export function withoutIdle(layout: Layout, runs: readonly Candidate[], seed: number): { layout: Layout; ticks: number } {
+export function withoutIdle(
+  layout: Layout,
+  runs: readonly Candidate[],
+  seed: number,
+  image: Image | null = null,
+  figures: readonly Disc[] = [],
+): { layout: Layout; ticks: number } {
   const games = playGames(sceneFor(layout), runs, createRandom(seed));
   let ticks = games.length * 500;
   let lean = layout;
   for (const { list, place } of objectsOf(layout)) {
-    const candidate = without(lean, list, place);
+    const together = list === 'novae' ? belonging(place as Disc, lean.novae, image, figures) : [place];
+    // the others of its row have been tried with the first of them
+    if (together.length === 0) continue;
+    const candidate = together.reduce<Layout>((left, object) => without(left, list, object), lean);
     if (candidate.asteroids.length === 0) continue;
     const simulation = createSimulation(sceneFor(candidate));
     const isIdle = games.every(({ holds, ending }) => {

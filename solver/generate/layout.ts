@@ -88,18 +88,8 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     vx: between(-speed, speed),
     vy: between(-speed, speed),
   };
-  let layout: Layout = {
-    start,
-    blackHole: FAR_AWAY,
-    rules: spec.rules,
-    recoil: spec.ingredients.includes('recoil') && random.below(2) === 0,
-    asteroids: [],
-    repulsors: [],
-    aliens: [],
-    novae: [],
-    minerals: [],
-    placed: Object.fromEntries(PLACED_KINDS.map(({ list }) => [list, []])) as unknown as Layout['placed'],
-  };
+  const recoil = spec.ingredients.includes('recoil') && random.below(2) === 0;
+  let layout: Layout = { ...emptyLayout(spec), start, recoil };
 
   const count = between(...spec.asteroids);
   let last: Place = start;
@@ -152,6 +142,20 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
   }
   return layout;
 }
+
+/** A level without objects, with the start at the origin and the black hole out of reach. */
+export const emptyLayout = (spec: GeneratorSpec): Layout => ({
+  start: { x: 0, y: 0, vx: 0, vy: 0 },
+  blackHole: FAR_AWAY,
+  rules: spec.rules,
+  recoil: false,
+  asteroids: [],
+  repulsors: [],
+  aliens: [],
+  novae: [],
+  minerals: [],
+  placed: Object.fromEntries(PLACED_KINDS.map(({ list }) => [list, []])) as unknown as Layout['placed'],
+});
 
 // Placeholder for the black hole before it is placed, where nobody can reach it.
 const FAR_AWAY: Disc = { x: 1e6, y: 1e6, radius: 18 };

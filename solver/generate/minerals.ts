@@ -4,7 +4,8 @@ import type { GeneratorSpec } from './generator-spec.ts';
 import { bodiesOf, distance, type Layout, tryOften } from './layout.ts';
 import type { Way } from './tube.ts';
 
-const RADIUS = 7;
+/** Radius of a mineral, px. */
+export const MINERAL_RADIUS = 7;
 
 /** px between two minerals, and between a mineral and the start, so that each has to be collected on its own. */
 const APART = 60;
@@ -24,7 +25,7 @@ export function placeMinerals(layout: Layout, spec: GeneratorSpec, ways: readonl
       const disc = {
         x: Math.round(at.x) + random.below(2 * BESIDE + 1) - BESIDE,
         y: Math.round(at.y) + random.below(2 * BESIDE + 1) - BESIDE,
-        radius: RADIUS,
+        radius: MINERAL_RADIUS,
       };
       return hasRoom(grown, spec, disc) ? disc : null;
     });
@@ -33,9 +34,10 @@ export function placeMinerals(layout: Layout, spec: GeneratorSpec, ways: readonl
   return grown;
 }
 
-function hasRoom(layout: Layout, spec: GeneratorSpec, disc: Disc): boolean {
+/** Whether a mineral lies within the level and keeps its distance from everything else. */
+export function hasRoom(layout: Layout, spec: GeneratorSpec, disc: Disc): boolean {
   const { x, y } = disc;
   if (x < 20 || y < 20 || x > spec.width - 20 || y > spec.height - 20) return false;
   if ([layout.start, ...layout.minerals].some((other) => distance(other, disc) < APART)) return false;
-  return bodiesOf(layout).every((body) => distance(body, disc) >= body.radius + RADIUS + GAP);
+  return bodiesOf(layout).every((body) => distance(body, disc) >= body.radius + MINERAL_RADIUS + GAP);
 }

@@ -1,4 +1,5 @@
 import type { Random } from '../random.ts';
+import type { ThemeName } from './theme-name.ts';
 
 const FIRST = [
   ...['Amber', 'Borrowed', 'Broken', 'Copper', 'Crooked', 'Distant', 'Drowsy', 'Dusty', 'Eleventh', 'Faint', 'Fallen', 'Far'],
@@ -14,6 +15,30 @@ const SECOND = [
   ...['Tether', 'Thread', 'Tide', 'Trail', 'Turn', 'Vault', 'Wake', 'Waltz', 'Way'],
 ] as const;
 
+/** Second words that say what the level is like. */
+const OF_THEME: Readonly<Record<ThemeName, readonly string[]>> = {
+  orbits: ['Carousel', 'Circle', 'Crown', 'Halo', 'Moon', 'Orbit', 'Ring', 'Round', 'Satellite', 'Waltz', 'Wheel', 'Whirl'],
+  corridors: [
+    'Aisle',
+    'Alley',
+    'Avenue',
+    'Canal',
+    'Channel',
+    'Colonnade',
+    'Hallway',
+    'Lane',
+    'Passage',
+    'Street',
+    'Tunnel',
+    'Walk',
+  ],
+  slings: ['Arrow', 'Catapult', 'Crossing', 'Dash', 'Flight', 'Gate', 'Leap', 'Shot', 'Sling', 'Throw', 'Vault', 'Voyage'],
+  lures: ['Bait', 'Bargain', 'Decoy', 'Glitter', 'Jewel', 'Lure', 'Pocket', 'Purse', 'Siren', 'Temptation', 'Treasure', 'Wager'],
+  fields: ['Barrage', 'Barrier', 'Breeze', 'Cushion', 'Dyke', 'Fence', 'Hedge', 'Levee', 'Shield', 'Surf', 'Wall', 'Weir'],
+};
+
 /** A random name for a level, made of two words. */
-export const nameLevel = (random: Random): string =>
-  `${FIRST[random.below(FIRST.length)]} ${SECOND[random.below(SECOND.length)]}`;
+export function nameLevel(random: Random, theme: ThemeName | null): string {
+  const second = theme === null ? SECOND : OF_THEME[theme];
+  return `${FIRST[random.below(FIRST.length)]} ${second[random.below(second.length)]}`;
+}

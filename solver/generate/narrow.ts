@@ -3,13 +3,15 @@ import { rulesOf } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
-import type { Candidate } from '../verified-run.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { fits, type Layout, NOVA_MARGIN } from './layout.ts';
 import { toLevel } from './level-file.ts';
+import type { Stage } from './stage.ts';
 import { distanceToWays, forgives, type Way } from './tube.ts';
 
 const ANY: Goal = { minerals: 'any' };
+const ALL: Goal = { minerals: 'all' };
 
 const RADIUS = 16;
 
@@ -29,23 +31,41 @@ const RESERVE = 0.06;
  * wanted success or breaking the certificate.
  * @returns the layout, or null when there is no such place
  */
-export function narrowWay(layout: Layout, spec: GeneratorSpec, run: Candidate, way: Way, random: Random): Layout | null {
+export function narrowWay(
+  layout: Layout,
+  spec: GeneratorSpec,
+  run: Candidate,
+  way: Way,
+  random: Random,
+  { slots, detour }: Stage,
+): Layout | null {
   const p40 = (grown: Layout) =>
     successProbability(compile(toLevel(grown), 'arcade'), run.holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p;
   const now = p40(layout);
   const least = RADIUS + boxOf(rulesOf(layout)).halfDiagonal + 1;
   const offset = () => random.below(2 * Math.ceil(least + NEAR) + 1) - Math.ceil(least + NEAR);
   const narrowed: { readonly layout: Layout; readonly p: number }[] = [];
+  const beside = slots.filter((slot) => {
+    const away = distanceToWays([way], slot) - slot.radius + RADIUS;
+    return away >= least && away <= least + NEAR;
+  });
   for (let i = 0; i < PLACES; i++) {
     const at = way[random.below(way.length)];
-    const nova = { x: Math.round(at.x) + offset(), y: Math.round(at.y) + offset(), radius: RADIUS };
-    const away = distanceToWays([way], nova);
+    const nova =
+      beside.length > 0
+        ? beside[random.below(beside.length)]
+        : { x: Math.round(at.x) + offset(), y: Math.round(at.y) + offset(), radius: RADIUS };
+    const away = distanceToWays([way], nova) - nova.radius + RADIUS;
     if (away < least || away > least + NEAR || !fits(layout, spec, nova, undefined, NOVA_MARGIN)) continue;
     const grown = { ...layout, novae: [...layout.novae, nova] };
     const p = p40(grown);
     if (p < now - 0.01 && p >= spec.p40 + RESERVE) narrowed.push({ layout: grown, p });
   }
   narrowed.sort((a, b) => a.p - b.p);
-  const isOpen = (grown: Layout) => forgives(compile(toLevel(grown), 'arcade'), run.holds, spec.certifiedTicks, random);
+  const isOpen = (grown: Layout) => {
+    const scene = compile(toLevel(grown), 'arcade');
+    if (detour !== null && verifyRun(scene, detour.holds, ALL) === null) return false;
+    return forgives(scene, run.holds, spec.certifiedTicks, random);
+  };
   return narrowed.find((grown) => isOpen(grown.layout))?.layout ?? null;
 }

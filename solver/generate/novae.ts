@@ -40,16 +40,25 @@ export function addNovae(layout: Layout, spec: GeneratorSpec, free: readonly Way
   return grown;
 }
 
-/** Puts a nova on a path that is too easy, if that leaves all `free` paths open; null where there is no such place. */
+/**
+ * Puts a nova on a path that is too easy, if that leaves all `free` paths open: on one of the `slots` where one will do. null where
+ * there is no such place.
+ */
 export function blockWay(
   layout: Layout,
   spec: GeneratorSpec,
   free: readonly Way[],
   shortcut: Way,
   random: Random,
+  slots: readonly Disc[] = [],
 ): Layout | null {
   const places: Disc[] = [];
   const offsets = offsetsOf(layout);
+  for (const slot of slots) {
+    if (distanceToWays([shortcut], slot) <= slot.radius + offsets[1][0] - RADII[0] && freeNova(layout, spec, free, slot) !== null)
+      places.push(slot);
+  }
+  if (places.length > 0) return { ...layout, novae: [...layout.novae, places[random.below(places.length)]] };
   for (const at of shortcut) {
     for (const [dx, dy] of offsets) {
       const nova = freeNova(layout, spec, free, { x: Math.round(at.x) + dx, y: Math.round(at.y) + dy, radius: RADII[0] });

@@ -132,3 +132,13 @@ export function varietyOf(files: readonly LevelFile[]): Variety | null {
   }
   return closest === null ? null : { mean: sum / pairs, closest };
 }
+
+/**
+ * Measures how far each level is from the one that is most like it.
+ * @param files at least two levels, each with a run
+ * @returns a distance for each level, in the same order
+ */
+export function nearestDistances(files: readonly LevelFile[]): number[] {
+  const traits = files.map(traitsOf);
+  return traits.map((one, i) => Math.min(...traits.filter((_, k) => k !== i).map((other) => distanceBetween(one, other))));
+}

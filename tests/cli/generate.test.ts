@@ -2,7 +2,7 @@ import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
-import { generatedPath, keepLevel } from '../../cli/generate/keep-level.ts';
+import { generatedPath, keepLevel, packPath } from '../../cli/generate/keep-level.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
@@ -20,6 +20,11 @@ describe('a generated level', () => {
 
   it('has a file named after it and its seed', () => {
     expect(generatedPath('out', level.name, 7)).toBe(join('out', 'gentle-bend-7.level.json'));
+  });
+
+  it('has a number in a pack, with as many digits as the last level of it', () => {
+    expect(packPath('out', level.name, 3, 8)).toBe(join('out', '03-gentle-bend.level.json'));
+    expect(packPath('out', level.name, 3, 120)).toBe(join('out', '003-gentle-bend.level.json'));
   });
 
   it('is written once, and never overwrites another file', () => {
@@ -91,6 +96,19 @@ describe('gq generate', () => {
     },
   );
 
+  it('says of a pack which levels are missing, the same for any number of threads', async () => {
+    const args = '--pack pack --count 3 --theme mixed --size small --difficulty easy --effort 3000 --format json --jobs';
+    const ended = await Promise.all([generate(`${args} 1`), generate(`${args} 2`, gqProcess)]);
+    expect(ended.map(({ code }) => code)).toEqual([1, 1]);
+    expect(ended[1].stdout).toBe(ended[0].stdout);
+    const { levels, asked } = generateReportSchema.parse(JSON.parse(ended[0].stdout));
+    expect(asked).toBe(3);
+    expect(levels.every(({ status }) => status === 'nothing')).toBe(true);
+    // each was tried with four seeds
+    expect(levels.every(({ attempts }) => attempts >= 4)).toBe(true);
+    expect(readdirSync(join(cwd, 'pack'))).toEqual([]);
+  });
+
   it.runIf(process.platform === 'linux')('reports before the work that the folder is not writable', async () => {
     const { code, stdout, stderr } = await generate('--out /proc/self --count 500 --difficulty hard');
     expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
@@ -100,7 +118,12 @@ describe('gq generate', () => {
   });
 
   it.each([
-    ['--count 1', "required option '--out <dir>' not specified"],
+    ['--count 1', 'expected either --out <dir>, for single levels, or --pack <dir>'],
+    ['--out x --pack y', 'expected either --out <dir>, for single levels, or --pack <dir>'],
+    ['--out x --theme caves', 'Allowed choices are orbits, corridors, slings, lures, fields, mixed'],
+    ['--out x --theme mixed', '--theme mixed: expected --pack <dir> as well'],
+    ['--out x --symmetry mirror', '--symmetry mirror: expected --theme as well'],
+    ['--out x --tempting', '--tempting: expected --theme as well'],
     ['--out x --seed 4294967295 --count 3', 'expected seeds up to 4294967295, found up to 4294967297'],
     ['--out x --size huge', 'expected small, medium, large, or WIDTHxHEIGHT'],
     ['--out x --size 100x100', 'with sides of 360 to 4000 px'],

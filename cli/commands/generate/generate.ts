@@ -1,11 +1,16 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
-import { type Command, InvalidArgumentError } from 'commander';
+import { type Command, InvalidArgumentError, Option } from 'commander';
 import type { GenerateReport } from '../../../schema/index.ts';
 import {
   type GeneratorOptions,
   INGREDIENTS,
   type Ingredient,
+  type PackOptions,
+  SYMMETRIES,
+  type SymmetryKind,
+  THEME_NAMES,
+  type ThemeName,
   USUAL_INGREDIENTS,
   varietyOf,
   type WantedDifficulty,
@@ -16,7 +21,7 @@ import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import type { GenerateTask, MadeLevel } from '../../generate/index.ts';
-import { generatedPath, keepLevel, makeDirectory, makeLevels } from '../../generate/index.ts';
+import { generatedPath, keepLevel, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
 import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
@@ -28,12 +33,16 @@ import { generateJson, generatePretty } from './report.ts';
 const DEFAULT_EFFORT = 500_000_000;
 
 interface Options extends ConfigOptions {
-  readonly out: string;
+  readonly out?: string;
+  readonly pack?: string;
   readonly count: number;
   readonly seed: number;
   readonly size: WantedSize;
   readonly difficulty: WantedDifficulty;
   readonly ingredients?: readonly Ingredient[];
+  readonly theme?: ThemeName | 'mixed';
+  readonly symmetry?: SymmetryKind;
+  readonly tempting?: boolean;
   readonly effort: number;
   readonly jobs: number;
   readonly format: 'pretty' | 'json';
@@ -44,7 +53,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .description(
       'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
     )
-    .requiredOption('--out <dir>', 'directory for the level files; it is created when missing')
+    .option('--out <dir>', 'directory for the level files; it is created when missing')
+    .option('--pack <dir>', 'make a pack instead: numbered files, grades that rise to --difficulty, no two levels alike')
     .option(
       '--count <n>',
       'how many levels to make, each from a seed of its own',
@@ -59,6 +69,18 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       `what levels may contain besides asteroids, novae and minerals: ${INGREDIENTS.join(',')} or none (default: "${USUAL_INGREDIENTS.join(',')}")`,
       parseIngredients,
     )
+    .addOption(
+      new Option('--theme <name>', 'compose each level around a theme; mixed: in a pack, one after the other').choices([
+        ...THEME_NAMES,
+        'mixed',
+      ]),
+    )
+    .addOption(
+      new Option('--symmetry <kind>', "symmetry of the novae of a level with a theme (default: the theme's own)").choices(
+        SYMMETRIES,
+      ),
+    )
+    .option('--tempting', 'with a theme: a mineral lies off the run "solution"; lures always has one')
     .option(
       '--effort <ticks>',
       'most ticks of 1/60 s to simulate for each level',
@@ -73,7 +95,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if a
 run "all-minerals" collects every mineral; and if drifting does not complete it and hardly any single press does. The level of a
 seed is the same on every machine and for any --jobs. Levels are made from the seeds S, S + 1, ..., and a file is named after its
-level and its seed. Existing files are never overwritten. Rules that gq.config.json sets are written into the files, so that the
+level and its seed. In a pack, a level
+that is too close to an earlier one gives way to one of another seed. Existing files are never overwritten. Rules that gq.config.json sets are written into the files, so that the
 levels stay completable. Ctrl-C ends the command; the files written so far stay.
 
 Exit code: 0 when every level was made; 1 when a seed gave no good level; 2 when a file could not be written, or another file
@@ -82,20 +105,52 @@ has its name; 130 and 143 after SIGINT and SIGTERM.
 Examples:
   $ gq generate --out drafts
   $ gq generate --out drafts --count 10 --seed 100 --difficulty hard --size large
-  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil`,
+  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil
+  $ gq generate --out drafts --theme orbits --symmetry rotate --tempting
+  $ gq generate --pack levels/orbits --count 8 --theme mixed --seed 7`,
     )
     .action(async (options: Options) => finish(await generate(options)));
 }
 
 async function generate(options: Options): Promise<CommandResult> {
-  const { out, count, seed, size, difficulty, ingredients, effort, jobs } = options;
+  const { count, seed, size, difficulty, ingredients, effort, jobs, theme, symmetry, tempting, pack } = options;
+  const out = pack ?? options.out;
+  if (out === undefined || (pack !== undefined && options.out !== undefined))
+    throw new Failure('expected either --out <dir>, for single levels, or --pack <dir>');
+  if (theme === undefined && (symmetry !== undefined || tempting)) {
+    const given = symmetry === undefined ? '--tempting' : `--symmetry ${symmetry}`;
+    throw new Failure(
+      `${given}: expected --theme as well, one of ${THEME_NAMES.join(', ')}; levels without a theme are laid out at random`,
+    );
+  }
   // each level has a seed of its own, with which it can be generated again
   if (seed + count - 1 > LARGEST_SEED)
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
+  if (theme === 'mixed' && pack === undefined)
+    throw new Failure(`--theme mixed: expected --pack <dir> as well; for single levels, one of ${THEME_NAMES.join(', ')}`);
   const { rules } = readConfiguration(options);
   await uncut(() => makeDirectory(out));
+  if (pack !== undefined) {
+    const rest = { ...(ingredients && { ingredients }), ...(symmetry && { symmetry }), ...(tempting && { tempting }) };
+    const grades = PACK_GRADES[typeof difficulty === 'number' ? 'medium' : difficulty];
+    const [first, last] = typeof difficulty === 'number' ? ([Math.min(grades[0], difficulty), difficulty] as const) : grades;
+    return generatePack(
+      { count, seed, size, rules, theme: theme ?? 'none', grades: [first, last], ...rest },
+      { out, effort, jobs },
+      options.format,
+    );
+  }
   const tasks = Array.from({ length: count }, (_, i): GenerateTask => {
-    const options: GeneratorOptions = { seed: seed + i, size, difficulty, rules, ...(ingredients && { ingredients }) };
+    const options: GeneratorOptions = {
+      seed: seed + i,
+      size,
+      difficulty,
+      rules,
+      ...(ingredients && { ingredients }),
+      ...(theme && theme !== 'mixed' && { theme }),
+      ...(symmetry && { symmetry }),
+      ...(tempting && { tempting }),
+    };
     return { options, effort };
   });
   const done: GenerateReport['levels'][number][] = [];
@@ -113,15 +168,27 @@ async function generate(options: Options): Promise<CommandResult> {
   }
   done.sort((a, b) => a.seed - b.seed);
   made.sort((a, b) => a.seed - b.seed);
+  return say(done, made, count, {}, options.format);
+}
+
+/** The report on levels, and the exit code. */
+function say(
+  done: GenerateReport['levels'],
+  made: readonly MadeLevel[],
+  asked: number,
+  moreReasons: GenerateReport['reasons'],
+  format: Options['format'],
+): CommandResult {
+  const alike = Object.values(moreReasons).reduce((sum, n) => sum + n, 0);
   const report: GenerateReport = {
     version: 1,
-    asked: count,
+    asked,
     levels: done,
-    rejected: done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
-    reasons: reasonsOf(made),
+    rejected: alike + done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
+    reasons: { ...reasonsOf(made), ...moreReasons },
     variety: variety(made),
   };
-  const output = options.format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
+  const output = format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
   const taken = done.filter(({ status }) => status === 'in the way');
   const messages = taken
     .map(
@@ -131,6 +198,29 @@ async function generate(options: Options): Promise<CommandResult> {
     .join('');
   const exitCode = taken.length > 0 ? 2 : done.some(({ status }) => status === 'nothing') ? 1 : 0;
   return { output, messages, exitCode };
+}
+
+/** The grades of the first and the last level of a pack. */
+const PACK_GRADES = { easy: [1.7, 3], medium: [2, 5], hard: [3.5, 6.5] } as const;
+
+/** Makes a pack. Levels are written in their order, each as soon as those before it are there. */
+async function generatePack(
+  pack: PackOptions,
+  { out, effort, jobs }: { readonly out: string; readonly effort: number; readonly jobs: number },
+  format: Options['format'],
+): Promise<CommandResult> {
+  const done: GenerateReport['levels'][number][] = [];
+  const progress = createProgress('generated', pack.count);
+  try {
+    const { made, alike } = await makePack(pack, effort, jobs, async (index, one) => {
+      progress.update(done.length + 1);
+      const name = one.made?.level.name ?? '';
+      await uncut(() => void done.push(keep(out, one, packPath(out, name, index + 1, pack.count))));
+    });
+    return say(done, made, pack.count, alike > 0 ? { alike } : {}, format);
+  } finally {
+    progress.clear();
+  }
 }
 
 /** How many layouts were thrown away for each reason, all levels together. */
@@ -148,14 +238,17 @@ function variety(made: readonly MadeLevel[]): GenerateReport['variety'] {
   return { mean: found.mean, closest: { distance, seeds: [levels[first].seed, levels[second].seed] } };
 }
 
-function keep(out: string, { seed, made, length, attempts, ticks }: MadeLevel): GenerateReport['levels'][number] {
+function keep(out: string, { seed, made, length, attempts, ticks }: MadeLevel, path?: string): GenerateReport['levels'][number] {
   const cost = { seed, attempts, ticks };
   if (made === null) {
-    const nothing = { file: null, name: null, grade: null, p40: null, certifiedTicks: null, length: null, presses: null };
+    const nothing = {
+      ...{ file: null, name: null, grade: null, p40: null, certifiedTicks: null, length: null, presses: null },
+      ...{ theme: null, symmetry: null, aside: null },
+    };
     return { ...cost, status: 'nothing', ...nothing };
   }
-  const { level, robustness, grade, holds } = made;
-  const file = generatedPath(out, level.name, seed);
+  const { level, robustness, grade, holds, theme, symmetry, aside } = made;
+  const file = path ?? generatedPath(out, level.name, seed);
   return {
     ...cost,
     status: keepLevel(out, file, made),
@@ -166,6 +259,9 @@ function keep(out: string, { seed, made, length, attempts, ticks }: MadeLevel): 
     certifiedTicks: robustness.certifiedTicks,
     length,
     presses: holds.length,
+    theme,
+    symmetry,
+    aside,
   };
 }
 

@@ -10,15 +10,19 @@ export const generateJson = (report: GenerateReport): string => `${JSON.stringif
 
 /** The results of `generate` for people. */
 export function generatePretty({ levels, rejected, reasons, variety }: GenerateReport, colors: Colors): string {
-  const rows = levels.map(({ file, seed, status, grade, p40, certifiedTicks, length, presses, attempts }) => [
-    status,
-    file === null ? `seed ${seed}` : visibleLine(file),
-    grade === null ? '' : `${grade.word} ${grade.value.toFixed(1)}`,
-    p40 === null ? '' : `${percent(p40)} success at 40 ms`,
-    certifiedTicks === null ? '' : `certified ${plural(certifiedTicks, 'tick')}`,
-    length === null || presses === null ? '' : `${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`,
-    `${plural(attempts, 'layout')} tried`,
-  ]);
+  const isThemed = levels.some(({ theme }) => theme !== null);
+  const rows = levels.map(
+    ({ file, seed, status, grade, p40, certifiedTicks, length, presses, attempts, theme, symmetry, aside }) => [
+      status,
+      file === null ? `seed ${seed}` : visibleLine(file),
+      grade === null ? '' : `${grade.word} ${grade.value.toFixed(1)}`,
+      p40 === null ? '' : `${percent(p40)} success at 40 ms`,
+      certifiedTicks === null ? '' : `certified ${plural(certifiedTicks, 'tick')}`,
+      length === null || presses === null ? '' : `${length.toFixed(2)} s, ${plural(presses, 'press', 'presses')}`,
+      ...(isThemed ? [themeWords(theme, symmetry), aside === null ? '' : `${plural(aside, 'mineral')} off the solution`] : []),
+      `${plural(attempts, 'layout')} tried`,
+    ],
+  );
   const paint = (status: GenerateReport['levels'][number]['status']) =>
     status === 'written' || status === 'unchanged' ? colors.green : colors.yellow;
   const lines = alignColumns(rows).map((line, i) => {
@@ -37,13 +41,27 @@ export function generatePretty({ levels, rejected, reasons, variety }: GenerateR
   return `${lines.join('')}${plural(written, 'level')} written${thrown}\n${differ}`;
 }
 
+/** How much a level is of its theme, and how symmetric. */
+function themeWords(
+  theme: GenerateReport['levels'][number]['theme'],
+  symmetry: GenerateReport['levels'][number]['symmetry'],
+): string {
+  if (theme === null) return '';
+  const novae = symmetry === null ? '' : `, ${percent(symmetry.share)} of the novae have a counterpart`;
+  return `${theme.name}: ${theme.value.toFixed(2)} ${theme.measured}${novae}`;
+}
+
 /** Why layouts are rejected, in words. */
-const WORDS: Readonly<Record<Rejection, string>> = {
+const WORDS: Readonly<Record<Rejection | 'alike', string>> = {
   noRoom: 'without room for the asteroids',
   noRun: 'without a run to build around',
+  noDetour: 'whose minerals lead nowhere else',
+  offTheme: 'with too little of the theme',
+  asymmetric: 'not symmetric enough',
   tooEasy: 'too easy',
   tooHard: 'too hard',
   unforgiving: 'not robust',
   noMinerals: 'whose minerals no run collects',
   warnings: 'with warnings',
+  alike: 'too close to an earlier level of the pack',
 };

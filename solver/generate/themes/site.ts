@@ -1,0 +1,98 @@
+import { boxOf } from '../../../engine/index.ts';
+import { type Disc, type Place, rulesOf } from '../../../schema/basics/index.ts';
+import type { Random } from '../../random.ts';
+import type { GeneratorSpec } from '../generator-spec.ts';
+import { distance, emptyLayout, fits, type Layout, NOVA_MARGIN, tryOften } from '../layout.ts';
+import { distanceToWays, type Way } from '../tube.ts';
+
+/** px of the grid on which themes place asteroids and repulsors, and of the finer one for novae that follow no curve. */
+export const COARSE = 8;
+export const FINE = 4;
+
+/** The place of a grid that is nearest to a place. */
+export const snap = ({ x, y }: Place, grid: number): Place => ({
+  x: Math.round(x / grid) * grid,
+  y: Math.round(y / grid) * grid,
+});
+
+// px between the centres of two asteroids, at least.
+const ASTEROIDS_APART = 130;
+
+/** A level while a theme composes it. What does not fit is left out, and what would close a way that must stay open. */
+export class Site {
+  readonly spec: GeneratorSpec;
+  readonly random: Random;
+  layout: Layout;
+  /** Ways that novae must leave open. */
+  readonly free: readonly Way[];
+  /** Places that continue the composition, for novae that make the level harder. */
+  readonly slots: Disc[] = [];
+
+  constructor(spec: GeneratorSpec, random: Random, layout: Layout = emptyLayout(spec), free: readonly Way[] = []) {
+    this.spec = spec;
+    this.random = random;
+    this.layout = layout;
+    this.free = free;
+  }
+
+  /** A random whole number in [least, most]. */
+  between(least: number, most: number): number {
+    return least + this.random.below(Math.max(0, Math.round(most) - least) + 1);
+  }
+
+  /** Whether the level may contain an ingredient, and one draw of `n` is 0. */
+  mayContain(ingredient: GeneratorSpec['ingredients'][number], n: number): boolean {
+    return this.spec.ingredients.includes(ingredient) && this.random.below(n) === 0;
+  }
+
+  /** A random place of the coarse grid, at a distance of [least, most] px from another. */
+  near(around: Place, least: number, most: number): Place {
+    for (;;) {
+      const place = { x: this.between(0, 2 * most) - most, y: this.between(0, 2 * most) - most };
+      const away = distance(place, { x: 0, y: 0 });
+      if (away >= least && away <= most) return snap({ x: around.x + place.x, y: around.y + place.y }, COARSE);
+    }
+  }
+
+  start(place: Place, vx = 0, vy = 0): void {
+    this.layout = { ...this.layout, start: { ...snap(place, COARSE), vx, vy } };
+  }
+
+  /** Tries to place an asteroid at one of the places that `find` draws. */
+  asteroid(find: () => Place, radius: number, hot = false): Place | null {
+    const found = tryOften(() => {
+      const disc = { ...snap(find(), COARSE), radius };
+      const apart = this.layout.asteroids.every((other) => distance(other, disc) >= ASTEROIDS_APART);
+      return apart && fits(this.layout, this.spec, disc) ? disc : null;
+    });
+    if (found !== null) this.layout = { ...this.layout, asteroids: [...this.layout.asteroids, { ...found, hot }] };
+    return found;
+  }
+
+  repulsor(place: Place, radius: number): boolean {
+    const disc = { ...snap(place, COARSE), radius };
+    if (!fits(this.layout, this.spec, disc)) return false;
+    this.layout = { ...this.layout, repulsors: [...this.layout.repulsors, disc] };
+    return true;
+  }
+
+  /** Whether a nova fits and leaves all ways open with so much room beyond her box, px. */
+  takesNova(disc: Disc, room: number = this.spec.room): boolean {
+    if (!fits(this.layout, this.spec, disc, undefined, NOVA_MARGIN)) return false;
+    if (this.layout.minerals.some((mineral) => distance(mineral, disc) < mineral.radius + disc.radius + FINE)) return false;
+    return distanceToWays(this.free, disc) >= disc.radius + boxOf(rulesOf(this.layout)).halfDiagonal + room;
+  }
+
+  /** Places a nova, at whole px. */
+  nova({ x, y }: Place, radius: number): boolean {
+    const disc = { x: Math.round(x), y: Math.round(y), radius };
+    if (!this.takesNova(disc)) return false;
+    this.layout = { ...this.layout, novae: [...this.layout.novae, disc] };
+    return true;
+  }
+
+  /** Offers a place for a nova. */
+  slot({ x, y }: Place, radius: number): void {
+    this.slots.push({ x: Math.round(x), y: Math.round(y), radius });
+  }
+}
