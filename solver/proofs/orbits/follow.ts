@@ -15,6 +15,8 @@ const BEND = 0.12;
 /** Length of a part near the centre, s. */
 const NEAR_PART = 0.1;
 const MOST_PARTS = 8;
+/** It gives up after this much work for each box that it may follow, looks: where boxes grow large, each is cut into thousands. */
+const LOOKS_A_BOX = 60;
 const RANGE: Blocker = { kind: 'range' };
 
 /** Everything that she may do from the start, as far as it was followed. */
@@ -47,7 +49,7 @@ export function followOrbits(
   most: { readonly steps: number; readonly boxes: number },
   watch: OrbitWatch = {},
 ): OrbitResult {
-  const fan = new OrbitFan(setting, about, goal, grid, watch);
+  const fan = new OrbitFan(setting, about, goal, grid, watch, setting.budget.looks + LOOKS_A_BOX * most.boxes);
   let boxes = 0;
   const end = (closed: boolean, steps: number, why: string): OrbitResult => ({
     closed,
@@ -76,6 +78,7 @@ export function followOrbits(
 class OrbitFan extends Moves {
   readonly endedBy = new Set<Blocker>();
   private readonly grid: OrbitGrid;
+  private readonly mostLooks: number;
   /** Length of a step, s. */
   private readonly step: number;
   private readonly turns: number;
@@ -85,9 +88,10 @@ class OrbitFan extends Moves {
   private readonly part = new Float64Array(NUMBERS);
   private readonly cut = new Float64Array(NUMBERS);
 
-  constructor(setting: Setting, about: About, goal: Thing, grid: OrbitGrid, watch: OrbitWatch) {
+  constructor(setting: Setting, about: About, goal: Thing, grid: OrbitGrid, watch: OrbitWatch, mostLooks: number) {
     super(setting, orbitScene(setting, about, goal), watch);
     this.grid = grid;
+    this.mostLooks = mostLooks;
     this.step = grid.frames * TICK;
     this.turns = Math.max(4, Math.round((2 * Math.PI * 100) / grid.place));
     this.turn = (2 * Math.PI) / this.turns;
@@ -141,9 +145,15 @@ class OrbitFan extends Moves {
       setting.budget.look(cost / 8);
       for (let n = 0, o = b * NUMBERS; n < NUMBERS; n++, o++) box[n] = now.boxes[o];
       const chart = now.charts[b];
-      if (!this.move(chart >> 1, chart % 2 === 0)) return false;
+      if (!this.move(chart >> 1, chart % 2 === 0) || this.isTooMuch()) return false;
     }
     return this.settle(next);
+  }
+
+  private isTooMuch(): boolean {
+    if (this.setting.budget.looks <= this.mostLooks) return false;
+    this.why = 'boxes have too many parts';
+    return true;
   }
 
   /** Follows the present box through a step, in parts that are short where she turns quickly, and puts it into its cells. */
@@ -302,6 +312,7 @@ class OrbitFan extends Moves {
     const { raw, box, rocks } = this;
     const { range } = this.setting.level;
     for (let b = 0; b < raw.size; b++) {
+      if (this.isTooMuch()) return false;
       for (let n = 0, o = b * NUMBERS; n < NUMBERS; n++, o++) box[n] = raw.boxes[o];
       const chart = raw.charts[b];
       const i = chart >> 1;
