@@ -30,7 +30,7 @@ afterAll(files.remove);
 const run = (args: string) => gq(args.split(' '), { cwd });
 
 /** Enough for the states of this level to be proved, ticks. */
-const EFFORT = 2_000_000;
+const EFFORT = 5_000_000;
 
 async function report(args: string): Promise<CheckReport> {
   const { stdout, stderr } = await run(`check ${args} --format json --no-cache`);
