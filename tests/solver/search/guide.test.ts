@@ -79,8 +79,7 @@ describe('a map of ways', () => {
 describe('a guide', () => {
   it('sees the door ahead of her, and no door where a wall is', () => {
     const scene = compile(door(0), 'precise');
-    const guide = Guide.of(scene, 0);
-    if (guide === null) throw new Error('expected a guide, found none');
+    const guide = new Guide(scene, mapOf(door(0)), 0);
     const line = new LineOfFlight(scene);
     const here = guide.bandAt(0, 0, 0);
     const ahead = (vx: number, vy: number) => {
