@@ -239,8 +239,8 @@ function withMinerals(level: Level, holds: readonly Hold[], doors: number): Leve
  * the nearest asteroid, and the border between two asteroids is the wall. Let w be the width of a chamber. She leaves a chamber
  * at distance q from the middle, on the side where the next door is not, with the velocity (v, u), u pointing away from the
  * middle. Then the angular momentum is L = u w / 2 - q v, and about the next asteroid -(u w / 2 + q v): in the mirrored chamber it
- * has grown by 2 q v. So u / v = (L / v + q) / (w / 2) grows with each door, unless she is faster each time, up to a slope at which
- * her box no longer fits through.
+ * has grown by 2 q v. So u / v = (L / v + q) / (w / 2), and L grows at each door. Her box fits through a door up to some slope only,
+ * which takes speeds that grow geometrically. But she gains no more than a certain energy in a chamber.
  */
 export function makeMirrored(doors: number): Level {
   const wide = 200;

@@ -1,6 +1,6 @@
 import { type Scene, TICK_RATE } from '../../engine/index.ts';
 import type { LineOfFlight } from './line-of-flight.ts';
-import { NO_WAY, type WayMap } from './way-map.ts';
+import { NO_WAY, WayMap } from './way-map.ts';
 
 /** Height of a band, px of way. */
 const BAND = 40;
@@ -30,8 +30,7 @@ export class Guide {
   private lastMissing = -1;
   private last: Uint16Array = new Uint16Array(0);
 
-  /** @param aims how many minerals are aimed at */
-  constructor(scene: Scene, map: WayMap, aims: number) {
+  private constructor(scene: Scene, map: WayMap, aims: number) {
     const { minerals, box, level } = scene;
     this.map = map;
     this.band = (5 * BAND) / map.size;
@@ -40,6 +39,13 @@ export class Guide {
     this.toMineral = Array.from({ length: aims }, (_, i) =>
       map.fieldTo(minerals.x[i], minerals.y[i], minerals.r[i] + box.halfDiagonal),
     );
+  }
+
+  /** @param aims how many minerals are aimed at
+   * @returns null where the level is too large to be measured */
+  static of(scene: Scene, aims: number): Guide | null {
+    const map = WayMap.of(scene);
+    return map === null ? null : new Guide(scene, map, aims);
   }
 
   /**

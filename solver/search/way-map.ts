@@ -69,11 +69,6 @@ export class WayMap {
     return map;
   }
 
-  /** How many squares there are. */
-  get squares(): number {
-    return this.free.length;
-  }
-
   /** The square of a place; -1 outside the map. */
   squareAt(x: number, y: number): number {
     const column = Math.floor((x - this.left) / this.size);
@@ -129,11 +124,8 @@ export class WayMap {
     });
   }
 
-  /**
-   * Calls for each square within the map's margin whose centre lies within `r` of a place.
-   * @param call gets the square, and where its centre lies relative to the place, px
-   */
-  each(x: number, y: number, r: number, call: (square: number, dx: number, dy: number) => void): void {
+  /** Calls for each square within the map's margin whose centre lies within `r` of a place. */
+  private each(x: number, y: number, r: number, call: (square: number) => void): void {
     const { size, left, top, width, height } = this;
     const first = Math.max(1, Math.floor((y - r - top) / size));
     const last = Math.min(height - 2, Math.floor((y + r - top) / size));
@@ -142,7 +134,7 @@ export class WayMap {
       const half = Math.sqrt(Math.max(0, r * r - dy * dy));
       const from = Math.max(1, Math.ceil((x - half - left) / size - 0.5));
       const to = Math.min(width - 2, Math.floor((x + half - left) / size - 0.5));
-      for (let column = from; column <= to; column++) call(row * width + column, left + (column + 0.5) * size - x, dy);
+      for (let column = from; column <= to; column++) call(row * width + column);
     }
   }
 }

@@ -79,7 +79,8 @@ describe('a map of ways', () => {
 describe('a guide', () => {
   it('sees the door ahead of her, and no door where a wall is', () => {
     const scene = compile(door(0), 'precise');
-    const guide = new Guide(scene, mapOf(door(0)), 0);
+    const guide = Guide.of(scene, 0);
+    if (guide === null) throw new Error('expected a guide, found none');
     const line = new LineOfFlight(scene);
     const here = guide.bandAt(0, 0, 0);
     const ahead = (vx: number, vy: number) => {
