@@ -1,15 +1,16 @@
-import { compile, createSimulation, type Simulation, STATE_SIZE } from '../../engine/index.ts';
+import { compile, createSimulation, playScript, type Simulation, STATE_SIZE } from '../../engine/index.ts';
 import { type Asteroid, type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
-import { verifyRun } from '../../solver/index.ts';
+import { type Goal, verifyRun } from '../../solver/index.ts';
 import { seeded } from '../scenes/seeded.ts';
 
 /** The kinds of chains, see {@link makeChain}. */
-export const FAMILIES = ['straight', 'alternating', 'recoil', 'aliens'] as const;
+export const FAMILIES = ['straight', 'alternating', 'recoil', 'aliens', 'fields', 'minerals', 'turns', 'sharp turns'] as const;
 
 export type Family = (typeof FAMILIES)[number];
 
 export interface Chain {
   readonly level: Level;
+  readonly goal: Goal;
   /** A run that completes the level: the one that the walls were built around. */
   readonly holds: readonly Hold[];
 }
@@ -20,6 +21,10 @@ const APART = 150;
 const ASIDE = [45, 95] as const;
 /** The same for a straight chain, where all doors lie near the middle, px. */
 const STRAIGHT = 25;
+/** How far a door of a chain of turns lies above or below the middle, px. */
+const TURNED = [20, 70] as const;
+/** How far before its wall the asteroid of a door stands, px; 0 for the other families. */
+const BEFORE: Partial<Record<Family, number>> = { turns: 40, 'sharp turns': 75 };
 /** Half the height of a door, px. Her box is 32 px high and 20 px wide, and up to 38 px across its corners. */
 const HALF_DOOR = 26;
 /** Walls reach this far from the middle: beyond it she is lost. */
@@ -55,6 +60,10 @@ interface Passage {
  * - `alternating`: doors lie alternately above and below their asteroids, so a swing one way is followed by a swing the other way
  * - `recoil`: alternating, and asteroids are pulled as she is
  * - `aliens`: alternating, with an alien in every second chamber
+ * - `fields`: alternating, with a repulsor in every second chamber, around which or through which the run leads
+ * - `minerals`: alternating, with a mineral on the run in every second chamber; all of them have to be collected
+ * - `turns`: alternating, and each asteroid stands before its wall, so that she flies on into the next chamber without its pull
+ * - `sharp turns`: the same with asteroids so far before the walls that few runs pass; four doors are the most that were built
  *
  * @throws {Error} if no run was found to build around
  */
@@ -73,10 +82,15 @@ function attemptChain(family: Family, doors: number, random: () => number): Chai
   const first = random() < 0.5 ? 1 : -1;
   /** 1 where the way is low, -1 where it is high, 0 where it is in the middle. */
   const sideOf = (wall: number) => (family === 'straight' || wall === doors ? 0 : wall % 2 === 0 ? first : -first);
+  const before = BEFORE[family] ?? 0;
   const asteroids = Array.from(
     { length: doors },
-    (_, i): Asteroid => ({ id: null, x: wallAt(i) + between(-10, 10), y: between(-15, 15), radius: 16, hot: false }),
+    (_, i): Asteroid => ({ id: null, x: wallAt(i) - before + between(-10, 10), y: between(-15, 15), radius: 16, hot: false }),
   );
+  const repulsors =
+    family === 'fields'
+      ? everySecond(doors).map((i): Circle => ({ id: null, x: wallAt(i) - APART / 2, y: between(-70, 70), radius: 32 }))
+      : [];
   const open: Level = {
     name: `${family}-${doors}`,
     description: '',
@@ -86,12 +100,14 @@ function attemptChain(family: Family, doors: number, random: () => number): Chai
     recoil: family === 'recoil',
     ...NO_OBJECTS,
     asteroids,
+    repulsors,
     runs: [],
   };
+  const [least, most] = before > 0 ? TURNED : ASIDE;
   const passages = walk(open, doors + 1, random, (i, y) => {
     if (i === doors) return Math.abs(y) < ASIDE[1];
     const side = sideOf(i);
-    return side === 0 ? Math.abs(y) < STRAIGHT : side * y > ASIDE[0] && side * y < ASIDE[1];
+    return side === 0 ? Math.abs(y) < STRAIGHT : side * y > least && side * y < most;
   });
   if (passages === null) return null;
   const last = passages[doors];
@@ -102,8 +118,13 @@ function attemptChain(family: Family, doors: number, random: () => number): Chai
     novae: passages.slice(0, doors).flatMap(({ y }, i) => wall(wallAt(i), round(y))),
   };
   if (verifyRun(compile(level, 'precise'), holds, undefined, LONGEST_RUN) === null) return null;
-  return { level: family === 'aliens' ? withAliens(level, holds, doors, random) : level, holds };
+  if (family === 'minerals') return { level: withMinerals(level, holds, doors), goal: { minerals: 'all' }, holds };
+  return { level: family === 'aliens' ? withAliens(level, holds, doors, random) : level, goal: { minerals: 'any' }, holds };
 }
+
+/** The chambers that hold an alien, a repulsor or a mineral. */
+const everySecond = (doors: number): number[] =>
+  Array.from({ length: doors }, (_, chamber) => chamber).filter((chamber) => chamber % 2 === 1);
 
 /** The x of the i-th wall. */
 const wallAt = (i: number) => i * APART;
@@ -183,7 +204,7 @@ function wall(x: number, y: number, half = HALF_DOOR): Circle[] {
 /** The level with an alien in every second chamber, where `holds` still complete it. */
 function withAliens(level: Level, holds: readonly Hold[], doors: number, random: () => number): Level {
   let populated = level;
-  for (let chamber = 1; chamber < doors; chamber += 2) {
+  for (const chamber of everySecond(doors)) {
     for (let tries = 0; tries < 40; tries++) {
       const x = round(wallAt(chamber) - APART / 2 + (random() - 0.5) * 40);
       const y = round((random() - 0.5) * 360);
@@ -196,16 +217,37 @@ function withAliens(level: Level, holds: readonly Hold[], doors: number, random:
   return populated;
 }
 
+/** The level with a mineral where `holds` first reach the middle of every second chamber. */
+function withMinerals(level: Level, holds: readonly Hold[], doors: number): Level {
+  const simulation = createSimulation(compile(level, 'precise'));
+  const state = new Float64Array(STATE_SIZE);
+  const minerals: Circle[] = [];
+  for (const chamber of everySecond(doors)) {
+    do {
+      playScript(simulation, holds, simulation.tick + 1);
+      simulation.readState(state);
+    } while (state[0] < wallAt(chamber) - APART / 2);
+    minerals.push({ id: null, x: round(state[0]), y: round(state[1]), radius: 7 });
+  }
+  return { ...level, minerals };
+}
+
 /**
- * A chain whose asteroids lie in the middle between the walls, so that she has to be turned before each door and after it. Each
- * chamber is the mirror image of the one before. Nobody knows up to how many doors it can be completed.
+ * A chain whose asteroids lie exactly in the middle between the walls. Each chamber is the mirror image of the one before.
+ *
+ * It gets harder with every door and cannot go on for ever, since neither a hold nor a drift changes the angular momentum about
+ * the nearest asteroid, and the border between two asteroids is the wall. Let w be the width of a chamber. She leaves a chamber
+ * at distance q from the middle, on the side where the next door is not, with the velocity (v, u), u pointing away from the
+ * middle. Then the angular momentum is L = u w / 2 - q v, and about the next asteroid -(u w / 2 + q v): in the mirrored chamber it
+ * has grown by 2 q v. So u / v = (L / v + q) / (w / 2), and L grows at each door. Her box fits through a door up to some slope only,
+ * which takes speeds that grow geometrically. But she gains no more than a certain energy in a chamber.
  */
-export function makeTurns(doors: number): Level {
+export function makeMirrored(doors: number): Level {
   const wide = 200;
   const aside = 30;
   const side = (i: number) => (i % 2 === 0 ? -1 : 1);
   return {
-    name: `turns-${doors}`,
+    name: `mirrored-${doors}`,
     description: '',
     astronaut: { x: -wide / 2, y: aside, vx: 45, vy: 0 },
     blackHole: { x: doors * wide + 60, y: 0, radius: 18 },

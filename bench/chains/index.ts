@@ -1,1 +1,2 @@
-export { FAMILIES, LONGEST_RUN, makeChain, makeTurns } from './chain.ts';
+export { type Chain, FAMILIES, type Family, LONGEST_RUN, makeChain, makeMirrored } from './chain.ts';
+export { makeGrazing } from './grazing.ts';
