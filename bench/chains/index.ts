@@ -1,2 +1,2 @@
-export { type Chain, FAMILIES, type Family, LONGEST_RUN, makeChain, makeMirrored } from './chain.ts';
+export { type Chain, FAMILIES, LONGEST_RUN, makeChain, makeMirrored } from './chain.ts';
 export { makeGrazing } from './grazing.ts';
