@@ -9,11 +9,11 @@ const LEVELS = [
   { theme: 'orbits', seed: 1, difficulty: 1.7 },
   { theme: 'corridors', seed: 2, difficulty: 2 },
   { theme: 'slings', seed: 3, difficulty: 2.4 },
-  { theme: 'lures', seed: 3, difficulty: 'easy' },
+  { theme: 'lures', seed: 5, difficulty: 'easy' },
   { theme: 'fields', seed: 5, difficulty: 3 },
 ];
 
-// px of the whole picture, between levels, below them for the name, and of a level before all are scaled to fill two rows.
+// px of the whole picture, between levels, below them for the name, and of a level before all are scaled to the same height.
 const WIDTH = 1280;
 const GAP = 12;
 const LABEL = 34;
@@ -30,13 +30,14 @@ const drawn = LEVELS.map((options) => {
   return { theme: options.theme, svg, ratio: width / height };
 });
 
+// The widest of the two rows fills the picture.
+const rows = [drawn.slice(0, 3), drawn.slice(3)];
+const ratioOf = (row) => row.reduce((sum, { ratio }) => sum + ratio, 0);
+const height = Math.floor(Math.min(...rows.map((row) => (WIDTH - GAP * (row.length + 1)) / ratioOf(row))));
 let top = GAP;
-const rows = [drawn.slice(0, 3), drawn.slice(3)].map((row) => {
-  // all levels of a row are as high, and together as wide as the picture, or not much higher than those of a full row
-  const ratios = row.reduce((sum, { ratio }) => sum + ratio, 0);
-  const height = Math.min(360, Math.floor((WIDTH - GAP * (row.length + 1)) / ratios));
-  let left = (WIDTH - height * ratios - GAP * (row.length - 1)) / 2;
-  const cells = row.map(({ theme, svg, ratio }) => {
+const cells = rows.map((row) => {
+  let left = (WIDTH - height * ratioOf(row) - GAP * (row.length - 1)) / 2;
+  const inRow = row.map(({ theme, svg, ratio }) => {
     const [x, width] = [left, height * ratio];
     left += width + GAP;
     const inner = svg
@@ -51,10 +52,10 @@ const rows = [drawn.slice(0, 3), drawn.slice(3)].map((row) => {
     return `${inner.trim()}<text x="${middle}" y="${top + height + 23}" text-anchor="middle" font-family="system-ui,sans-serif" font-size="18" fill="#e4eaf1">${theme}</text>`;
   });
   top += height + LABEL;
-  return cells.join('\n');
+  return inRow.join('\n');
 });
 const names = LEVELS.map(({ theme }) => theme).join(', ');
 writeFileSync(
   new URL('themes.svg', import.meta.url),
-  `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${top}" viewBox="0 0 ${WIDTH} ${top}" role="img" aria-label="A generated level of each theme: ${names}"><rect width="${WIDTH}" height="${top}" fill="#0b1018"/>${rows.join('\n')}</svg>\n`,
+  `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${top}" viewBox="0 0 ${WIDTH} ${top}" role="img" aria-label="A generated level of each theme: ${names}"><rect width="${WIDTH}" height="${top}" fill="#0b1018"/>${cells.join('\n')}</svg>\n`,
 );

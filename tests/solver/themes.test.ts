@@ -92,7 +92,15 @@ const MEASURED_ANEW: Readonly<Record<ThemeName, (level: Level, places: Place[], 
     }
     return free >= 2 * THEMES.slings.least - 20;
   },
-  lures: ({ minerals }, places) => minerals.filter((mineral) => places.every((place) => away(place, mineral) > 48)).length >= 1,
+  // a mineral that she does not come near, with novae on a part of a circle around it: more than a fifth, and not all around
+  lures: ({ minerals, novae }, places) =>
+    minerals.some((mineral) => {
+      const arc = novae.filter((nova) => away(nova, mineral) < 70).map(({ x, y }) => Math.atan2(y - mineral.y, x - mineral.x));
+      arc.sort((a, b) => a - b);
+      const gaps = arc.map((angle, i) => (i + 1 < arc.length ? arc[i + 1] - angle : arc[0] + 2 * Math.PI - angle));
+      const open = Math.max(...gaps);
+      return arc.length >= 3 && open > 0.6 * Math.PI && open < 1.6 * Math.PI && places.every((place) => away(place, mineral) > 48);
+    }),
   fields: ({ repulsors }, places) =>
     places.filter((place) => repulsors.some((field) => away(field, place) < field.radius)).length >= 0.11 * places.length,
 };
