@@ -102,7 +102,9 @@ const MEASURED_ANEW: Readonly<Record<ThemeName, (level: Level, places: Place[], 
       arc.sort((a, b) => a - b);
       const gaps = arc.map((angle, i) => (i + 1 < arc.length ? arc[i + 1] - angle : arc[0] + 2 * Math.PI - angle));
       const open = Math.max(...gaps);
-      return arc.length >= 3 && open > 0.6 * Math.PI && open < 1.6 * Math.PI && places.every((place) => away(place, mineral) > 48);
+      return (
+        arc.length >= 3 && open > 0.6 * Math.PI && open < 1.6 * Math.PI && places.every((place) => away(place, mineral) > 48)
+      );
     }),
   fields: ({ repulsors }, places) =>
     places.filter((place) => repulsors.some((field) => away(field, place) < field.radius)).length >= 0.11 * places.length,
