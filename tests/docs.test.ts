@@ -220,7 +220,7 @@ describe('pictures', () => {
   const drawn = new Map(
     makers.map(([, level, picture, rest]) => [picture, ['gq', 'render', level, '-o', '-', ...rest.trim().split(' ')]]),
   );
-  const measured = ['docs/accuracy.svg', 'docs/fleet-model.svg', 'docs/packs.svg', 'docs/tunnelling.svg'];
+  const measured = ['docs/accuracy.svg', 'docs/fleet-model.svg', 'docs/packs.svg', 'docs/themes.svg', 'docs/tunnelling.svg'];
 
   it('are all made by a command that a page names', () => {
     const all = readdirSync(join(PROJECT, 'docs')).filter((name) => name.endsWith('.svg'));

@@ -36,7 +36,8 @@ const GRID = 2;
 /**
  * Places minerals where a wrong turn leads: off the route, so that the run that collects all of them is another one. Games leave
  * the route at random; a search looks for a run that passes where one of them has been, and the other minerals go onto that run,
- * as far from the route as possible. Before that, runs that need no mineral to lead elsewhere are tried.
+ * as far from the route as possible. Before that, runs that need no mineral to lead elsewhere are tried, and the one that leads
+ * farthest from the route is taken.
  * @param wanted how many minerals lie off the route, at least
  * @returns null when no run was found
  */
@@ -68,10 +69,13 @@ export function* findDetour(
     return run === null ? null : { layout: full, run };
   };
   // Another run that completes the level will do, if it takes longer: what is longer is seldom easier.
+  let [farthest, most]: [Detour | null, number] = [null, 0];
   for (const tour of yield* findWays(scene, ANY, random.next(), TOUR_EFFORT, [route])) {
     const detour = tour.tick > route.tick ? along(tour.holds, wayOf(scene, tour.holds)) : null;
-    if (detour !== null) return detour;
+    const aside = detour === null ? 0 : distanceToWays([own], detour.layout.minerals[0]);
+    if (aside > most) [farthest, most] = [detour, aside];
   }
+  if (farthest !== null) return farthest;
   for (let n = 0; n < PLACES && places.length > 0; n++) {
     const [lure] = places.splice(random.below(places.length), 1);
     const single = sceneOf({ ...layout, minerals: [lure] });

@@ -36,13 +36,12 @@ export function* finish(
   stage: Stage,
 ): Attempt {
   const [solution] = ways;
-  const { image, detour } = stage;
+  const { detour } = stage;
   const { layout, ticks } = withoutIdle(
     hardened,
     detour === null ? ways.slice(0, 3) : [...ways.slice(0, 3), detour],
     random.next(),
-    image,
-    stage.figures,
+    stage,
   );
   yield ticks;
   const bare = sceneOf(layout);

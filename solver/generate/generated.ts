@@ -25,9 +25,11 @@ export interface Generated {
 
 /** How much a level is of a theme. */
 export interface ThemeMeasure {
+  /** The theme. */
   readonly name: ThemeName;
   /** What is measured. */
   readonly measured: string;
+  /** What the level measures, in the unit that `measured` says. */
   readonly value: number;
   /** The least that a level of the theme measures. */
   readonly least: number;
@@ -35,6 +37,7 @@ export interface ThemeMeasure {
 
 /** How symmetric the novae of a level are. */
 export interface SymmetryMeasure {
+  /** The kind that was asked for, or that the theme has. */
   readonly kind: SymmetryKind;
   /** The share of novae that have a counterpart. */
   readonly share: number;

@@ -6,6 +6,7 @@ import { type Candidate, cutHolds } from '../verified-run.ts';
 import { distance, type Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
+import { PLAIN_STAGE, type Stage } from './stage.ts';
 import { type Image, partnerOf } from './themes/index.ts';
 
 // Games from the start, and games that leave each known run at a random tick.
@@ -101,22 +102,30 @@ function without(layout: Layout, list: List, object: unknown): Layout {
 /**
  * Removes idle objects: those without which every game ends as before, in the same tick. The games are the known runs and some
  * hundred random ones ({@link playGames}). So what is removed neither helps a run nor kills in any of them.
- * @param image a nova and its counterpart by symmetry stay or go together
- * @param figures novae that a theme has composed: those of one row or ring stay or go together
+ * @param stage a nova and its counterpart by symmetry stay or go together, and so do the novae of one row or ring that a theme has
+ *   composed; what it keeps is one with a mineral, and stays with it
  * @returns the leaner layout, and the ticks simulated
  */
 export function withoutIdle(
   layout: Layout,
   runs: readonly Candidate[],
   seed: number,
-  image: Image | null = null,
-  figures: readonly Disc[] = [],
+  { image, figures, kept }: Stage = PLAIN_STAGE,
 ): { layout: Layout; ticks: number } {
   const games = playGames(sceneFor(layout), runs, createRandom(seed));
   let ticks = games.length * 500;
   let lean = layout;
   for (const { list, place } of objectsOf(layout)) {
-    const together = list === 'novae' ? belonging(place as Disc, lean.novae, image, figures) : [place];
+    if (kept.includes(place as Disc)) continue;
+    const together =
+      list === 'novae'
+        ? belonging(
+            place as Disc,
+            lean.novae.filter((nova) => !kept.includes(nova)),
+            image,
+            figures,
+          )
+        : [place];
     // the others of its row have been tried with the first of them
     if (together.length === 0) continue;
     const candidate = together.reduce<Layout>((left, object) => without(left, list, object), lean);

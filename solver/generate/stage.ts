@@ -13,6 +13,8 @@ export interface Stage {
   readonly slots: readonly Disc[];
   /** The novae that the theme has composed. */
   readonly figures: readonly Disc[];
+  /** Novae and aliens that stay although they may be idle: those around a mineral that the detour collects. */
+  readonly kept: readonly Disc[];
   /** Where the counterpart of a nova belongs; null for no symmetry. */
   readonly image: Image | null;
   /** A run that collects all minerals, which lead elsewhere than the solution; null: minerals are placed in the end. */
@@ -22,7 +24,7 @@ export interface Stage {
 }
 
 /** A level without a theme. */
-export const PLAIN_STAGE: Stage = { theme: null, slots: [], figures: [], image: null, detour: null, detourWays: [] };
+export const PLAIN_STAGE: Stage = { theme: null, slots: [], figures: [], kept: [], image: null, detour: null, detourWays: [] };
 
 /** Whether a run is of the theme. */
 export function isOnTheme({ theme }: Stage, layout: Layout, run: Candidate): boolean {

@@ -20,14 +20,16 @@ interface Place {
 
 const away = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
 
-// Seeds whose layouts have a route that suits the theme.
+// Seeds whose layouts have a route that suits the theme. For lures it is the sixth layout of a generator with that seed.
 const SEEDS: Readonly<Record<ThemeName, readonly number[]>> = {
   orbits: [1, 4],
   corridors: [1, 7],
   slings: [0, 4],
-  lures: [1],
+  lures: [5],
   fields: [6],
 };
+
+const LURES_LAYOUT = 6;
 
 /** Composed levels of a theme, before they are made harder. */
 function composed(theme: ThemeName): { level: Level; route: Route }[] {
@@ -35,7 +37,8 @@ function composed(theme: ThemeName): { level: Level; route: Route }[] {
   const spec = { ...asked, ...THEMES[theme].adjust(asked) };
   const made: { level: Level; route: Route }[] = [];
   for (const seed of SEEDS[theme]) {
-    const random = createRandom(seed);
+    const source = createRandom(seed);
+    const random = theme === 'lures' ? Array.from({ length: LURES_LAYOUT }, () => source.fork())[LURES_LAYOUT - 1] : source;
     const site = new Site(spec, random);
     const route = THEMES[theme].arrange(site) ? findRoute(site.layout, spec, random, THEMES[theme]) : null;
     if (route === null) continue;
@@ -92,7 +95,17 @@ const MEASURED_ANEW: Readonly<Record<ThemeName, (level: Level, places: Place[], 
     }
     return free >= 2 * THEMES.slings.least - 20;
   },
-  lures: ({ minerals }, places) => minerals.filter((mineral) => places.every((place) => away(place, mineral) > 48)).length >= 1,
+  // a mineral that she does not come near, with novae on a part of a circle around it: more than a fifth, and not all around
+  lures: ({ minerals, novae }, places) =>
+    minerals.some((mineral) => {
+      const arc = novae.filter((nova) => away(nova, mineral) < 70).map(({ x, y }) => Math.atan2(y - mineral.y, x - mineral.x));
+      arc.sort((a, b) => a - b);
+      const gaps = arc.map((angle, i) => (i + 1 < arc.length ? arc[i + 1] - angle : arc[0] + 2 * Math.PI - angle));
+      const open = Math.max(...gaps);
+      return (
+        arc.length >= 3 && open > 0.6 * Math.PI && open < 1.6 * Math.PI && places.every((place) => away(place, mineral) > 48)
+      );
+    }),
   fields: ({ repulsors }, places) =>
     places.filter((place) => repulsors.some((field) => away(field, place) < field.radius)).length >= 0.11 * places.length,
 };

@@ -9,16 +9,20 @@ import type { Theme } from './theme.ts';
 /** px between a mineral and the route from which on it leads elsewhere. */
 export const ASIDE = 50;
 
-// A pocket: beads on a circle around a mineral.
+// A pocket: beads on an arc around a mineral. px from the mineral to their centres, tried in this order, and between two of them.
 const BEAD = 12;
-const POCKET = 46;
-const BEADS = 8;
+const RADII = [44, 50, 56, 62, 68] as const;
+const SPACING = 31;
+
+// An arc of so many directions is wide enough, a third of a turn; and beads without which it is not a pocket.
+const WIDE = TURN / 3;
+const FEWEST = 3;
 
 const ALIEN = 25;
 
-/** Minerals far from the route, in pockets of novae that are open to one side, with sleeping aliens beside them. */
+/** Minerals far from the route, each in a pocket of novae that is open to one side, with sleeping aliens beside them. */
 export const lures: Theme = {
-  measured: 'minerals off the route',
+  measured: 'minerals off the route in pockets of novae',
   least: 1,
   symmetry: 'none',
   adjust: () => ({ novae: 0 }),
@@ -34,16 +38,48 @@ export const lures: Theme = {
       for (let y = 32; y < site.spec.height; y += 48) site.slot(snap({ x, y }, FINE), 16);
   },
 
-  measure: ({ minerals }, { places }) =>
-    minerals.filter((mineral) => places.every((place) => distance(place, mineral) >= ASIDE)).length,
+  measure: ({ minerals, novae }, { places }) =>
+    minerals.filter((mineral) => places.every((place) => distance(place, mineral) >= ASIDE) && isInPocket(mineral, novae)).length,
 };
 
-/** Beads around a mineral, where the ways leave room. */
-function pocket(site: Site, { x, y }: Disc): void {
-  for (let i = 0; i < BEADS; i++) {
-    const { x: dx, y: dy } = DIRECTIONS[(i * TURN) / BEADS];
-    site.nova({ x: x + dx * POCKET, y: y + dy * POCKET }, BEAD);
+function isInPocket(mineral: Disc, novae: readonly Disc[]): boolean {
+  const farthest = RADII[RADII.length - 1] + 1;
+  return novae.filter((nova) => nova.radius === BEAD && distance(nova, mineral) <= farthest).length >= FEWEST;
+}
+
+/** Beads on the widest arc around a mineral that the ways leave free. They stay, even if no game touches them. */
+function pocket(site: Site, mineral: Disc): void {
+  let best: { readonly radius: number; readonly first: number; readonly length: number } | null = null;
+  for (const radius of RADII) {
+    const free = DIRECTIONS.map(({ x, y }) =>
+      site.takesNova({ x: Math.round(mineral.x + x * radius), y: Math.round(mineral.y + y * radius), radius: BEAD }),
+    );
+    const [first, length] = longestStretch(free);
+    if (best === null || length > best.length) best = { radius, first, length };
+    if (length >= WIDE) break;
   }
+  if (best === null) return;
+  // her way in stays open
+  const length = Math.min(best.length, (2 * TURN) / 3);
+  const gaps = Math.floor(((2 * Math.PI * best.radius) / TURN) * ((length - 1) / SPACING));
+  if (gaps < FEWEST - 1) return;
+  for (let i = 0; i <= gaps; i++) {
+    const step = best.first + (best.length - length) / 2 + (i * (length - 1)) / gaps;
+    const { x, y } = DIRECTIONS[Math.round(step) % TURN];
+    site.keep(site.nova({ x: mineral.x + x * best.radius, y: mineral.y + y * best.radius }, BEAD));
+  }
+}
+
+/** The first index and the length of the longest stretch of directions that are free, all around. */
+function longestStretch(free: readonly boolean[]): readonly [first: number, length: number] {
+  if (free.every(Boolean)) return [0, free.length];
+  let [first, most] = [0, 0];
+  for (let from = 0; from < free.length; from++) {
+    let length = 0;
+    while (free[(from + length) % free.length]) length++;
+    if (length > most) [first, most] = [from, length];
+  }
+  return [first, most];
 }
 
 /** An alien that sleeps as long as she keeps to the route, and wakes when she comes for the mineral. */
@@ -60,6 +96,7 @@ function guard(site: Site, mineral: Disc): void {
     }
   }
   if (places.length === 0) return;
-  const place = places[site.random.below(places.length)];
-  site.layout = { ...site.layout, aliens: [...site.layout.aliens, { ...place, radius: ALIEN }] };
+  const alien = { ...places[site.random.below(places.length)], radius: ALIEN };
+  site.layout = { ...site.layout, aliens: [...site.layout.aliens, alien] };
+  site.keep(alien);
 }

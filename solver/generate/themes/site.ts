@@ -27,6 +27,8 @@ export class Site {
   readonly free: readonly Way[];
   /** Places that continue the composition, for novae that make the level harder. */
   readonly slots: Disc[] = [];
+  /** Novae and aliens that stay although no game may touch them, because something else needs them to be seen. */
+  readonly kept: Disc[] = [];
 
   constructor(spec: GeneratorSpec, random: Random, layout: Layout = emptyLayout(spec), free: readonly Way[] = []) {
     this.spec = spec;
@@ -83,12 +85,20 @@ export class Site {
     return distanceToWays(this.free, disc) >= disc.radius + boxOf(rulesOf(this.layout)).halfDiagonal + room;
   }
 
-  /** Places a nova, at whole px. */
-  nova({ x, y }: Place, radius: number): boolean {
+  /**
+   * Places a nova, at whole px.
+   * @returns the nova; null where it does not fit
+   */
+  nova({ x, y }: Place, radius: number): Disc | null {
     const disc = { x: Math.round(x), y: Math.round(y), radius };
-    if (!this.takesNova(disc)) return false;
+    if (!this.takesNova(disc)) return null;
     this.layout = { ...this.layout, novae: [...this.layout.novae, disc] };
-    return true;
+    return disc;
+  }
+
+  /** Keeps a nova or an alien, if there is one, even if it turns out to be idle. */
+  keep(object: Disc | null): void {
+    if (object !== null) this.kept.push(object);
   }
 
   /** Offers a place for a nova. */

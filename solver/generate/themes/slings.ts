@@ -52,11 +52,10 @@ export const slings: Theme = {
         if (heading === null) continue;
         const { x, y } = flight.places[i];
         for (const side of [-1, 1]) {
-          const beside = RADII.flatMap((radius) => [0, 12, 24, 40].map((more) => ({ radius, more }))).find(({ radius, more }) => {
+          RADII.flatMap((radius) => [0, 12, 24, 40].map((more) => ({ radius, more }))).some(({ radius, more }) => {
             const away = side * (radius + halfDiagonal + site.spec.room + 2 + more);
-            return site.nova(snap({ x: x - heading.y * away, y: y + heading.x * away }, FINE), radius);
+            return site.nova(snap({ x: x - heading.y * away, y: y + heading.x * away }, FINE), radius) !== null;
           });
-          if (beside === undefined) continue;
         }
       }
     }
