@@ -127,7 +127,9 @@ const measured = {
 };
 const generated = {
   ...{ seed: -7, status: 'nothing', file: null, name: null, grade: { value: -7, word: '' }, p40: 0, certifiedTicks: -7 },
-  ...{ length: 0, presses: -7, attempts: -7, ticks: -7 },
+  ...{ length: 0, presses: -7, attempts: -7, ticks: -7, aside: -7 },
+  theme: { name: '', measured: '', value: -7, least: -7 },
+  symmetry: { kind: '', share: 0 },
 };
 const problem = { code: '', severity: 'error', message: '', line: 1, column: 1, pointer: '' };
 const checked = {
