@@ -2,7 +2,7 @@ import type { WorkBudget } from '../../engine/index.ts';
 import { type BlockingDisc, blockingDiscs, rangeDiscs } from './blockers.ts';
 import { type OutlinePiece, outlinesOf } from './outline.ts';
 import type { About, BarrierEdge, Blocker, Proof } from './proof.ts';
-import { type Cell, type Judge, Quadtree } from './quadtree.ts';
+import { type Cell, type Judge, Quadtree, reachesInto } from './quadtree.ts';
 import { exitOf, mouthDiscs, type RimDisc } from './rims.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
@@ -44,10 +44,11 @@ interface Plane {
  * frame's flight can cut off (lemma `chord`). Both mouths of each wormhole must lie on the same side, clear of the barrier.
  *
  * To find the barrier, a quadtree divides the plane. A cell is blocked if one disc contains all of it or all of it is out of
- * range. A flood fill from the start goes through all cells that are not blocked, and through wormholes. If it reaches the object, the undecided cells
- * on the path are divided and the search repeats, so that cells are small only where a gap is still open. Once the object is
- * out of reach, the outline of the visited cells is the barrier, which is then simplified. The checker needs none of this: it
- * tests the finished barrier edge by edge. Rests on the lemmas `way`, `reach`, `jump`, `chord`, `drift` and `mouths`.
+ * range. A flood fill from the start goes through all cells that are not blocked, and through wormholes. If it reaches the
+ * object, the undecided cells on the path are divided and the search repeats, so that cells are small only where a gap is still
+ * open. Once the object is out of reach, the outline of the visited cells is the barrier, which is then simplified. The checker
+ * needs none of this: it tests the finished barrier edge by edge. Rests on the lemmas `way`, `reach`, `jump`, `chord`, `drift`
+ * and `mouths`.
  */
 export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proof | null {
   const { level, jump, maxTime, leastHalf } = setting;
@@ -108,7 +109,7 @@ function planeAround(
 function judgeOf({ left, bottom, discs, ranges, mouths }: Plane, budget: WorkBudget): Judge {
   return (cellX, cellY, size, nearby) => {
     const square = { x: cellX, y: cellY, size };
-    const inMouth = mouths.some((mouth) => meets(mouth, square));
+    const inMouth = mouths.some((mouth) => reachesInto(mouth, square));
     const half = (size * UNIT) / 2;
     const x = left + cellX * UNIT + half;
     const y = bottom + cellY * UNIT + half;
@@ -212,7 +213,7 @@ function flood(tree: Quadtree, start: Cell, search: number, plane: Plane): { end
       if (!over) {
         tree.neighbours(from, reach);
         for (const mouth of closed) {
-          if (!meets(mouths[mouth], from)) continue;
+          if (!reachesInto(mouths[mouth], from)) continue;
           closed.delete(mouth);
           const exit = mouths[exitOf(mouth)];
           if (isOutside(exit, tree.root.size)) over = true;
@@ -233,13 +234,6 @@ function flood(tree: Quadtree, start: Cell, search: number, plane: Plane): { end
     const dy = Math.max(0, Math.abs(bottom + y * UNIT + half - goal.y) - half);
     return !surelyLess(goal.r, Math.sqrt(dx * dx + dy * dy));
   }
-}
-
-/** Whether a disc reaches into a cell. */
-function meets({ x, y, radius }: RimDisc, cell: Pick<Cell, 'x' | 'y' | 'size'>): boolean {
-  const dx = Math.max(0, cell.x - x, x - cell.x - cell.size);
-  const dy = Math.max(0, cell.y - y, y - cell.y - cell.size);
-  return dx * dx + dy * dy <= radius * radius;
 }
 
 /** Whether a disc reaches out of a square with a corner at the origin. */

@@ -27,6 +27,20 @@ export interface Judgement {
 /** Judges the square with this corner and side, in units. */
 export type Judge = (x: number, y: number, size: number, nearby: readonly number[]) => Judgement;
 
+/** A disc; centre and radius in units. */
+interface UnitDisc {
+  readonly x: number;
+  readonly y: number;
+  readonly radius: number;
+}
+
+/** Whether a disc reaches into a square. */
+export function reachesInto({ x, y, radius }: UnitDisc, square: Pick<Cell, 'x' | 'y' | 'size'>): boolean {
+  const dx = Math.max(0, square.x - x, x - square.x - square.size);
+  const dy = Math.max(0, square.y - y, y - square.y - square.size);
+  return dx * dx + dy * dy <= radius * radius;
+}
+
 /** A square of `size` units (a power of two) that is divided into quarters where necessary. */
 export class Quadtree {
   readonly root: Cell;
@@ -79,18 +93,11 @@ export class Quadtree {
     this.along(x, y - 1, size, true, visit);
   }
 
-  /** Calls `visit` for each leaf that a disc reaches into, or may reach into; centre and radius in units. */
-  inDisc(
-    disc: { readonly x: number; readonly y: number; readonly radius: number },
-    visit: (leaf: Cell) => void,
-    cell = this.root,
-  ): void {
-    const { x, y, size, children } = cell;
-    const dx = Math.max(0, x - disc.x, disc.x - x - size);
-    const dy = Math.max(0, y - disc.y, disc.y - y - size);
-    if (dx * dx + dy * dy > disc.radius * disc.radius) return;
-    if (children === null) visit(cell);
-    else for (const child of children) this.inDisc(disc, visit, child);
+  /** Calls `visit` for each leaf that a disc reaches into; centre and radius in units. */
+  inDisc(disc: UnitDisc, visit: (leaf: Cell) => void, cell = this.root): void {
+    if (!reachesInto(disc, cell)) return;
+    if (cell.children === null) visit(cell);
+    else for (const child of cell.children) this.inDisc(disc, visit, child);
   }
 
   private along(x: number, y: number, size: number, across: boolean, visit: (neighbour: Cell | null) => void): void {
