@@ -1,9 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { drawSettings } from '../../editor/panels/accuracy/diagram.ts';
 import { compareNamed, NAMES, type NamedResult } from '../../editor/panels/accuracy/named-results.ts';
+import { otherEndOf } from '../../editor/panels/accuracy/other-accuracy.ts';
 import { savingOf } from '../../editor/panels/effects/time-effects.ts';
 import { costOf, withoutEffect } from '../../editor/panels/effects/without.ts';
 import { timeInTurns } from '../../editor/panels/figures/index.ts';
+import { createProver } from '../../editor/proof/index.ts';
 import { compile, EFFECTS, simulate } from '../../engine/index.ts';
 import { METHODS } from '../../engine/work-precision/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
@@ -157,5 +159,43 @@ describe('the named settings', () => {
     // no style element, which would affect the whole page
     expect(svg).not.toContain('<style');
     expect(svg).not.toContain('<1>');
+  });
+});
+
+describe('what another accuracy would change', () => {
+  const proof = (accuracy: 'arcade' | 'precise', msPerLook = 0, patience = Number.POSITIVE_INFINITY) => {
+    let clock = 0;
+    const now = () => {
+      clock += msPerLook;
+      return clock;
+    };
+    return createProver(now).prove({
+      file: { ...FILE, runs: [{ name: 'swing', holds: [[10, 200]] }] },
+      run: null,
+      accuracy,
+      patience,
+    });
+  };
+
+  it('is the distance of the two paths, from either side', () => {
+    const fromArcade = otherEndOf(proof('arcade'));
+    const fromPrecise = otherEndOf(proof('precise'));
+    expect(fromArcade).toEqual({ ...fromPrecise, name: 'precise' });
+    expect(fromPrecise?.name).toBe('arcade');
+    expect(fromArcade?.distance).toBeGreaterThan(0);
+  });
+
+  it('is compared however slow the machine was at that moment', () => {
+    const slow = proof('arcade', 10_000);
+    expect(slow.ms).toBeGreaterThan(1000);
+    expect(otherEndOf(slow)).toEqual(otherEndOf(proof('arcade')));
+    const cut = proof('arcade', 10_000, 60);
+    expect(cut.limit).not.toBeNull();
+    expect(otherEndOf(cut)).toEqual(otherEndOf(proof('arcade')));
+  });
+
+  it('is left out if it takes too much work, or if nothing is simulated', () => {
+    expect(otherEndOf(proof('arcade'), 10)).toBeNull();
+    expect(otherEndOf(proof('arcade', 0, 0))).toBeNull();
   });
 });
