@@ -93,7 +93,10 @@ const levelReport = z.strictObject({
     })
     .nullable()
     .describe('Where to look at the failure; null if the level does not fail, or the editor can not open its file.'),
-  softlocks: softlockReportSchema.optional().describe('Only with --softlocks, and of a level that a run completes.'),
+  softlocks: softlockReportSchema
+    .nullable()
+    .optional()
+    .describe('Only with --softlocks. null: not examined, as no run completes the level.'),
   ms: z.number().min(0).describe('Wall time.'),
 });
 

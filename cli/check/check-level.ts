@@ -134,7 +134,9 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     report,
     mineralCount: level.minerals.length,
     ...(settings.forLock && { rules: level.rules ?? {} }),
-    ...(findings.softlocks !== null && { softlocks: softlockReport(findings.softlocks, level) }),
+    ...(settings.softlocks !== undefined && {
+      softlocks: findings.softlocks === null ? null : softlockReport(findings.softlocks, level),
+    }),
     ...(level.allow !== undefined && { allow: level.allow }),
     problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text) : [],
     unreadable: false,

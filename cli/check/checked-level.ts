@@ -35,8 +35,8 @@ export interface CheckedLevel {
   readonly allow?: Allowed;
   /** How many problems were left out because it allows them. */
   readonly allowed?: number;
-  /** Where it is already lost although she lives on. Only with `softlocks`, and of a level that a run completes. */
-  readonly softlocks?: SoftlockReport;
+  /** Where it is already lost although she lives on. Only with `softlocks`; null if no run completes the level. */
+  readonly softlocks?: SoftlockReport | null;
   readonly problems: readonly ShownProblem[];
   /** Whether the file itself could not be read. */
   readonly unreadable: boolean;

@@ -1,6 +1,8 @@
 import { Ajv2020 } from 'ajv/dist/2020.js';
+import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { softlocksOf } from '../../check/index.ts';
+import { softlockLines } from '../../cli/reporters/softlock-lines.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
 import { type CheckReport, REPORT_SCHEMAS, reportJsonSchema, resolveLevel } from '../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON } from '../../solver/index.ts';
@@ -39,12 +41,35 @@ async function report(args: string): Promise<CheckReport> {
 }
 
 describe('gq check --softlocks', () => {
+  it('counts every examined state once, in words', () => {
+    const base = { places: [], effort: { runs: 1, ticks: 1 }, isFinished: true };
+    const counts = fc.tuple(...Array.from({ length: 6 }, () => fc.nat(200)));
+    fc.assert(
+      fc.property(counts, ([open, proved, notFound, soonProved, soonNotFound, unknown]) => {
+        const [line] = softlockLines({
+          ...base,
+          states: {
+            examined: open + proved + notFound + soonProved + soonNotFound + unknown,
+            open,
+            proved: proved + soonProved,
+            notFound: notFound + soonNotFound,
+            unknown,
+          },
+          lasting: { proved, notFound },
+        });
+        const told = [...line.matchAll(/(\d+) \(\d+ %\)/g)].map(([, count]) => Number(count));
+        const parts = [open, proved, notFound, soonProved + soonNotFound, unknown];
+        expect(told).toEqual(parts.filter((count, i) => i < 3 || count > 0));
+      }),
+    );
+  });
+
   it('says in text what is proved and what was not found, apart, and warns only of what is proved', async () => {
     const { code, stdout } = await run(`check past.level.json --softlocks ${EFFORT}`);
     expect(code).toBe(0);
     expect(stdout).toMatch(/warning softlock: she can live on for [\d.]+ s and more although the black hole is out of her reach/);
     expect(stdout).toMatch(
-      /lost although she lives on: of \d+ states \d+ \(\d+ %\) proved, \d+ \(\d+ %\) from which no run was found/,
+      /of \d+ states \d+ \(\d+ %\) open; lost although she lives on: \d+ \(\d+ %\) proved, \d+ \(\d+ %\) from which no run was found/,
     );
     expect(stdout).toMatch(/\(\d+, -?\d+\) from [\d.]+ s on, alive for [\d.]+ s after it: proved \(\w+\)/);
     for (const line of stdout.split('\n').filter((one) => one.includes('no run found in')))
@@ -86,7 +111,10 @@ describe('gq check --softlocks', () => {
   it('examines only levels that a run completes', async () => {
     const whole = await report('unproven.level.json --softlocks 100000');
     expect(whole.levels[0]).toMatchObject({ verdict: 'unproven' });
-    expect(whole.levels[0].softlocks ?? null).toBeNull();
+    expect(whole.levels[0].softlocks).toBeNull();
+    expect(REPORT_SCHEMAS.check.safeParse(whole)).toMatchObject({ success: true });
+    const { stdout } = await run('check unproven.level.json --softlocks 100000');
+    expect(stdout).toContain('was not examined: no run completes the level');
   });
 
   it('a level may allow it; an allowance that nothing needs is named where it was looked for', async () => {
