@@ -19,7 +19,7 @@ describe('the place of a label', () => {
     expect(way.filter((point) => covers(place, point))).toEqual([]);
   });
 
-  it('is in the view, does not cover a point in view, and covers no more than it would on the right', () => {
+  it('is in the view below the tools, does not cover a point in view, and covers no more than it would on the right', () => {
     const point = fc.record({ x: fc.integer({ min: -300, max: 1100 }), y: fc.integer({ min: -300, max: 800 }) });
     const covered = fc.array(fc.record({ x: fc.integer({ min: 0, max: 800 }), y: fc.integer({ min: 0, max: 500 }) }));
     fc.assert(
@@ -27,12 +27,12 @@ describe('the place of a label', () => {
         const place = labelPlace(end, label, view, others);
         expect(place.x).toBeGreaterThanOrEqual(108);
         expect(place.x).toBeLessThanOrEqual(692);
-        expect(place.y).toBeGreaterThanOrEqual(28);
+        expect(place.y).toBeGreaterThanOrEqual(76);
         expect(place.y).toBeLessThanOrEqual(472);
-        const isInside = end.x > 0 && end.x < view.width && end.y > 0 && end.y < view.height;
+        const isInside = end.x > 0 && end.x < view.width && end.y > 56 && end.y < view.height;
         if (isInside) expect(covers(place, end)).toBe(false);
         const right = { x: end.x + 116, y: end.y };
-        if (right.x > 692 || right.y < 28 || right.y > 472 || right.x < 108) return;
+        if (right.x > 692 || right.y < 76 || right.y > 472 || right.x < 108) return;
         const count = (at: typeof right) => others.filter((other) => covers(at, other)).length;
         expect(count(place)).toBeLessThanOrEqual(count(right));
       }),
