@@ -5,26 +5,33 @@ import { type Chart, ROUNDING, type Rock, type Scene, TIE } from './scene.ts';
 /** Who may come nearer than this to an asteroid within a step, px, has coordinates in x and y. */
 const PASS = 16;
 
+/** Nearer to an asteroid than this, px, boxes are in x and y; further away if she is fast. */
+export const CLOSE = 32;
+
+/** The least distance for polar coordinates, as a share of how far she can go within a step. */
+export const SHARE = 0.25;
+
 /** The asteroid of the chart. */
 export const OWN = -1;
 
 /** Where a set of places lies among everything at one time: in a hazard, out of range, nearest to which asteroid. */
-export abstract class Whereabouts {
-  protected readonly scene: Scene;
+export class Whereabouts {
+  private readonly scene: Scene;
   /** The places that are asked about. */
-  protected readonly places = new Places();
+  readonly places = new Places();
   /** How far recoil may have moved each asteroid, px, and the most of these. */
-  protected readonly moved: Float64Array;
+  readonly moved: Float64Array;
   private mostMoved = 0;
   /** The time, s. */
-  protected time = 0;
+  time = 0;
 
   constructor(scene: Scene) {
     this.scene = scene;
     this.moved = new Float64Array(scene.charts.length);
   }
 
-  protected at(time: number): void {
+  /** Sets the time, s. */
+  at(time: number): void {
     this.time = time;
     this.mostMoved = 0;
     for (let i = 0; i < this.moved.length; i++) {
@@ -34,7 +41,7 @@ export abstract class Whereabouts {
   }
 
   /** How far she can go within a step, px. */
-  protected flight(speed: number): number {
+  flight(speed: number): number {
     const { seconds, push } = this.scene;
     return seconds * (speed + (push * seconds) / 2);
   }
@@ -43,7 +50,7 @@ export abstract class Whereabouts {
    * Whether she may come close to the asteroid within a step, where polar coordinates are of no use.
    * @param inward - how fast she comes nearer at most, px/s
    */
-  protected mayPassClose(distance: number, inward: number, speed: number, L0: number, L1: number): boolean {
+  mayPassClose(distance: number, inward: number, speed: number, L0: number, L1: number): boolean {
     const { seconds, push } = this.scene;
     const gain = push * seconds;
     // at the nearest place, angular momentum is distance times speed
@@ -51,7 +58,7 @@ export abstract class Whereabouts {
   }
 
   /** Whether all places of `places` lie in one hazard. */
-  protected isBlocked(chart: Chart, i: number): boolean {
+  isBlocked(chart: Chart, i: number): boolean {
     const { places, moved } = this;
     for (const body of chart.blocked) {
       const radius = body.radius - moved[i] - ROUNDING;
@@ -70,7 +77,7 @@ export abstract class Whereabouts {
   }
 
   /** Whether all places of `places` are out of range of all asteroids but that of the chart. */
-  protected isOutOfOthers(chart: Chart, i: number): boolean {
+  isOutOfOthers(chart: Chart, i: number): boolean {
     const { places, moved, scene } = this;
     for (const rock of chart.rocks) {
       const radius = scene.range + Math.max(moved[i], moved[rock.index]) + ROUNDING;
@@ -82,7 +89,7 @@ export abstract class Whereabouts {
   }
 
   /** OWN when the chart's asteroid may be the nearest at one of `places`; otherwise one that is certainly nearer. */
-  protected nearest({ rocks }: Chart, i: number): number {
+  nearest({ rocks }: Chart, i: number): number {
     const { places, moved, mostMoved } = this;
     let best = OWN;
     let least = Number.POSITIVE_INFINITY;
@@ -100,7 +107,8 @@ export abstract class Whereabouts {
     return best;
   }
 
-  protected rock(i: number, j: number): Rock {
+  /** Asteroid j in the chart of asteroid i. */
+  rock(i: number, j: number): Rock {
     return this.scene.charts[i].rocks.find(({ index }) => index === j) as Rock;
   }
 }
