@@ -1,5 +1,7 @@
 import type { OrbitGrid } from '../../proofs/index.ts';
 import { Boxes, SIZE } from './boxes.ts';
+import type { Drifts } from './drifts.ts';
+import { leastProduct, mostProduct } from './intervals.ts';
 import { ROUNDING, type Scene } from './scene.ts';
 import { type Along, Transfer } from './transfer.ts';
 import { CLOSE, OWN, SHARE, Whereabouts } from './whereabouts.ts';
@@ -38,20 +40,19 @@ export class Sorter {
   /**
    * @param most - the most pieces to look at; no more are put into the boxes
    */
-  constructor(scene: Scene, grid: OrbitGrid, most: number) {
+  constructor(scene: Scene, drifts: Drifts, grid: OrbitGrid, most: number) {
     this.scene = scene;
     this.grid = grid;
     this.most = most;
     this.around = Math.round((2 * Math.PI * 100) / grid.place);
     this.turn = (2 * Math.PI) / this.around;
-    this.where = new Whereabouts(scene);
-    this.transfer = new Transfer(scene, grid, this.turn, this.where, this);
+    this.where = new Whereabouts(scene, drifts);
+    this.transfer = new Transfer(scene, drifts, grid, this.turn, this.where, this);
   }
 
-  /** Puts everything that follows into these boxes, at this time, s. */
-  into(boxes: Boxes, time: number): void {
+  /** Puts everything that follows into these boxes. */
+  into(boxes: Boxes): void {
     this.boxes = boxes;
-    this.where.at(time);
   }
 
   /** Whether there are so many pieces that some were left out. */
@@ -240,18 +241,13 @@ export class Sorter {
         piece[6] = vy0;
         piece[7] = vy1;
         // Angular momentum is x times the velocity along y, minus y times that along x.
-        const xv0 = Math.min(x0 * vy0, x0 * vy1, x1 * vy0, x1 * vy1);
-        const xv1 = Math.max(x0 * vy0, x0 * vy1, x1 * vy0, x1 * vy1);
-        const yv0 = Math.min(y0 * vx0, y0 * vx1, y1 * vx0, y1 * vx1);
-        const yv1 = Math.max(y0 * vx0, y0 * vx1, y1 * vx0, y1 * vx1);
-        piece[8] = Math.max(box[8], xv0 - yv1 - ROUNDING);
-        piece[9] = Math.min(box[9], xv1 - yv0 + ROUNDING);
+        piece[8] = Math.max(box[8], leastProduct(x0, x1, vy0, vy1) - mostProduct(y0, y1, vx0, vx1) - ROUNDING);
+        piece[9] = Math.min(box[9], mostProduct(x0, x1, vy0, vy1) - leastProduct(y0, y1, vx0, vx1) + ROUNDING);
         if (piece[8] > piece[9]) continue;
         const rate = Math.sqrt(xRate * xRate + yRate * yRate);
         const flight = where.flight(rate + 2 * speed + grid.momentum / CLOSE);
         const isOut = along === null && least >= Math.max(CLOSE + place, SHARE * flight + 2 * place);
-        const nearing =
-          Math.max(-x0 * vx0, -x0 * vx1, -x1 * vx0, -x1 * vx1) + Math.max(-y0 * vy0, -y0 * vy1, -y1 * vy0, -y1 * vy1);
+        const nearing = mostProduct(-x0, -x1, vx0, vx1) + mostProduct(-y0, -y1, vy0, vy1);
         if (isOut && !where.mayPassClose(least - 2 * place, nearing / least + speed, rate, piece[8], piece[9]))
           this.transfer.toPolar(i, piece);
         else this.joinNear(i, a, b, c, e, least, piece);

@@ -1,9 +1,12 @@
 import type { OrbitGrid } from '../../proofs/index.ts';
 import { cosineAndSine } from './angles.ts';
 import { SIZE } from './boxes.ts';
-import { Sight, Vector } from './convert.ts';
+import type { Drifts } from './drifts.ts';
+import { leastProduct, mostProduct, mostSquare } from './intervals.ts';
 import { Places } from './places.ts';
 import { ROUNDING, type Rock, type Scene } from './scene.ts';
+import { Sight } from './sight.ts';
+import { Vector } from './vector.ts';
 import { CLOSE, SHARE, type Whereabouts } from './whereabouts.ts';
 
 /** A direction, and bounds of the velocity along it, px/s. */
@@ -48,6 +51,7 @@ interface Cells {
 /** Takes pieces of boxes to the charts of other asteroids, and from polar coordinates to x and y and back. */
 export class Transfer {
   private readonly scene: Scene;
+  private readonly drifts: Drifts;
   private readonly grid: OrbitGrid;
   private readonly turn: number;
   private readonly where: Whereabouts;
@@ -66,8 +70,9 @@ export class Transfer {
   private m1 = 0;
 
   /** @param turn - the angle of a cell, rad */
-  constructor(scene: Scene, grid: OrbitGrid, turn: number, where: Whereabouts, cells: Cells) {
+  constructor(scene: Scene, drifts: Drifts, grid: OrbitGrid, turn: number, where: Whereabouts, cells: Cells) {
     this.scene = scene;
+    this.drifts = drifts;
     this.grid = grid;
     this.turn = turn;
     this.where = where;
@@ -76,17 +81,14 @@ export class Transfer {
 
   /** Sorts a piece, a sector in the chart of asteroid i, into that of asteroid j. */
   toOther(i: number, j: number, piece: Float64Array): void {
-    const { grid, scene, sight, target, velocity, where } = this;
+    const { drifts, grid, scene, sight, target, velocity, where } = this;
     const [d0, d1, t0, t1, w0, w1, L0, L1] = piece;
     const from = where.rock(i, j);
-    const blur = Math.max(where.moved[i], where.moved[j]);
+    const blur = drifts.between(i, j);
     sight.ofSector(d0, d1, t0, t1, from, blur);
     this.measureVelocity(d0, d1, t0, t1, w0, w1, L0, L1);
-    velocity.widen(scene.recoil * where.time);
-    const fastest = Math.sqrt(
-      Math.max(velocity.a0 * velocity.a0, velocity.a1 * velocity.a1) +
-        Math.max(velocity.b0 * velocity.b0, velocity.b1 * velocity.b1),
-    );
+    velocity.widen(scene.recoil * drifts.time);
+    const fastest = Math.sqrt(mostSquare(velocity.a0, velocity.a1) + mostSquare(velocity.b0, velocity.b1));
     const room = Math.max(CLOSE, SHARE * where.flight(fastest + grid.speed + grid.momentum / CLOSE)) + 2 * grid.place;
     this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
     const [M0, M1] = [this.m0, this.m1];
@@ -102,10 +104,10 @@ export class Transfer {
 
   /** Sorts a piece, a sector in the chart of asteroid i, into that of asteroid j, in x and y. */
   toNear(i: number, j: number, piece: Float64Array): void {
-    const { along, cells, grid, made, places, scene, target, velocity, where } = this;
+    const { along, cells, drifts, grid, made, places, scene, target, velocity, where } = this;
     const [d0, d1, t0, t1, w0, w1, L0, L1] = piece;
     this.measureVelocity(d0, d1, t0, t1, w0, w1, L0, L1);
-    const slip = i === j ? 0 : scene.recoil * where.time;
+    const slip = i === j ? 0 : scene.recoil * drifts.time;
     velocity.widen(slip);
     along.least = velocity.a0;
     along.most = velocity.a1;
@@ -126,7 +128,7 @@ export class Transfer {
     if (i !== j) {
       const from = where.rock(i, j);
       ({ x, y, r } = from);
-      blur = Math.max(where.moved[i], where.moved[j]);
+      blur = drifts.between(i, j);
       this.momentumAbout(from, d0, d1, t0, t1, w0, w1, L0, L1);
       made[0] -= x + blur;
       made[1] += blur - x;
@@ -239,23 +241,19 @@ export class Transfer {
     L1: number,
   ): void {
     const { places, scene } = this;
-    const { time } = this.where;
+    const { time } = this.drifts;
     places.sector(d0, d1, t0, t1);
     places.look(from.x, from.y, from.r);
     const { along0, along1, aside0, aside1 } = places;
     const k0 = 1 - Math.max(along1 / d0, along1 / d1);
     const k1 = 1 - Math.min(along0 / d0, along0 / d1);
-    const own0 = Math.min(L0 * k0, L0 * k1, L1 * k0, L1 * k1);
-    const own1 = Math.max(L0 * k0, L0 * k1, L1 * k0, L1 * k1);
-    const by0 = Math.min(w0 * aside0, w0 * aside1, w1 * aside0, w1 * aside1);
-    const by1 = Math.max(w0 * aside0, w0 * aside1, w1 * aside0, w1 * aside1);
     // what recoil can have added to the places and velocities of both asteroids
     const slip = scene.recoil * time;
     const blur = scene.recoil === 0 ? 0 : (slip * time) / 2;
     const across = Math.max(Math.abs(L0), Math.abs(L1)) / d0;
     const fastest = Math.max(-w0, w1, 0) + across;
     const drift = blur * (fastest + slip) + slip * (places.far + blur);
-    this.m0 = own0 + by0 - drift - 1e-6;
-    this.m1 = own1 + by1 + drift + 1e-6;
+    this.m0 = leastProduct(L0, L1, k0, k1) + leastProduct(w0, w1, aside0, aside1) - drift - 1e-6;
+    this.m1 = mostProduct(L0, L1, k0, k1) + mostProduct(w0, w1, aside0, aside1) + drift + 1e-6;
   }
 }
