@@ -3,7 +3,7 @@ import { Boxes, SIZE } from './boxes.ts';
 import type { Drifts } from './drifts.ts';
 import { leastProduct, mostProduct } from './intervals.ts';
 import { ROUNDING, type Scene } from './scene.ts';
-import { type Along, Transfer } from './transfer.ts';
+import { type Along, type PutPart, Transfer } from './transfer.ts';
 import { CLOSE, OWN, SHARE, Whereabouts } from './whereabouts.ts';
 
 /** At rest nearer to a centre than this, px, the engine counts as in the centre. */
@@ -61,39 +61,29 @@ export class Sorter {
   }
 
   /** Counts the pieces into which something is cut; false when they are too many. */
-  mayLookAt(pieces: number): boolean {
+  private mayLookAt(pieces: number): boolean {
     // not a number counts as too many
     this.looked = pieces >= 0 ? this.looked + pieces : Number.POSITIVE_INFINITY;
     return !this.isTooMuch;
   }
 
-  /** Sorts in a box in polar coordinates. */
-  polar(i: number, box: Float64Array): void {
+  cut(p0: number, p1: number, q0: number, q1: number, side: number, put: PutPart): void {
     const { place } = this.grid;
-    const { turn } = this;
-    const [a0, a1] = [Math.floor(box[0] / place), Math.floor(box[1] / place)];
-    const [b0, b1] = [Math.floor(box[2] / turn), Math.floor(box[3] / turn)];
+    const [a0, a1] = [Math.floor(p0 / place), Math.floor(p1 / place)];
+    const [b0, b1] = [Math.floor(q0 / side), Math.floor(q1 / side)];
     if (!this.mayLookAt((a1 - a0 + 1) * (b1 - b0 + 1))) return;
     for (let a = a0; a <= a1; a++) {
-      const d0 = Math.max(box[0], a * place);
-      const d1 = Math.min(box[1], (a + 1) * place);
-      for (let b = b0; b <= b1; b++) {
-        this.sector(
-          i,
-          a,
-          b,
-          d0,
-          d1,
-          Math.max(box[2], b * turn),
-          Math.min(box[3], (b + 1) * turn),
-          box[4],
-          box[5],
-          box[6],
-          box[7],
-          false,
-        );
-      }
+      const from = Math.max(p0, a * place);
+      const to = Math.min(p1, (a + 1) * place);
+      for (let b = b0; b <= b1; b++) put(a, b, from, to, Math.max(q0, b * side), Math.min(q1, (b + 1) * side));
     }
+  }
+
+  /** Sorts in a box in polar coordinates. */
+  polar(i: number, box: Float64Array): void {
+    this.cut(box[0], box[1], box[2], box[3], this.turn, (a, b, d0, d1, t0, t1) =>
+      this.sector(i, a, b, d0, d1, t0, t1, box[4], box[5], box[6], box[7], false),
+    );
   }
 
   /** Sorts in a part of a box that lies in one cell of distance and angle. With `stays`, it remains in this chart. */
@@ -171,25 +161,9 @@ export class Sorter {
 
   /** Sorts in a box in x and y. */
   near(i: number, box: Float64Array): void {
-    const { place } = this.grid;
-    const [a0, a1] = [Math.floor(box[0] / place), Math.floor(box[1] / place)];
-    const [b0, b1] = [Math.floor(box[2] / place), Math.floor(box[3] / place)];
-    if (!this.mayLookAt((a1 - a0 + 1) * (b1 - b0 + 1))) return;
-    for (let a = a0; a <= a1; a++) {
-      for (let b = b0; b <= b1; b++) {
-        this.rectangle(
-          i,
-          a,
-          b,
-          Math.max(box[0], a * place),
-          Math.min(box[1], (a + 1) * place),
-          Math.max(box[2], b * place),
-          Math.min(box[3], (b + 1) * place),
-          box,
-          null,
-        );
-      }
-    }
+    this.cut(box[0], box[1], box[2], box[3], this.grid.place, (a, b, x0, x1, y0, y1) =>
+      this.rectangle(i, a, b, x0, x1, y0, y1, box, null),
+    );
   }
 
   /**

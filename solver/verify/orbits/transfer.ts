@@ -17,10 +17,13 @@ export interface Along {
   most: number;
 }
 
+/** Called with a cell and the part of something that lies in it: bounds of both coordinates. */
+export type PutPart = (a: number, b: number, p0: number, p1: number, q0: number, q1: number) => void;
+
 /** Where pieces go that were taken to another chart: each lies in one cell of places, a and b, and stays in the chart of asteroid i. */
 interface Cells {
-  /** Counts the pieces into which something is cut; false when they are too many. */
-  mayLookAt(pieces: number): boolean;
+  /** Cuts bounds of two coordinates along the cells, which have this side along the second, px or rad; not if they are too many. */
+  cut(p0: number, p1: number, q0: number, q1: number, side: number, put: PutPart): void;
   sector(
     i: number,
     a: number,
@@ -141,22 +144,12 @@ export class Transfer {
     made[5] = velocity.a1;
     made[6] = velocity.b0;
     made[7] = velocity.b1;
-    const { place } = grid;
-    const [a0, a1] = [Math.floor(made[0] / place), Math.floor(made[1] / place)];
-    const [b0, b1] = [Math.floor(made[2] / place), Math.floor(made[3] / place)];
-    if (!cells.mayLookAt((a1 - a0 + 1) * (b1 - b0 + 1))) return;
-    for (let a = a0; a <= a1; a++) {
-      for (let b = b0; b <= b1; b++) {
-        const x0 = Math.max(made[0], a * place);
-        const x1 = Math.min(made[1], (a + 1) * place);
-        const y0 = Math.max(made[2], b * place);
-        const y1 = Math.min(made[3], (b + 1) * place);
-        target.rectangle(x0, x1, y0, y1);
-        target.look(-x, -y, r);
-        if (target.near > d1 + blur + ROUNDING || target.far < d0 - blur - ROUNDING) continue;
-        cells.rectangle(j, a, b, x0, x1, y0, y1, made, along);
-      }
-    }
+    cells.cut(made[0], made[1], made[2], made[3], grid.place, (a, b, x0, x1, y0, y1) => {
+      target.rectangle(x0, x1, y0, y1);
+      target.look(-x, -y, r);
+      if (target.near > d1 + blur + ROUNDING || target.far < d0 - blur - ROUNDING) return;
+      cells.rectangle(j, a, b, x0, x1, y0, y1, made, along);
+    });
   }
 
   /** Sorts a piece in x and y into polar coordinates about the same asteroid. */
@@ -177,22 +170,11 @@ export class Transfer {
    * @param isThere - whether a part of it may lie at the places of `target`
    */
   private intoSectors(i: number, axes: number, L0: number, L1: number, isThere: () => boolean): void {
-    const { cells, grid, sight, target, turn } = this;
-    const { place } = grid;
-    const { d0, d1, t0, t1 } = sight;
-    const [a0, a1] = [Math.floor(d0 / place), Math.floor(d1 / place)];
-    const [b0, b1] = [Math.floor(t0 / turn), Math.floor(t1 / turn)];
-    if (!cells.mayLookAt((a1 - a0 + 1) * (b1 - b0 + 1))) return;
-    for (let a = a0; a <= a1; a++) {
-      for (let b = b0; b <= b1; b++) {
-        const e0 = Math.max(d0, a * place);
-        const e1 = Math.min(d1, (a + 1) * place);
-        const u0 = Math.max(t0, b * turn);
-        const u1 = Math.min(t1, (b + 1) * turn);
-        target.sector(e0, e1, u0, u1);
-        if (isThere()) this.intoSector(i, a, b, e0, e1, u0, u1, axes, L0, L1);
-      }
-    }
+    const { cells, sight, target, turn } = this;
+    cells.cut(sight.d0, sight.d1, sight.t0, sight.t1, turn, (a, b, d0, d1, t0, t1) => {
+      target.sector(d0, d1, t0, t1);
+      if (isThere()) this.intoSector(i, a, b, d0, d1, t0, t1, axes, L0, L1);
+    });
   }
 
   /** Sorts in one cell of places. What has other momenta is left out. */
