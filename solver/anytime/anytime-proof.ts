@@ -1,7 +1,7 @@
 import { type AccuracyName, TICK, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
-import { type About, type Proof, type Prover, proveBy } from '../proofs/index.ts';
+import { type About, mayProve, type Proof, type Prover, proveBy } from '../proofs/index.ts';
 import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { verifyProof } from '../verify/index.ts';
 
@@ -58,12 +58,6 @@ const ATTEMPTS: readonly Pick<Attempt, 'prover' | 'fineness' | 'limit'>[] = [
 /** With more minerals than this, only the black hole is examined. */
 const MOST_MINERALS = 3;
 
-/**
- * A prover that fails with less work than this does not apply, however fine: she starts at rest, say, and can wait. It is not
- * tried again.
- */
-const PROBE = 2000;
-
 /** Looks at the state between two questions whether to stop. */
 const ASK_EVERY = 200_000;
 
@@ -93,22 +87,6 @@ interface Attempt {
   readonly limit: number;
 }
 
-function* attemptsFor(abouts: readonly About[], provers: readonly Prover[]): Generator<Attempt, void, boolean> {
-  const wanted = ATTEMPTS.filter(({ prover }) => provers.includes(prover));
-  // each prover is probed first: true means that it may prove something with more work
-  const applies = new Set<string>();
-  for (const prover of new Set(wanted.map((attempt) => attempt.prover))) {
-    for (const about of abouts) {
-      if (yield { prover, about, fineness: 0, limit: PROBE }) applies.add(`${prover} ${keyOf(about)}`);
-    }
-  }
-  for (const attempt of wanted) {
-    for (const about of abouts) if (applies.has(`${attempt.prover} ${keyOf(about)}`)) yield { ...attempt, about };
-  }
-}
-
-const keyOf = (about: About): number => (about.kind === 'mineral' ? about.index : -1);
-
 function aboutsOf({ minerals }: Level, goal: Goal): About[] {
   const needed = mineralsNeeded(goal, minerals.length);
   const areAllNeeded = needed > 0 && needed === minerals.length && needed <= MOST_MINERALS;
@@ -136,19 +114,25 @@ function aboutsOf({ minerals }: Level, goal: Goal): About[] {
  */
 export function createAnytimeProof(level: Level, options: AnytimeOptions): AnytimeProof {
   const { accuracy, goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS, isStopped = () => false } = options;
-  const attempts = attemptsFor(aboutsOf(level, goal), options.provers ?? ATTEMPTS.map(({ prover }) => prover));
-  let next = attempts.next();
+  const maxTime = maxTicks * TICK;
+  const abouts = aboutsOf(level, goal);
+  const attempts = ATTEMPTS.filter(
+    ({ prover, fineness }) =>
+      (options.provers?.includes(prover) ?? true) && mayProve(prover, level, { accuracy, maxTime, fineness }),
+  ).flatMap((attempt) => abouts.map((about): Attempt => ({ ...attempt, about })));
+  let made = 0;
   let proof: Proof | null = null;
   let asked = 0;
   let spent = 0;
 
-  /** Returns whether it would have gone on with more work. */
-  function attempt({ prover, about, fineness, limit }: Attempt): boolean {
+  const next = (): Attempt | null => (proof === null ? (attempts[made] ?? null) : null);
+
+  function make({ prover, about, fineness, limit }: Attempt): void {
+    made++;
     const budget = new StoppableBudget(limit, isStopped);
-    const found = proveBy(prover, level, about, { accuracy, maxTime: maxTicks * TICK, budget, fineness });
+    const found = proveBy(prover, level, about, { accuracy, maxTime, budget, fineness });
     spent += Math.min(limit, Math.max(1, Math.ceil(budget.looks)));
     if (found !== null && verifyProof(level, found).ok) proof = found;
-    return budget.isUsedUp;
   }
 
   return {
@@ -156,22 +140,23 @@ export function createAnytimeProof(level: Level, options: AnytimeOptions): Anyti
       return proof;
     },
     get finished() {
-      return proof !== null || next.done === true;
+      return next() === null;
     },
     get ticks() {
       return spent;
     },
     get nextLimit() {
-      return proof !== null || next.done === true ? 0 : next.value.limit;
+      return next()?.limit ?? 0;
     },
     attempt() {
-      if (proof === null && next.done !== true) next = attempts.next(attempt(next.value));
+      const attempt = next();
+      if (attempt !== null) make(attempt);
       asked = Math.max(asked, spent);
     },
     advance(ticks) {
       asked += ticks;
-      while (proof === null && next.done !== true && spent + next.value.limit <= asked && !isStopped()) {
-        next = attempts.next(attempt(next.value));
+      for (let attempt = next(); attempt !== null && spent + attempt.limit <= asked && !isStopped(); attempt = next()) {
+        make(attempt);
       }
     },
   };

@@ -4,6 +4,7 @@ import type { About, Blocker, FanGrid, Proof } from './proof.ts';
 import { distance } from './rounding.ts';
 import { subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
+import { startsMoving } from './soon-over.ts';
 
 /** Grids to try by fineness: ticks per step, and sides of the squares in px and px/s. The coarse one usually suffices. */
 const GRIDS = [
@@ -24,13 +25,19 @@ const LONGEST = 8;
 const MOST_BOXES = [10_000, 20_000] as const;
 
 /** How far the reachable set is followed on a grid; the farthest of all without a fineness. */
-export const mostOf = ({ frames }: FanGrid, fineness = 1) => ({
+export const mostOf = ({ frames }: FanGrid, fineness = FINEST_FAN) => ({
   steps: Math.floor(LONGEST / (frames * TICK)),
-  boxes: MOST_BOXES[Math.min(fineness, 1)],
+  boxes: MOST_BOXES[Math.min(fineness, FINEST_FAN)],
 });
 
 /** Farther out than this, px, places are rounded too coarsely in frames. */
 const FAR_OUT = 1e6;
+
+/** The greatest fineness at which `doomed` differs from a lower one. */
+export const FINEST_FAN = GRIDS.length - 1;
+
+/** Whether `doomed` may find a proof. */
+export const mayDoom = ({ level }: Setting): boolean => startsMoving(level);
 
 /**
  * `doomed`: from a moving start, every run ends at a hazard or out of range within seconds, whatever is pressed, and none comes
@@ -45,12 +52,9 @@ const FAR_OUT = 1e6;
  */
 export function proveDoomed(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
   const { level, maxTime } = setting;
-  const { vx, vy } = level.astronaut;
-  const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
-  // At rest she can wait for any time.
-  if (vx === 0 && vy === 0 && !pushed) return null;
+  if (!mayDoom(setting)) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
-  for (const sizes of GRIDS[Math.min(fineness, 1)]) {
+  for (const sizes of GRIDS[Math.min(fineness, FINEST_FAN)]) {
     const grid: FanGrid = { ...sizes, axis: startAxis(setting) };
     const { closed, layers, endedBy } = followFan(setting, about, goal, grid, mostOf(grid, fineness));
     if (!closed) continue;

@@ -27,8 +27,19 @@ const MOST = [
   { sets: 10_000, parts: 100_000 },
 ] as const;
 
+/** The greatest fineness at which `flowpipe` differs from a lower one. */
+export const FINEST_PIPES = MOST.length - 1;
+
 /** The most sets and parts of any proof. */
 export const MOST_PIPES = MOST[1];
+
+/** Whether `flowpipe` may find a proof with this fineness. */
+export function mayFlow({ level, rules, jump, strongest }: Setting, fineness: number): boolean {
+  const { vx, vy } = level.astronaut;
+  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST[Math.min(fineness, FINEST_PIPES)];
+  // At rest she can wait for any time.
+  return jump === 0 && (vx !== 0 || vy !== 0) && fastest <= easySpeed(rules);
+}
 
 /**
  * `flowpipe`: from a moving start, every run ends at a hazard, at an alien or out of range within seconds, and none comes near
@@ -42,14 +53,10 @@ export const MOST_PIPES = MOST[1];
  * @param fineness 0, or 1 for plays of up to 4 s and larger certificates
  */
 export function proveFlowpipe(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
-  const most = MOST[Math.min(fineness, 1)];
-  const longest = LONGEST[Math.min(fineness, 1)];
-  const { level, rules, jump, maxTime, strongest } = setting;
-  const { vx, vy } = level.astronaut;
-  const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * longest;
-  // At rest she can wait for any time.
-  if (jump > 0 || (vx === 0 && vy === 0) || fastest > easySpeed(rules)) return null;
-  const last = setting.longestPlay(longest);
+  const most = MOST[Math.min(fineness, FINEST_PIPES)];
+  const { level, maxTime } = setting;
+  if (!mayFlow(setting, fineness)) return null;
+  const last = setting.longestPlay(LONGEST[Math.min(fineness, FINEST_PIPES)]);
   if (last === null) return null;
   for (const [share, more] of HORIZONS) {
     const horizon = share * last + more;

@@ -25,4 +25,5 @@ export type {
   Strip,
   ThingRef,
 } from './proof.ts';
-export { FINEST, PROVERS, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';
+export { FINEST, mayProve, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';
+export { PROVERS, type ProverEntry, proversThat } from './provers.ts';

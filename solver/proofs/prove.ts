@@ -1,15 +1,8 @@
 import { type AccuracyName, unlimited, type WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { whyNotTried } from './assumptions.ts';
-import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
-import { proveCovered } from './covered.ts';
-import { proveDoomed } from './doomed.ts';
-import { proveEnclosed } from './enclosure.ts';
-import { proveFlowpipe } from './flowpipe.ts';
-import { proveOutOfRange } from './islands.ts';
-import { proveDeadEnds, proveLineTrap } from './line.ts';
-import { FINEST_ORBITS, proveOrbits } from './orbits/index.ts';
 import type { About, Proof, Prover } from './proof.ts';
+import { PROVERS, proversThat } from './provers.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
 /** For which runs a proof is sought, and what the search for it may cost. */
@@ -33,15 +26,10 @@ export interface ProveOptions {
 }
 
 /** The greatest {@link ProveOptions.fineness} at which any prover differs from a lower one. */
-export const FINEST = FINEST_ORBITS;
+export const FINEST = Math.max(...Object.values(PROVERS).map(({ finest }) => finest));
 
-type Kind = (setting: Setting, about: About, goal: Thing, fineness?: number) => Proof | null;
-
-// Proofs that a designer understands at a glance come first.
-const CHEAP: readonly Prover[] = ['nothing-in-range', 'starts-in-hazard', 'out-of-range', 'line-trap'];
-
-/** Provers that take milliseconds each. */
-const DEAR: readonly Prover[] = ['covered', 'enclosed', 'dead-end'];
+const CHEAP = proversThat(({ takes }) => takes === 'a glance');
+const QUICK = proversThat(({ takes }) => takes === 'a glance' || takes === 'milliseconds');
 
 /** Levels with more minerals than this are examined by the cheap provers only. */
 const MOST_MINERALS = 64;
@@ -64,22 +52,8 @@ export function proveImpossible(level: Level, options: ProveOptions = {}): Proof
   const settings = settingsOf(level, options);
   const goal = thingOf(level, level.blackHole);
   const about = { kind: 'blackHole' } as const;
-  return prove(settings, [...CHEAP, ...DEAR], about, goal, options) ?? proveSoonOver(settings, about, goal, options);
+  return prove(settings, QUICK, about, goal, options) ?? proveSoonOver(settings, about, goal, options);
 }
-
-/** The provers by name. */
-export const PROVERS = {
-  'nothing-in-range': proveNothingInRange,
-  'starts-in-hazard': proveStartsInHazard,
-  'out-of-range': proveOutOfRange,
-  'line-trap': proveLineTrap,
-  covered: proveCovered,
-  enclosed: proveEnclosed,
-  'dead-end': proveDeadEnds,
-  doomed: proveDoomed,
-  flowpipe: proveFlowpipe,
-  orbits: proveOrbits,
-} as const satisfies Record<Prover, Kind>;
 
 /**
  * Tries one prover only.
@@ -92,6 +66,16 @@ export const PROVERS = {
 export function proveBy(prover: Prover, level: Level, about: About, options: ProveOptions = {}): Proof | null {
   const goal = thingOf(level, about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index]);
   return prove(settingsOf(level, options), [prover], about, goal, options);
+}
+
+/**
+ * Whether a prover may find a proof about a level with some fineness. It is a quick look that costs no work: true says nothing.
+ */
+export function mayProve(prover: Prover, level: Level, options: ProveOptions = {}): boolean {
+  const { mayApply } = PROVERS[prover];
+  return settingsOf(level, options).some(
+    (setting) => whyNotTried(prover, setting.effects) === null && mayApply(setting, options.fineness ?? 0),
+  );
 }
 
 /**
@@ -113,7 +97,7 @@ export function proveMineralsUnreachable(
   return asked.flatMap((index) => {
     const about = { kind: 'mineral', index } as const;
     const goal = thingOf(level, level.minerals[index]);
-    const proof = prove(settings, asked.length <= MOST_MINERALS ? [...CHEAP, ...DEAR] : CHEAP, about, goal, options);
+    const proof = prove(settings, asked.length <= MOST_MINERALS ? QUICK : CHEAP, about, goal, options);
     if (proof !== null) return proof;
     isSoonOver ??= proveSoonOver(settings, { kind: 'blackHole' }, thingOf(level, level.blackHole), options) !== null;
     return isSoonOver ? (proveSoonOver(settings, about, goal, options) ?? []) : [];
@@ -151,7 +135,7 @@ function prove(
   for (const setting of settings) {
     for (const prover of provers) {
       if (whyNotTried(prover, setting.effects) !== null) continue;
-      const proof = withinBudget(PROVERS[prover], setting, about, goal, fineness);
+      const proof = withinBudget(prover, setting, about, goal, fineness);
       if (proof !== null && (accuracy === undefined || proof.covers.includes(accuracy))) return proof;
     }
   }
@@ -159,12 +143,12 @@ function prove(
 }
 
 /** Runs one prover; null when it finds no proof, or when that would take more work than is left. */
-function withinBudget(kind: Kind, setting: Setting, about: About, goal: Thing, fineness: number): Proof | null {
+function withinBudget(prover: Prover, setting: Setting, about: About, goal: Thing, fineness: number): Proof | null {
   const { level, budget } = setting;
   try {
     // Every prover examines all objects a few times.
     budget.look((level.asteroids.length + level.novae.length + level.repulsors.length + level.aliens.length) >> 1);
-    return kind(setting, about, goal, fineness);
+    return PROVERS[prover].prove(setting, about, goal, fineness);
   } catch (error) {
     if (error instanceof WorkLimitReached) return null;
     throw error;

@@ -1,6 +1,13 @@
 import { compile, createSimulation, TICK_RATE, type WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { createRandom } from '../random.ts';
+import { distance } from './rounding.ts';
+
+/** Whether she moves at the start, or a field or a wind moves her at once. At rest she can wait for any time. */
+export const startsMoving = ({ astronaut, repulsors, winds }: Level): boolean =>
+  astronaut.vx !== 0 ||
+  astronaut.vy !== 0 ||
+  [...repulsors, ...winds].some((field) => distance(field, astronaut) <= field.radius);
 
 /** Random plays that are sampled. */
 const PLAYS = 120;

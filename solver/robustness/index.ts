@@ -16,6 +16,7 @@ export {
   drawShift,
   extremeNoise,
   FIRST_TO_CHOOSE_BY,
+  mirroredShift,
   normalBeyondHalf,
   type TickNoise,
   tickNoise,

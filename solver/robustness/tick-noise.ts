@@ -116,6 +116,15 @@ export function uniformOf(seed: number, sample: number, edge: number): number {
   return mix(h + Math.imul(edge + 1, 0xc2b2ae35)) >>> 0;
 }
 
+/**
+ * The shift of an edge in an attempt to choose by, ticks. Each attempt is followed by its mirror image (early becomes late), so that
+ * noise that happens to lean to one side is not mistaken for room on the other.
+ */
+export function mirroredShift(noise: TickNoise, seed: number, attempt: number, edge: number): number {
+  const late = drawShift(noise, uniformOf(seed, FIRST_TO_CHOOSE_BY + (attempt >> 1), edge));
+  return attempt % 2 === 0 ? late : -late;
+}
+
 function mix(value: number): number {
   let h = value | 0;
   h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);

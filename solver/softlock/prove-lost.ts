@@ -1,31 +1,13 @@
 import { type AccuracyName, isAccuracyName, type Simulation, STATE_SIZE, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, NO_OBJECTS, objectsIn } from '../../schema/basics/index.ts';
 import { type AnytimeProof, createAnytimeProof } from '../anytime/index.ts';
-import { type Proof, type ProveOptions, type Prover, proveBy } from '../proofs/index.ts';
+import { type Proof, type ProveOptions, type Prover, type ProverEntry, proveBy, proversThat } from '../proofs/index.ts';
 import { verifyProof } from '../verify/index.ts';
-
-/**
- * The provers that say nothing of the angle of her box: they take her box for a disc, of half its shorter side where a hazard
- * must overlap it and of half its diagonal where it could touch the black hole, or examine every angle. `orbits` is one of them,
- * too.
- */
-const AT_ANY_ANGLE: readonly Prover[] = ['out-of-range', 'enclosed', 'covered', 'doomed'];
-
-/** The provers that follow her box from an upright start. */
-const UPRIGHT: readonly Prover[] = ['line-trap', 'dead-end', 'flowpipe'];
 
 /** What the provers of one state may cost, pieces of motion. */
 const MAX_WORK = 10_000;
 
-/** `doomed` and `flowpipe` follow her for so many seconds, and cost the most: they are left out where she can live on longer. */
-const SOON = 8;
-const SOON_OVER: readonly Prover[] = ['doomed', 'flowpipe'];
-
-/**
- * `orbits` follows her for so many seconds at most, and has a limit of its own, pieces of motion: what it proves of such states,
- * it proves with less.
- */
-const ORBITS_SOON = 20;
+/** The limit of `orbits` alone, pieces of motion: what it proves of such states, it proves with less. */
 const ORBITS_WORK = 12_500;
 
 /** A piece of motion of the provers takes about as long as so many ticks of a search. */
@@ -97,10 +79,7 @@ export function proveLost(simulation: Simulation, maxTicks: number, alive: numbe
   const from = isAccuracyName(name) ? levelFrom(simulation) : null;
   if (from === null) return { proof: null, level: null, ticks: 0 };
   const budget = new WorkBudget(MAX_WORK);
-  const seconds = alive * TICK;
-  const provers = (from.isUpright ? [...AT_ANY_ANGLE, ...UPRIGHT] : AT_ANY_ANGLE).filter(
-    (prover) => seconds <= SOON || !SOON_OVER.includes(prover),
-  );
+  const provers = proversFor(from, alive, ({ takes }) => takes !== 'longest');
   const proof = proveWithin(provers, from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
   return { proof, level: proof === null ? null : from.level, ticks: TICKS_A_PIECE * budget.spent };
 }
@@ -113,11 +92,22 @@ export function proveLost(simulation: Simulation, maxTicks: number, alive: numbe
  */
 export function proveLostByOrbits(simulation: Simulation, maxTicks: number, alive: number): LostProof {
   const { name } = simulation.scene.accuracy;
-  const from = isAccuracyName(name) && alive * TICK <= ORBITS_SOON ? levelFrom(simulation) : null;
+  const from = isAccuracyName(name) ? levelFrom(simulation) : null;
   if (from === null) return { proof: null, level: null, ticks: 0 };
+  const provers = proversFor(from, alive, ({ takes }) => takes === 'longest');
   const budget = new WorkBudget(ORBITS_WORK);
-  const proof = proveWithin(['orbits'], from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
+  const proof = proveWithin(provers, from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
   return { proof, level: proof === null ? null : from.level, ticks: ORBITS_TICKS_A_PIECE * budget.spent };
+}
+
+/**
+ * The provers of some kind that cover a state.
+ * @param alive the longest that she was seen alive after it, ticks
+ */
+function proversFor({ isUpright }: StateLevel, alive: number, is: (prover: ProverEntry) => boolean): Prover[] {
+  const covering = (kind: ProverEntry['holdsFor']) =>
+    proversThat((prover) => prover.holdsFor === kind && alive * TICK <= prover.within && is(prover));
+  return isUpright ? [...covering('all states'), ...covering('upright states')] : covering('all states');
 }
 
 /** The first proof that a prover finds and the separate checker confirms; null if there is none within the budget. */
@@ -145,9 +135,6 @@ export function createLongProof(simulation: Simulation, maxTicks: number, alive:
   const { name } = simulation.scene.accuracy;
   const from = isAccuracyName(name) ? levelFrom(simulation) : null;
   if (from === null) return null;
-  const seconds = alive * TICK;
-  const provers: Prover[] = seconds > ORBITS_SOON ? [] : ['orbits'];
-  if (seconds <= SOON) provers.push('doomed');
-  if (seconds <= SOON && from.isUpright) provers.push('flowpipe');
+  const provers = proversFor(from, alive, ({ finest }) => finest > 0);
   return provers.length === 0 ? null : createAnytimeProof(from.level, { accuracy: name as AccuracyName, maxTicks, provers });
 }

@@ -1,8 +1,9 @@
 import { createSearch } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
 import { verifyRun } from '../verified-run.ts';
+import type { Examined } from './examined.ts';
 import { proveLostByOrbits } from './prove-lost.ts';
-import type { Examined, SurveyTask } from './survey-task.ts';
+import type { SurveyTask } from './survey-task.ts';
 import { dateLoss, proveLoss, type TracedRun } from './trace-run.ts';
 
 /** Ticks between two states of one of the level's own runs. */
@@ -62,7 +63,7 @@ export function* surveySteps(task: SurveyTask, traced: readonly TracedRun[], exp
     for (const run of traced) yield* dateLoss(task, run, search);
     for (const state of byTick(task)) yield* task.searchFrom(state, search);
     // what was lost before may have turned out to be open, and the moment of loss is a later one
-    task.dropOpenEntries();
+    task.losses.dropOpen();
     yield* findEntries(task, 'not found', findEntry);
     yield* proveFiner(task, traced, attempt);
     yield* findEntries(task, 'proved', findProvedEntry);
@@ -80,7 +81,7 @@ function* proveLasting(task: SurveyTask): Steps<void> {
 
 /** The states to be proved: first the moments at which runs and places are lost, as they decide most, then the others. */
 function decisive(task: SurveyTask, traced: readonly TracedRun[]): ReadonlySet<Examined> {
-  const moments = [...traced.flatMap(({ lost }) => lost ?? []), ...task.entryStates()];
+  const moments = [...traced.flatMap(({ lost }) => lost ?? []), ...task.losses.moments()];
   const lasting = byTick(task)
     .reverse()
     .filter(({ alive }) => alive >= LIVES_ON);
@@ -146,8 +147,8 @@ function* findEntries(
   const lasting = task.states.filter(({ standing, alive }) => standing.is === is && alive >= LIVES_ON);
   let found = 0;
   for (const state of lasting.sort((a, b) => b.alive - a.alive)) {
-    const known = task.entryOf(state);
-    if (known !== undefined) task.follow(known, state);
+    const known = task.losses.of(state);
+    if (known !== undefined) task.losses.follow(known, state);
     else if (found++ < MOST_ENTRIES) yield* find(task, state);
   }
 }
@@ -165,7 +166,7 @@ function* findProvedEntry(task: SurveyTask, state: Examined): Steps<void> {
     if (middle.standing.is === 'proved') lost = middle;
     else low = middle.tick;
   }
-  task.enter(lost, open, state);
+  task.losses.add(lost, open, state);
 }
 
 /**
@@ -185,5 +186,5 @@ function* findEntry(task: SurveyTask, state: Examined): Steps<void> {
       open = middle.tick;
     } else lost = middle;
   }
-  task.enter(lost, open, state);
+  task.losses.add(lost, open, state);
 }

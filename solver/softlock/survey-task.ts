@@ -8,19 +8,18 @@ import {
   TICK_RATE,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
-import type { AnytimeProof } from '../anytime/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import { createSearch, type Moment } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
-import { createReplay, cutHolds } from '../verified-run.ts';
+import { createReplay } from '../verified-run.ts';
+import type { Examined } from './examined.ts';
+import { Losses } from './losses.ts';
 import { createLongProof, proveLost } from './prove-lost.ts';
-import type { LostPlace, Standing, SurveyedState } from './standing.ts';
+import type { Standing } from './standing.ts';
+import { commonTicks, continued, leadsThrough, upTo } from './ways.ts';
 
 /** Ticks of a search between two breaks. */
 const SLICE = 2000;
-
-/** Places nearer than this to each other are one, px. */
-const NEAR = 48;
 
 /** So many of the most similar open states show how to go on, px and px/s. */
 const MOST_SIMILAR = 6;
@@ -29,40 +28,20 @@ const SHIFTS = [0, -2, 2, -5, 5, -10, 10];
 /** A run that is not over this many ticks after its last release is given up. */
 const WAIT = 900;
 
-/** A state while it is examined. */
-export type Examined = { -readonly [K in keyof SurveyedState]: SurveyedState[K] } & {
-  readonly vx: number;
-  readonly vy: number;
-  /** The holds of a run through this state that completes the level; null while none is known. */
-  onward: readonly Hold[] | null;
-  /** How proofs were sought. */
-  readonly sought: Set<typeof proveLost>;
-  /** The search for a proof with ever finer sets; null: there is none for this state, undefined: not begun. */
-  proving: AnytimeProof | null | undefined;
-  /** Whether it was tried how runs go on from similar states. */
-  isKnownTried: boolean;
-};
-
 interface Wanted {
   readonly runs: readonly (readonly Hold[])[];
   readonly seed: number;
   readonly maxTicks: number;
 }
 
-/** A moment at which a run is lost, with how it is known, and the states that are lost with it. */
-interface Entry {
-  readonly at: Examined;
-  readonly open: number | null;
-  readonly states: Set<Examined>;
-  alive: number;
-}
-
-/** What all parts of a survey share: the states, the runs that complete the level, and the work done. */
+/** What all parts of a survey share: the states and what is known of each, the runs that complete the level, the work done. */
 export class SurveyTask {
   readonly scene: Scene;
   readonly runs: readonly (readonly Hold[])[];
   readonly maxTicks: number;
   readonly states: Examined[] = [];
+  /** The moments at which it was lost. */
+  readonly losses = new Losses();
   ticks = 0;
   /** What the next step may take, ticks: it is made once so much more work is asked for. */
   reserved = 0;
@@ -72,7 +51,6 @@ export class SurveyTask {
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly completing: (readonly Hold[])[] = [];
   private readonly proved: (Moment & { readonly proof: Proof })[] = [];
-  private entries: Entry[] = [];
   private searches = 0;
 
   constructor(scene: Scene, { runs, seed, maxTicks }: Wanted) {
@@ -251,35 +229,6 @@ export class SurveyTask {
     return common.length === 0 ? null : Math.max(...common);
   }
 
-  /** The entry that a state lies beyond, if it was found already. */
-  entryOf(state: Examined): Entry | undefined {
-    return this.entries.find(
-      ({ at }) => at.standing.is === state.standing.is && at.tick <= state.tick && leadsThrough(state.holds, at.holds, at.tick),
-    );
-  }
-
-  /** Notes the moment at which a state was lost. */
-  enter(at: Examined, open: number | null, state: Examined): void {
-    const alive = Math.max(at.alive, state.tick + state.alive - at.tick);
-    this.entries.push({ at, open, states: new Set([state]), alive });
-  }
-
-  /** Notes that a state lies beyond an entry. */
-  follow(entry: Entry, state: Examined): void {
-    entry.states.add(state);
-    entry.alive = Math.max(entry.alive, state.tick + state.alive - entry.at.tick);
-  }
-
-  /** The states at which it was lost, as far as they are found. */
-  entryStates(): Examined[] {
-    return this.entries.map(({ at }) => at);
-  }
-
-  /** Forgets the entries from which a run was found since. */
-  dropOpenEntries(): void {
-    this.entries = this.entries.filter(({ at }) => at.standing.is !== 'open');
-  }
-
   /** Plays holds to their end. @returns how the run ends, and the last tick at which she is alive */
   playOut(holds: readonly Hold[]): { readonly completes: boolean; readonly last: number } {
     this.goTo({ holds, tick: this.maxTicks });
@@ -290,55 +239,9 @@ export class SurveyTask {
     };
   }
 
-  places(): LostPlace[] {
-    const places: LostPlace[] = [];
-    const isLost = ({ standing: { is } }: Examined) => is === 'proved' || is === 'not found';
-    const sorted = this.entries.filter(({ at }) => isLost(at)).sort((a, b) => b.alive - a.alive);
-    for (const { at, open, states, alive } of sorted) {
-      const near = places.findIndex(
-        ({ x, y, standing }) => standing.is === at.standing.is && (x - at.x) * (x - at.x) + (y - at.y) * (y - at.y) < NEAR * NEAR,
-      );
-      if (near >= 0) places[near] = { ...places[near], states: places[near].states + states.size };
-      else {
-        const { x, y, holds, tick, standing, run } = at;
-        places.push({ x, y, holds, tick, standing, run, alive, open, states: states.size });
-      }
-    }
-    return places;
-  }
-
   private goTo({ holds, tick }: Moment): void {
     this.simulation.reset();
     playScript(this.simulation, holds, tick);
     this.ticks += this.simulation.tick;
   }
-}
-
-/** The part of holds before a tick. */
-const upTo = (holds: readonly Hold[], tick: number): Hold[] => (tick === 0 ? [] : cutHolds(joinHolds(holds), tick - 1));
-
-/** Whether a run passes through the state that other holds lead to. */
-const leadsThrough = (run: readonly Hold[], holds: readonly Hold[], tick: number): boolean =>
-  commonTicks(run, holds, tick) >= tick;
-
-/** For how many ticks two sorted and disjoint lists of holds say the same, at most `tick`. */
-function commonTicks(a: readonly Hold[], b: readonly Hold[], tick: number): number {
-  const [edges, others] = [a.flat(), b.flat()];
-  for (let i = 0; i < edges.length || i < others.length; i++) {
-    if (edges[i] !== others[i]) {
-      return Math.min(tick, edges[i] ?? Number.POSITIVE_INFINITY, others[i] ?? Number.POSITIVE_INFINITY);
-    }
-  }
-  return tick;
-}
-
-/** Holds that lead to a state and then go on as a run did after another tick, some ticks earlier or later. */
-function continued({ holds, tick }: Moment, onward: readonly Hold[], from: number, shift: number): Hold[] {
-  const later = onward
-    .filter(([, release]) => release > from)
-    .map(([press, release]): Hold => {
-      const at = Math.max(0, press - from + (press > from ? shift : 0));
-      return [tick + at, tick + Math.max(at + 1, release - from + shift)];
-    });
-  return joinHolds([...holds, ...later]);
 }

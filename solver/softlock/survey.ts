@@ -79,7 +79,7 @@ export function createSoftlockSurvey(scene: Scene, options: SurveyOptions = {}):
       return task.states;
     },
     get places() {
-      return task.places();
+      return task.losses.places();
     },
     get losses() {
       return traced;

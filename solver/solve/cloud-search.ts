@@ -2,7 +2,7 @@ import { createSimulation, type Scene, type Simulation, STATE_SIZE } from '../..
 import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { createRandom, type Random } from '../random.ts';
-import { drawShift, FIRST_TO_CHOOSE_BY, type TickNoise, tickNoise, uniformOf } from '../robustness/index.ts';
+import { mirroredShift, type TickNoise, tickNoise } from '../robustness/index.ts';
 import type { HeatMap } from '../search/index.ts';
 
 /** A run that the search has found. */
@@ -180,9 +180,7 @@ export class CloudSearch {
 
   /** The error of an attempt at an edge, ticks. */
   private shift(edge: number, execution: number): number {
-    if (execution === 0) return 0;
-    const late = drawShift(this.noise, uniformOf(this.seed, FIRST_TO_CHOOSE_BY + (execution >> 1), edge));
-    return execution % 2 === 0 ? late : -late;
+    return execution === 0 ? 0 : mirroredShift(this.noise, this.seed, execution, edge);
   }
 
   private meetsGoal(simulation: Simulation): boolean {

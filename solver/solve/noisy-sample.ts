@@ -1,13 +1,5 @@
 import type { Hold } from '../../schema/basics/index.ts';
-import {
-  drawShift,
-  FIRST_TO_CHOOSE_BY,
-  judgeAll,
-  shiftHolds,
-  type TickNoise,
-  type Trials,
-  uniformOf,
-} from '../robustness/index.ts';
+import { judgeAll, mirroredShift, shiftHolds, type TickNoise, type Trials } from '../robustness/index.ts';
 
 /** What timing noise did to a run. */
 export interface NoisySample {
@@ -23,8 +15,7 @@ export interface NoisySample {
 }
 
 /**
- * Simulates a run under timing noise. Each attempt is followed by its mirror image (early becomes late), so that noise that
- * happens to lean to one side is not mistaken for room on the other.
+ * Simulates a run under timing noise, with attempts to choose by.
  * @param from the first attempt of the seed's endless sequence
  * @param to one past the last attempt
  */
@@ -40,10 +31,7 @@ export function sampleNoise(
   const shifts: Int32Array[] = [];
   for (let i = from; i < to; i++) {
     const shift = new Int32Array(edges);
-    for (let edge = 0; edge < edges; edge++) {
-      const late = drawShift(noise, uniformOf(seed, FIRST_TO_CHOOSE_BY + (i >> 1), edge));
-      shift[edge] = i % 2 === 0 ? late : -late;
-    }
+    for (let edge = 0; edge < edges; edge++) shift[edge] = mirroredShift(noise, seed, i, edge);
     shifts.push(shift);
   }
   const succeeded = judgeAll(

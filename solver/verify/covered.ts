@@ -1,4 +1,4 @@
-import type { Box } from '../../engine/index.ts';
+import { boxGap, unit } from './box-gap.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { apart, less, type Point } from './rounded.ts';
@@ -7,8 +7,6 @@ const START = { x: 0, y: 0 };
 
 /** The most sets of poses to examine. */
 const MOST = 400_000;
-
-type Circle = Point & { readonly radius: number };
 
 /** The places of a square, and directions of the box's x axis between two that are less than half a turn apart. */
 interface Poses {
@@ -44,13 +42,13 @@ export function checkCovered(claim: Claim): string | null {
     const middle = unit({ x: poses.from.x + poses.to.x, y: poses.from.y + poses.to.y });
     const shift = poses.half * 1.4143;
     const turn = claim.box.halfDiagonal * 1.00001 * Math.max(apart(middle, poses.from), apart(middle, poses.to));
-    if (less(shift + turn, gap(claim.box, poses.centre, middle, claim.thing))) continue;
+    if (less(shift + turn, boxGap(claim.box, poses.centre, middle, claim.thing))) continue;
     const isCovered = hazards.some((hazard) =>
       // A mineral counts even when a press turns her into a hazard at that instant. So it is covered only where her centre
       // cannot be at all.
       claim.about.kind === 'mineral'
         ? less(apart(poses.centre, hazard) + shift, hazard.radius + claim.inner)
-        : less(gap(claim.box, poses.centre, middle, hazard) + shift + turn, 0),
+        : less(boxGap(claim.box, poses.centre, middle, hazard) + shift + turn, 0),
     );
     if (isCovered) continue;
     if (shift + turn < 0.05) return 'she may touch it and no hazard';
@@ -65,15 +63,4 @@ function quarters(poses: Poses): Poses[] {
   return [-half, half].flatMap((dx) =>
     [-half, half].map((dy) => ({ ...poses, half, centre: { x: poses.centre.x + dx, y: poses.centre.y + dy } })),
   );
-}
-
-const unit = ({ x, y }: Point): Point => ({ x: x / Math.sqrt(x * x + y * y), y: y / Math.sqrt(x * x + y * y) });
-
-/** Distance between her box and a circle, px; negative where they overlap, but not below minus the radius. */
-function gap({ halfWidth, halfHeight }: Box, centre: Point, side: Point, circle: Circle): number {
-  const dx = circle.x - centre.x;
-  const dy = circle.y - centre.y;
-  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - halfWidth);
-  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - halfHeight);
-  return Math.sqrt(along * along + across * across) - circle.radius;
 }

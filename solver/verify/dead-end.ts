@@ -1,6 +1,7 @@
 import type { Box } from '../../engine/index.ts';
 import type { DeadEnd } from '../proofs/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
+import { boxGap, type Circle, unit } from './box-gap.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { mouthsOf } from './mouths.ts';
@@ -31,8 +32,6 @@ const MOST = 20_000;
 
 /** Ranges of directions of her box with a smaller chord are not divided any further. */
 const FINEST_TURN = 0.0005;
-
-type Circle = Point & { readonly radius: number };
 
 /** All numbers between two. */
 type Interval = readonly [number, number];
@@ -315,25 +314,11 @@ function stops(scene: Scene, hazard: Circle, a: Point, b: Point, from: Point, to
   if (far > hazard.radius + halfDiagonal) return false;
   const middle = unit({ x: from.x + to.x, y: from.y + to.y });
   const off = Math.max(apart(middle, from), apart(middle, to));
-  const worst = Math.max(gap(scene.box, a, middle, hazard), gap(scene.box, b, middle, hazard));
+  const worst = Math.max(boxGap(scene.box, a, middle, hazard), boxGap(scene.box, b, middle, hazard));
   if (less(worst + halfDiagonal * off, -DEPTH)) return true;
   if (worst > -DEPTH || off < FINEST_TURN) return false;
   return stops(scene, hazard, a, b, from, middle) && stops(scene, hazard, a, b, middle, to);
 }
-
-/** Distance between her box and a circle, px; negative where they overlap. */
-function gap({ halfWidth, halfHeight }: Box, centre: Point, side: Point, circle: Circle): number {
-  const dx = circle.x - centre.x;
-  const dy = circle.y - centre.y;
-  const along = Math.max(0, Math.abs(dx * side.x + dy * side.y) - halfWidth);
-  const across = Math.max(0, Math.abs(dy * side.x - dx * side.y) - halfHeight);
-  return Math.sqrt(along * along + across * across) - circle.radius;
-}
-
-const unit = ({ x, y }: Point): Point => {
-  const length = Math.sqrt(x * x + y * y);
-  return { x: x / length, y: y / length };
-};
 
 /** The part of a hull between two places. */
 function within(ways: readonly Way[], low: number, high: number): Way[] {

@@ -42,6 +42,13 @@ describe('a proof with ever finer sets', () => {
     if (all.proof !== null) expect(all.proof.about).toEqual({ kind: 'mineral', index: 0 });
   });
 
+  it('is not sought where she starts at rest', () => {
+    const proving = createAnytimeProof(QUIET, { accuracy: 'precise' });
+    expect([proving.finished, proving.nextLimit]).toEqual([true, 0]);
+    proving.advance(PLENTY);
+    expect([proving.proof, proving.ticks]).toEqual([null, 0]);
+  });
+
   it('never spends more than it was given', () => {
     fc.assert(
       fc.property(fc.constantFrom(DOOMED, COASTS, QUIET), fc.array(fc.nat(700_000), { maxLength: 6 }), (of, slices) => {

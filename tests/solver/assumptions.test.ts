@@ -4,6 +4,7 @@ import { compile, EFFECTS, type Effect } from '../../engine/index.ts';
 import { type Level, type OwnRules, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { PROVERS, type Proof, proveBy, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
 import { effectsOf, whyNotTried } from '../../solver/proofs/assumptions.ts';
+import { mayProve } from '../../solver/proofs/index.ts';
 import type { Prover } from '../../solver/proofs/proof.ts';
 import { ALSO, LEVELS } from './impossible-levels.ts';
 
@@ -41,6 +42,12 @@ const certificateKind = (kind: Prover): Proof['code'] => (kind === 'dead-end' ? 
 
 describe.each(KINDS)('%s', (kind) => {
   const level = levelFor(kind);
+
+  it('may apply to a level of which it proves something, and not with the wind', () => {
+    expect(mayProve(kind, level)).toBe(true);
+    blow();
+    expect(mayProve(kind, level)).toBe(false);
+  });
 
   it('has a proof without the wind and none with it, and the checker refuses the old one', () => {
     const proof = proveBy(kind, level, HOLE) as Proof;

@@ -55,7 +55,7 @@ export function DeathList() {
             const place = `${Math.round(x)}, ${Math.round(y)}`;
             return (
               <li key={`${cause.kind} ${cause.index} ${place}`}>
-                <button type="button" className="deaths__place" title="Bring the place into view" onClick={() => show(cluster)}>
+                <button type="button" className="row-button" title="Bring the place into view" onClick={() => show(cluster)}>
                   <b className="numbers">{count}×</b> she {causeInWords(cause)}{' '}
                   <span className="deaths__at numbers">at {place}</span>
                 </button>

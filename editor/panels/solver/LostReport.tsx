@@ -57,7 +57,7 @@ export function LostReport() {
                 <li key={`${x} ${y} ${tick}`}>
                   <button
                     type="button"
-                    className="lost-places__place"
+                    className="row-button"
                     title="Bring the place into view"
                     onClick={() => session.setState({ lookAt: { x, y } })}
                   >

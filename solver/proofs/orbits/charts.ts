@@ -1,3 +1,5 @@
+import { TICK } from '../../../engine/index.ts';
+import { driftAfter } from '../assumptions.ts';
 import type { Setting } from '../setting.ts';
 import { NUMBERS } from './layer.ts';
 import { Rectangle } from './rectangle.ts';
@@ -9,44 +11,49 @@ import { atan2, cos, sin } from './trigonometry.ts';
 const INNER = 16;
 const QUICK = 3;
 
-/**
- * States about each of the asteroids: where a box lies between them, and the same states about another one. Its subclasses set
- * `rect` to the places that are asked about, and `box` to the states.
- */
-export abstract class Charts {
-  protected readonly setting: Setting;
-  protected readonly scene: OrbitScene;
-  protected readonly rocks: OrbitScene['rocks'];
-  /** How far recoil may have carried each asteroid by the end of the step, px, and how fast it may be, px/s. */
-  protected drift: number[] = [];
-  protected shift: number[] = [];
-  protected readonly rect = new Rectangle();
-  protected readonly box = new Float64Array(NUMBERS);
+/** States about each of the asteroids: where a box lies between them, and the same states about another one. */
+export class Charts {
+  readonly rocks: OrbitScene['rocks'];
+  /** How far recoil may have carried each asteroid by the end of the step, px. */
+  drift: number[];
+  /** The places that are asked about. */
+  readonly rect = new Rectangle();
   /** What `fill` made. */
-  protected readonly made = new Float64Array(NUMBERS);
+  readonly made = new Float64Array(NUMBERS);
+  private readonly setting: Setting;
+  /** How fast recoil may have made each asteroid by the end of the step, px/s. */
+  private shift: number[];
   // what `velocity` found, px/s
-  protected vx0 = 0;
-  protected vx1 = 0;
-  protected vy0 = 0;
-  protected vy1 = 0;
+  private vx0 = 0;
+  private vx1 = 0;
+  private vy0 = 0;
+  private vy1 = 0;
 
-  constructor(setting: Setting, scene: OrbitScene) {
+  constructor(setting: Setting, { rocks }: OrbitScene) {
     this.setting = setting;
-    this.scene = scene;
-    this.rocks = scene.rocks;
+    this.rocks = rocks;
+    this.drift = rocks.map(() => 0);
+    this.shift = rocks.map(() => 0);
   }
 
-  /** Least and greatest distance of a place from the rectangle about asteroid i, px. */
-  protected near(i: number, { x, y }: Place): number {
+  /** Sets the end of the step, s. */
+  until(time: number): void {
+    this.drift = this.rocks.map((_, i) => driftAfter(this.setting, i, time));
+    this.shift = this.rocks.map(({ k }) => k * (time + TICK));
+  }
+
+  /** Least distance of a place from the rectangle about asteroid i, px. */
+  near(i: number, { x, y }: Place): number {
     return this.rect.near(x - this.rocks[i].x, y - this.rocks[i].y);
   }
 
-  protected far(i: number, { x, y }: Place): number {
+  /** Greatest distance of a place from the rectangle about asteroid i, px. */
+  far(i: number, { x, y }: Place): number {
     return this.rect.far(x - this.rocks[i].x, y - this.rocks[i].y);
   }
 
   /** Whether j may be nearer than i somewhere in the rectangle. */
-  protected mayBeNearer(i: number, j: number): boolean {
+  mayBeNearer(i: number, j: number): boolean {
     const ox = this.rocks[j].x - this.rocks[i].x;
     const oy = this.rocks[j].y - this.rocks[i].y;
     const x = ox * this.rect.ca + oy * this.rect.sa;
@@ -57,13 +64,13 @@ export abstract class Charts {
     return most + D * (this.rect.farthest() + Math.sqrt(square)) + SLACK * (1 + Math.sqrt(square)) >= square / 2;
   }
 
-  /** Whether she may come nearer to j faster than to i, so that j may become the nearest in this step. */
-  protected mayCross(i: number, j: number, isPolar: boolean, h: number): boolean {
+  /** Whether she may come nearer to j faster than to i, so that j may become the nearest within h seconds. */
+  mayCross(box: Float64Array, i: number, j: number, isPolar: boolean, h: number): boolean {
     const { rocks, drift, shift } = this;
     const ox = rocks[j].x - rocks[i].x;
     const oy = rocks[j].y - rocks[i].y;
     const o = Math.sqrt(ox * ox + oy * oy);
-    this.velocity(this.box, isPolar, atan2(oy, ox));
+    this.velocity(box, isPolar, atan2(oy, ox));
     const D = drift[i] + drift[j];
     const V = shift[i] + shift[j];
     const gain = h * (this.setting.strongest + rocks[i].k);
@@ -72,7 +79,7 @@ export abstract class Charts {
   }
 
   /** Whether i may be the nearest somewhere in the rectangle. */
-  protected mayBeNearest(i: number): boolean {
+  mayBeNearest(i: number): boolean {
     for (let j = 0; j < this.rocks.length; j++) {
       if (j === i) continue;
       const ox = this.rocks[j].x - this.rocks[i].x;
@@ -88,18 +95,20 @@ export abstract class Charts {
     return true;
   }
 
-  protected border(l0: number, l1: number): number {
+  /** Nearer than this, px, boxes with these momenta are Cartesian. */
+  border(l0: number, l1: number): number {
     const m = (Math.abs(l0) + Math.abs(l1)) / 2;
     return Math.max(INNER, Math.sqrt(m / QUICK));
   }
 
-  protected rectOf(box: Float64Array, isPolar: boolean): void {
+  /** Asks about the places of a box. */
+  rectOf(box: Float64Array, isPolar: boolean): void {
     if (isPolar) this.rect.sector(box[0], box[1], box[2], box[3]);
     else this.rect.plain(box[0], box[1], box[2], box[3]);
   }
 
   /** The velocity of a box along axes turned by beta, relative to the box's asteroid. */
-  protected velocity(box: Float64Array, isPolar: boolean, beta: number): void {
+  private velocity(box: Float64Array, isPolar: boolean, beta: number): void {
     this.measureVelocity(box, isPolar, beta);
     // Near a centre the quotient of momentum and distance may be far greater than she is fast.
     const fast = Math.sqrt(2 * box[11]) + SLACK;
@@ -109,7 +118,7 @@ export abstract class Charts {
     this.vy1 = Math.min(this.vy1, fast);
   }
 
-  protected measureVelocity(box: Float64Array, isPolar: boolean, beta: number): void {
+  private measureVelocity(box: Float64Array, isPolar: boolean, beta: number): void {
     if (isPolar) {
       const mid = (box[2] + box[3]) / 2;
       const s = sin(Math.min(Math.PI / 2, (box[3] - box[2]) / 2));
@@ -139,7 +148,7 @@ export abstract class Charts {
   }
 
   /** Writes the box as one about asteroid j to `made`; whether it is polar, null when it is empty. */
-  protected fill(box: Float64Array, chart: number, j: number, nearOnly: boolean): boolean | null {
+  fill(box: Float64Array, chart: number, j: number, nearOnly: boolean): boolean | null {
     const { made, rocks } = this;
     const i = chart >> 1;
     const isPolar = chart % 2 === 0;

@@ -1,2 +1,2 @@
 export { followOrbits } from './follow.ts';
-export { FINEST_ORBITS, MOST_ORBITS, proveOrbits } from './prove-orbits.ts';
+export { FINEST_ORBITS, MOST_ORBITS, mayOrbit, proveOrbits } from './prove-orbits.ts';

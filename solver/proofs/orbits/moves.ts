@@ -2,64 +2,63 @@ import { easySpeed } from '../assumptions.ts';
 import { RIM_SLACK } from '../rims.ts';
 import type { Setting } from '../setting.ts';
 import { mostSquare } from './agree.ts';
-import { Charts } from './charts.ts';
+import type { Charts } from './charts.ts';
+import type { Forces } from './forces.ts';
+import { NUMBERS } from './layer.ts';
 import type { OrbitScene } from './scene.ts';
 import { SLACK, slackL } from './slack.ts';
 import { cos, sin } from './trigonometry.ts';
 import type { OrbitWatch } from './watch.ts';
 
-/** Moves boxes through a part of a step. */
-export abstract class Moves extends Charts {
-  /** Why it gave up; empty when it did not. */
-  why = '';
-  protected readonly watch: OrbitWatch;
-  protected readonly fastest: number;
-  /** Length of the part, s. */
-  protected h = 0;
-  /** Whether `box` has polar coordinates. */
-  protected isPolar = false;
-  /** Bits of the asteroids that may have become the nearest. */
-  protected mark = 0;
+/** Moves a box through parts of a step. */
+export class Moves {
+  /** The box that is moved. */
+  readonly box = new Float64Array(NUMBERS);
+  /** Whether it has polar coordinates. */
+  isPolar = false;
+  /** Below this speed she can be followed, px/s. */
+  readonly fastest: number;
+  private readonly setting: Setting;
+  private readonly scene: OrbitScene;
+  private readonly charts: Charts;
+  private readonly forces: Forces;
+  private readonly watch: OrbitWatch;
   private readonly crowded: boolean;
-  // what `forces` found, in the axes of the rectangle, px/s²
-  private ax0 = 0;
-  private ax1 = 0;
-  private ay0 = 0;
-  private ay1 = 0;
-  private windX0 = 0;
-  private windX1 = 0;
-  private windY0 = 0;
-  private windY1 = 0;
-  private inField = false;
-  private foreign = false;
 
-  constructor(setting: Setting, scene: OrbitScene, watch: OrbitWatch) {
-    super(setting, scene);
+  constructor(setting: Setting, scene: OrbitScene, charts: Charts, forces: Forces, watch: OrbitWatch) {
+    this.setting = setting;
+    this.scene = scene;
+    this.charts = charts;
+    this.forces = forces;
     this.watch = watch;
     this.fastest = easySpeed(setting.rules);
     this.crowded = scene.rocks.length > 1 || scene.fields.length > 0 || scene.winds.length > 0;
   }
 
-  /** Whether she may touch what nobody follows. */
-  private isClear(i: number): boolean {
+  /**
+   * Moves the box, which is about asteroid i, through h seconds.
+   * @returns why it gave up; null when it did not
+   */
+  part(i: number, h: number): string | null {
+    return this.isPolar ? this.movePolar(i, h) : this.moveNear(i, h);
+  }
+
+  /** Whether she may touch what nobody follows: why it gives up, or null. */
+  private whyNotClear(i: number): string | null {
+    const { charts, scene } = this;
     if (this.watch.places !== undefined) this.tellPlaces(i, this.watch.places);
-    if (this.near(i, this.scene.goal) - this.drift[i] <= this.scene.goal.r + SLACK) {
-      this.why = 'she may come near the object';
-      return false;
+    if (charts.near(i, scene.goal) - charts.drift[i] <= scene.goal.r + SLACK) return 'she may come near the object';
+    for (const mouth of scene.mouths) {
+      if (charts.near(i, mouth) - charts.drift[i] <= mouth.r + RIM_SLACK) return 'she may enter a mouth';
     }
-    for (const mouth of this.scene.mouths) {
-      if (this.near(i, mouth) - this.drift[i] <= mouth.r + RIM_SLACK) {
-        this.why = 'she may enter a mouth';
-        return false;
-      }
-    }
-    return true;
+    return null;
   }
 
   private tellPlaces(i: number, places: NonNullable<OrbitWatch['places']>): void {
-    const { ca, sa, X0, X1, Y0, Y1 } = this.rect;
-    const { x, y } = this.rocks[i];
-    const D = this.drift[i];
+    const { rect, rocks, drift } = this.charts;
+    const { ca, sa, X0, X1, Y0, Y1 } = rect;
+    const { x, y } = rocks[i];
+    const D = drift[i];
     const x0 = Math.min(X0 * ca, X1 * ca) - Math.max(Y0 * sa, Y1 * sa);
     const x1 = Math.max(X0 * ca, X1 * ca) - Math.min(Y0 * sa, Y1 * sa);
     const y0 = Math.min(X0 * sa, X1 * sa) + Math.min(Y0 * ca, Y1 * ca);
@@ -67,88 +66,9 @@ export abstract class Moves extends Charts {
     places(x + x0 - D, x + x1 + D, y + y0 - D, y + y1 + D);
   }
 
-  private include(x0: number, x1: number, y0: number, y1: number): void {
-    this.ax0 = Math.min(this.ax0, x0);
-    this.ax1 = Math.max(this.ax1, x1);
-    this.ay0 = Math.min(this.ay0, y0);
-    this.ay1 = Math.max(this.ay1, y1);
-  }
-
-  /** The accelerations of everything but the asteroid itself, in the rectangle's frame. */
-  private forces(i: number, isPolar: boolean): void {
-    const { rocks, drift } = this;
-    const { pull, push } = this.setting.rules;
-    this.inField = false;
-    this.foreign = false;
-    this.ax0 = this.ay0 = Number.POSITIVE_INFINITY;
-    this.ax1 = this.ay1 = Number.NEGATIVE_INFINITY;
-    for (const field of this.scene.fields) {
-      const near = this.near(i, field) - drift[i];
-      if (near > field.r + SLACK) continue;
-      this.foreign = true;
-      const far = this.far(i, field) + drift[i];
-      if (far < field.r - SLACK) this.inField = true;
-      if (near < 1) {
-        this.include(-push, push, -push, push);
-        continue;
-      }
-      const rx = field.x - rocks[i].x;
-      const ry = field.y - rocks[i].y;
-      const x = rx * this.rect.ca + ry * this.rect.sa;
-      const y = ry * this.rect.ca - rx * this.rect.sa;
-      const g0 = push / far;
-      const g1 = push / near;
-      const D = drift[i];
-      this.include(
-        least(this.rect.X0 - x - D, g0, g1),
-        greatest(this.rect.X1 - x + D, g0, g1),
-        least(this.rect.Y0 - y - D, g0, g1),
-        greatest(this.rect.Y1 - y + D, g0, g1),
-      );
-    }
-    if (!this.inField) this.include(0, 0, 0, 0);
-    const { range } = this.setting.level;
-    for (let j = 0; j < rocks.length; j++) {
-      if (j === i || !this.mayBeNearer(i, j) || !((this.mark & (1 << (j & 31))) !== 0 || this.mayCross(i, j, isPolar, this.h)))
-        continue;
-      this.foreign = true;
-      this.mark |= 1 << (j & 31);
-      // Inside a field the gun does not act, but the nearest asteroid may change.
-      if (this.inField) continue;
-      const D = drift[i] + drift[j];
-      const near = this.near(i, rocks[j]) - D;
-      if (near < 1) {
-        this.include(-pull, pull, -pull, pull);
-        continue;
-      }
-      const far = this.far(i, rocks[j]) + D;
-      const g0 = Math.max(0, pull * (1 / far - 1 / range));
-      const g1 = Math.max(0, pull * (1 / near - 1 / range));
-      const rx = rocks[j].x - rocks[i].x;
-      const ry = rocks[j].y - rocks[i].y;
-      const x = rx * this.rect.ca + ry * this.rect.sa;
-      const y = ry * this.rect.ca - rx * this.rect.sa;
-      this.include(
-        least(x - D - this.rect.X1, g0, g1),
-        greatest(x + D - this.rect.X0, g0, g1),
-        least(y - D - this.rect.Y1, g0, g1),
-        greatest(y + D - this.rect.Y0, g0, g1),
-      );
-    }
-    for (const wind of this.scene.winds) {
-      if (this.near(i, wind) - drift[i] > wind.r + RIM_SLACK) continue;
-      this.foreign = true;
-      const isIn = this.far(i, wind) + drift[i] < wind.r - RIM_SLACK;
-      const x = wind.ax * this.rect.ca + wind.ay * this.rect.sa;
-      const y = wind.ay * this.rect.ca - wind.ax * this.rect.sa;
-      this.windX0 += isIn ? x : Math.min(0, x);
-      this.windX1 += isIn ? x : Math.max(0, x);
-      this.windY0 += isIn ? y : Math.min(0, y);
-      this.windY1 += isIn ? y : Math.max(0, y);
-    }
-  }
-  protected movePolar(i: number): boolean {
-    const { box, h, rocks, setting } = this;
+  private movePolar(i: number, h: number): string | null {
+    const { box, charts, forces, setting } = this;
+    const { rect, rocks } = charts;
     const [d0, d1, t0, t1, w0, w1, , , l0, l1] = box;
     const k = rocks[i].k;
     const { pull } = setting.rules;
@@ -158,55 +78,53 @@ export abstract class Moves extends Charts {
     const lm = Math.max(-l0, l1);
     const wm = Math.max(-w0, w1);
     const v = Math.sqrt(Math.min(wm * wm + (lm / d0) * (lm / d0), 2 * box[11])) + A * h;
-    if (v > this.fastest) {
-      this.why = 'she may be too fast';
-      return false;
-    }
+    if (v > this.fastest) return 'she may be too fast';
     const dl = this.crowded ? h * (d1 + v * h) * strongest : 0;
     const e0 = Math.min(d0, d0 + w0 * h - 0.5 * A * h * h);
     if (e0 < 2) {
-      this.toNear(box, i);
+      charts.fill(box, 2 * i, i, true);
+      box.set(charts.made);
       this.isPolar = false;
-      return this.moveNear(i);
+      return this.moveNear(i, h);
     }
     let m = lm + dl;
     let c1 = (m * m) / (e0 * e0 * e0);
     const e1 = Math.max(d1, d1 + w1 * h + 0.5 * (c1 + (this.crowded ? strongest : 0)) * h * h);
     const r0 = l0 - dl >= 0 ? (l0 - dl) / (e1 * e1) : (l0 - dl) / (e0 * e0);
     const r1 = l1 + dl >= 0 ? (l1 + dl) / (e0 * e0) : (l1 + dl) / (e1 * e1);
-    this.rect.sector(e0, e1, t0 + Math.min(0, r0 * h), t1 + Math.max(0, r1 * h));
-    if (!this.isClear(i)) return false;
-    this.windX0 = this.windX1 = this.windY0 = this.windY1 = 0;
+    rect.sector(e0, e1, t0 + Math.min(0, r0 * h), t1 + Math.max(0, r1 * h));
+    const why = this.whyNotClear(i);
+    if (why !== null) return why;
     let R0 = 0;
     let R1 = 0;
     let T0 = 0;
     let T1 = 0;
-    if (this.crowded) this.forces(i, true);
-    const isForeign = this.crowded && this.foreign;
+    if (this.crowded) forces.look(i, box, true, h);
+    const isForeign = this.crowded && forces.foreign;
     if (isForeign) {
-      const c = cos(this.rect.delta);
-      const s = sin(this.rect.delta);
-      const xm = Math.max(-this.ax0, this.ax1, 0);
-      const ym = Math.max(-this.ay0, this.ay1, 0);
-      R0 = Math.min(this.ax0, this.ax0 * c) - ym * s;
-      R1 = Math.max(this.ax1, this.ax1 * c) + ym * s;
-      T0 = Math.min(this.ay0, this.ay0 * c) - xm * s;
-      T1 = Math.max(this.ay1, this.ay1 * c) + xm * s;
+      const c = cos(rect.delta);
+      const s = sin(rect.delta);
+      const xm = Math.max(-forces.ax0, forces.ax1, 0);
+      const ym = Math.max(-forces.ay0, forces.ay1, 0);
+      R0 = Math.min(forces.ax0, forces.ax0 * c) - ym * s;
+      R1 = Math.max(forces.ax1, forces.ax1 * c) + ym * s;
+      T0 = Math.min(forces.ay0, forces.ay0 * c) - xm * s;
+      T1 = Math.max(forces.ay1, forces.ay1 * c) + xm * s;
     }
     // paths
     const a1 = Math.max(0, pull * (1 - e0 / range));
-    const lowPull = isForeign ? Math.min(R0, this.inField ? R0 : -a1) - k : -a1 - k;
-    let high = isForeign ? Math.max(R1, this.inField ? R1 : 0) : 0;
+    const lowPull = isForeign ? Math.min(R0, forces.inField ? R0 : -a1) - k : -a1 - k;
+    let high = isForeign ? Math.max(R1, forces.inField ? R1 : 0) : 0;
     let low = lowPull;
     if (isForeign && this.scene.winds.length > 0) {
-      const c = cos(this.rect.delta);
-      const s = sin(this.rect.delta);
-      const xm = Math.max(-this.windX0, this.windX1);
-      const ym = Math.max(-this.windY0, this.windY1);
-      low += Math.min(this.windX0, this.windX0 * c) - ym * s;
-      high += Math.max(this.windX1, this.windX1 * c) + ym * s;
-      T0 += Math.min(this.windY0, this.windY0 * c) - xm * s;
-      T1 += Math.max(this.windY1, this.windY1 * c) + xm * s;
+      const c = cos(rect.delta);
+      const s = sin(rect.delta);
+      const xm = Math.max(-forces.windX0, forces.windX1);
+      const ym = Math.max(-forces.windY0, forces.windY1);
+      low += Math.min(forces.windX0, forces.windX0 * c) - ym * s;
+      high += Math.max(forces.windX1, forces.windX1 * c) + ym * s;
+      T0 += Math.min(forces.windY0, forces.windY0 * c) - xm * s;
+      T1 += Math.max(forces.windY1, forces.windY1 * c) + xm * s;
     }
     // momentum
     let n0 = l0;
@@ -251,39 +169,37 @@ export abstract class Moves extends Charts {
       box[11] += Math.max(0, -a * (w0 + Math.min(0, h * (c0 + low)))) + 1e-4;
     }
     if (box[0] < 2) box[0] = 2;
-    return true;
+    return null;
   }
 
-  protected moveNear(i: number): boolean {
-    const { box, h, rocks, setting } = this;
+  private moveNear(i: number, h: number): string | null {
+    const { box, charts, forces, setting } = this;
+    const { rect, rocks } = charts;
     const [x0, x1, y0, y1, u0, u1, v0, v1, l0, l1] = box;
     const k = rocks[i].k;
     const { pull } = setting.rules;
     const { range } = setting.level;
     const A = setting.strongest + k;
     const square = mostSquare(u0, u1) + mostSquare(v0, v1);
-    if (Math.min(2 * box[11], square) > this.fastest * this.fastest) {
-      this.why = 'she may be too fast';
-      return false;
-    }
+    if (Math.min(2 * box[11], square) > this.fastest * this.fastest) return 'she may be too fast';
     const bend = 0.5 * A * h * h;
-    this.rect.plain(
+    rect.plain(
       Math.min(x0, x0 + h * u0 - bend),
       Math.max(x1, x1 + h * u1 + bend),
       Math.min(y0, y0 + h * v0 - bend),
       Math.max(y1, y1 + h * v1 + bend),
     );
-    if (!this.isClear(i)) return false;
-    this.windX0 = this.windX1 = this.windY0 = this.windY1 = 0;
-    this.forces(i, false);
-    let { ax0, ax1, ay0, ay1 } = this;
-    const isForeign = this.foreign;
-    const { X0, X1, Y0, Y1 } = this.rect;
+    const why = this.whyNotClear(i);
+    if (why !== null) return why;
+    forces.look(i, box, false, h);
+    let { ax0, ax1, ay0, ay1 } = forces;
+    const isForeign = forces.foreign;
+    const { X0, X1, Y0, Y1 } = rect;
     const dx = Math.max(0, X0, -X1);
     const dy = Math.max(0, Y0, -Y1);
     const near = Math.sqrt(dx * dx + dy * dy);
-    const far = this.rect.farthest();
-    const strength = this.inField ? 0 : pull;
+    const far = rect.farthest();
+    const strength = forces.inField ? 0 : pull;
     if (near < 0.5) {
       const a = strength + k;
       ax0 = Math.min(ax0, -a);
@@ -295,7 +211,7 @@ export abstract class Moves extends Charts {
       const own = [Math.min(0, -X1 * g1), Math.max(0, -X0 * g1), Math.min(0, -Y1 * g1), Math.max(0, -Y0 * g1)];
       const cap = strength + k;
       for (let n = 0; n < 4; n++) own[n] = Math.max(-cap, Math.min(cap, own[n]));
-      if (this.inField) {
+      if (forces.inField) {
         ax0 += own[0];
         ax1 += own[1];
         ay0 += own[2];
@@ -309,10 +225,10 @@ export abstract class Moves extends Charts {
         ay1 = Math.max(ay1 + more, own[3]);
       }
     }
-    ax0 += this.windX0;
-    ax1 += this.windX1;
-    ay0 += this.windY0;
-    ay1 += this.windY1;
+    ax0 += forces.windX0;
+    ax1 += forces.windX1;
+    ay0 += forces.windY0;
+    ay1 += forces.windY1;
     let n0 = l0;
     let n1 = l1;
     if (isForeign) {
@@ -346,14 +262,6 @@ export abstract class Moves extends Charts {
     box[7] = v1 + h * ay1 + SLACK;
     box[8] = n0;
     box[9] = n1;
-    return true;
-  }
-
-  private toNear(box: Float64Array, i: number): void {
-    this.fill(box, 2 * i, i, true);
-    box.set(this.made);
+    return null;
   }
 }
-
-const least = (v: number, g0: number, g1: number): number => Math.min(v * g0, v * g1);
-const greatest = (v: number, g0: number, g1: number): number => Math.max(v * g0, v * g1);

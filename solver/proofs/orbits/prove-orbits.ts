@@ -1,8 +1,8 @@
 import { TICK } from '../../../engine/index.ts';
 import { soonOverReason } from '../doomed.ts';
 import type { About, OrbitGrid, Proof } from '../proof.ts';
-import { distance } from '../rounding.ts';
 import { EXACT, type Setting, type Thing } from '../setting.ts';
+import { startsMoving } from '../soon-over.ts';
 import { followOrbits } from './follow.ts';
 
 /** Random plays may last this long, s. */
@@ -31,6 +31,9 @@ export const FINEST_ORBITS = TRIES.length - 1;
 /** The most boxes that are followed on any grid. */
 export const MOST_ORBITS = Math.max(...TRIES.map(({ boxes }) => boxes));
 
+/** Whether `orbits` may find a proof. */
+export const mayOrbit = ({ level, jump }: Setting): boolean => jump === 0 && startsMoving(level);
+
 /**
  * `orbits`: from a moving start, every run ends at a hazard or out of range within seconds, and none comes near the object. It
  * covers `precise` only.
@@ -44,11 +47,8 @@ export const MOST_ORBITS = Math.max(...TRIES.map(({ boxes }) => boxes));
  * several
  */
 export function proveOrbits(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
-  const { level, jump, maxTime } = setting;
-  const { vx, vy } = level.astronaut;
-  const pushed = [...level.repulsors, ...level.winds].some((field) => distance(field, level.astronaut) <= field.radius);
-  // At rest she can wait for any time.
-  if (jump > 0 || (vx === 0 && vy === 0 && !pushed)) return null;
+  const { level, maxTime } = setting;
+  if (!mayOrbit(setting)) return null;
   if (setting.longestPlay(LONGEST_PLAY) === null) return null;
   const { grid, boxes } = TRIES[Math.min(fineness, FINEST_ORBITS)];
   const most = Math.ceil(LONGEST / (grid.frames * TICK));

@@ -1,4 +1,5 @@
 import type { Forces } from './forces.ts';
+import { leastProduct, leastSquare, mostProduct, mostSquare } from './intervals.ts';
 import type { Places } from './places.ts';
 import { ROUNDING, type Scene } from './scene.ts';
 
@@ -32,23 +33,11 @@ export class Stepper {
   readonly places: Places;
   private readonly scene: Scene;
   private readonly forces: Forces;
-  private readonly moved: Float64Array;
-  private mostMoved = 0;
 
   constructor(scene: Scene, places: Places, forces: Forces) {
     this.scene = scene;
     this.places = places;
     this.forces = forces;
-    this.moved = new Float64Array(scene.charts.length);
-  }
-
-  /** Sets the time at which the step ends, s. */
-  endAt(time: number): void {
-    this.mostMoved = 0;
-    for (let i = 0; i < this.moved.length; i++) {
-      this.moved[i] = this.scene.drift(i, time);
-      this.mostMoved = Math.max(this.mostMoved, this.moved[i]);
-    }
   }
 
   /**
@@ -57,7 +46,7 @@ export class Stepper {
    */
   polar(i: number, box: Float64Array, isSafe: (chart: number) => boolean): boolean {
     const { seconds, push } = this.scene;
-    const fastest = Math.sqrt(square(box[4], box[5]) + square(box[6], box[7]) / (box[0] * box[0]));
+    const fastest = Math.sqrt(mostSquare(box[4], box[5]) + mostSquare(box[6], box[7]) / (box[0] * box[0]));
     const flight = seconds * (fastest + push * seconds);
     const parts = Math.min(MOST_PARTS, Math.max(1, Math.ceil((SHARE_OF_PART * flight) / box[0])));
     for (let n = 0; n < parts; n++) if (!this.partPolar(i, box, seconds / parts, isSafe)) return false;
@@ -73,14 +62,14 @@ export class Stepper {
     const w1 = box[5];
     const L0 = box[6];
     const L1 = box[7];
-    const fastest = Math.sqrt(Math.max(w0 * w0, w1 * w1) + square(L0, L1) / (d0 * d0));
+    const fastest = Math.sqrt(mostSquare(w0, w1) + mostSquare(L0, L1) / (d0 * d0));
     const flight = fastest * h + (a * h * h) / 2;
     let least = d0 - flight;
     let most = d1 + flight;
     if (!(least >= LEAST_SHARE * d0)) return false;
     // First with any acceleration, then with those that are possible where she is.
     let lowest = leastSquare(L0 - a * most * h, L1 + a * most * h);
-    let highest = square(L0 - a * most * h, L1 + a * most * h);
+    let highest = mostSquare(L0 - a * most * h, L1 + a * most * h);
     let slow = w0 + h * Math.min(0, lowest / cube(most) - a);
     let fast = w1 + h * (highest / cube(least) + a);
     least = d0 + h * Math.min(0, slow);
@@ -89,14 +78,14 @@ export class Stepper {
     const spin = h / (least * least);
     const drag = a * most * h;
     places.sector(least, most, box[2] + spin * Math.min(0, L0 - drag), box[3] + spin * Math.max(0, L1 + drag));
-    forces.look(i, this.moved, this.mostMoved);
+    forces.look(i);
     const { all } = forces;
     const torque0 = forces.isCentral ? 0 : Math.min(all.b0 * least, all.b0 * most);
     const torque1 = forces.isCentral ? 0 : Math.max(all.b1 * least, all.b1 * most);
     const M0 = L0 + h * Math.min(0, torque0);
     const M1 = L1 + h * Math.max(0, torque1);
     lowest = leastSquare(M0, M1);
-    highest = square(M0, M1);
+    highest = mostSquare(M0, M1);
     slow = w0 + h * Math.min(0, lowest / cube(most) + all.a0);
     fast = w1 + h * Math.max(0, highest / cube(least) + all.a1);
     const e0 = d0 + h * slow;
@@ -144,7 +133,7 @@ export class Stepper {
     const high = y1 + h * Math.max(0, box[7]);
     const bend = scene.push * half;
     places.rectangle(left - bend, right + bend, low - bend, high + bend);
-    forces.look(i, this.moved, this.mostMoved);
+    forces.look(i);
     const { all, others } = forces;
     places.rectangle(
       left + half * Math.min(0, all.a0),
@@ -156,12 +145,9 @@ export class Stepper {
     if (!forces.isCentral) {
       // x times the acceleration along y, minus y times that along x
       const { x0: px0, x1: px1, y0: py0, y1: py1 } = places;
-      const xb0 = Math.min(px0 * others.b0, px0 * others.b1, px1 * others.b0, px1 * others.b1);
-      const xb1 = Math.max(px0 * others.b0, px0 * others.b1, px1 * others.b0, px1 * others.b1);
-      const ya0 = Math.min(py0 * others.a0, py0 * others.a1, py1 * others.a0, py1 * others.a1);
-      const ya1 = Math.max(py0 * others.a0, py0 * others.a1, py1 * others.a0, py1 * others.a1);
-      box[8] += h * (xb0 - ya1);
-      box[9] += h * (xb1 - ya0);
+      const { a0, a1, b0, b1 } = others;
+      box[8] += h * (leastProduct(px0, px1, b0, b1) - mostProduct(py0, py1, a0, a1));
+      box[9] += h * (mostProduct(px0, px1, b0, b1) - leastProduct(py0, py1, a0, a1));
     }
     box[0] = x0 + h * box[4] + half * all.a0 - ROUNDING;
     box[1] = x1 + h * box[5] + half * all.a1 + ROUNDING;
@@ -178,10 +164,6 @@ export class Stepper {
 }
 
 const cube = (d: number): number => d * d * d;
-
-/** The greatest and the least square of a number between two. */
-const square = (a: number, b: number): number => Math.max(a * a, b * b);
-const leastSquare = (a: number, b: number): number => (a > 0 ? a * a : b < 0 ? b * b : 0);
 
 /**
  * A bound of L² / d³ on the ways that start at one end of a box and come to `there` at most. Ways that start elsewhere in the

@@ -1,68 +1,43 @@
+import type { Drifts } from './drifts.ts';
 import type { Places } from './places.ts';
-import { type Body, type Chart, ON_RIM, type Scene, TIE } from './scene.ts';
+import { type Chart, ON_RIM, type Scene, TIE } from './scene.ts';
+import { Vector } from './vector.ts';
 
 /** Nearer to a centre than this, px, a force may point anywhere. */
 const AT_CENTRE = 1;
 
-/** Bounds of a vector along the two axes of {@link Places}. */
-class Hull {
-  a0 = 0;
-  a1 = 0;
-  b0 = 0;
-  b1 = 0;
-
-  set(a0: number, a1: number, b0: number, b1: number): void {
-    this.a0 = a0;
-    this.a1 = a1;
-    this.b0 = b0;
-    this.b1 = b1;
-  }
-
-  join(a0: number, a1: number, b0: number, b1: number): void {
-    if (a0 < this.a0) this.a0 = a0;
-    if (a1 > this.a1) this.a1 = a1;
-    if (b0 < this.b0) this.b0 = b0;
-    if (b1 > this.b1) this.b1 = b1;
-  }
-
-  add(a0: number, a1: number, b0: number, b1: number): void {
-    this.a0 += a0;
-    this.a1 += a1;
-    this.b0 += b0;
-    this.b1 += b1;
-  }
-}
-
 /**
- * All accelerations that are possible at some places of a chart: of her relative to the chart's asteroid, px/s², with the gun
- * on or off at any instant.
+ * All accelerations that are possible at some places of a chart, along the axes of these {@link Places}: of her relative to the
+ * chart's asteroid, px/s², with the gun on or off at any instant.
  */
 export class Forces {
   /** Those of everything but the chart's own asteroid. */
-  readonly others = new Hull();
+  readonly others = new Vector();
   /** All of them. */
-  readonly all = new Hull();
+  readonly all = new Vector();
   /** Whether nothing but the chart's own asteroid may act, so that angular momentum is preserved. */
   isCentral = true;
-  private readonly fields = new Hull();
+  private readonly fields = new Vector();
   private readonly scene: Scene;
   private readonly places: Places;
+  private readonly drifts: Drifts;
   /** Numbers in `rocks` of the asteroids that may be the target, and what was measured of them. */
   private readonly rivals: Float64Array;
 
-  constructor(scene: Scene, places: Places) {
+  constructor(scene: Scene, places: Places, drifts: Drifts) {
     this.scene = scene;
     this.places = places;
+    this.drifts = drifts;
     this.rivals = new Float64Array(7 * scene.charts.length);
   }
 
-  /** Looks at the places in the chart of asteroid i; `moved` are the drifts of all asteroids up to the end of the step, px. */
-  look(i: number, moved: Float64Array, mostMoved: number): void {
-    const { scene, places, others, all, fields } = this;
+  /** Looks at the places in the chart of asteroid i. */
+  look(i: number): void {
+    const { scene, places, drifts, others, all, fields } = this;
     const { rules, range } = scene;
     const chart = scene.charts[i];
-    const mayPull = this.lookAtRocks(chart, i, moved, mostMoved);
-    const inField = this.lookAtFields(chart, moved[i]);
+    const mayPull = this.lookAtRocks(chart, i);
+    const inField = this.lookAtFields(chart, drifts.of(i));
     if (inField === ALWAYS) others.set(fields.a0, fields.a1, fields.b0, fields.b1);
     else if (inField === PERHAPS) others.join(fields.a0, fields.a1, fields.b0, fields.b1);
     if (inField !== NEVER) this.isCentral = false;
@@ -73,7 +48,7 @@ export class Forces {
     }
     // The asteroid accelerates towards her while the gun is held, in a field as well.
     if (mayPull && chart.recoil > 0) this.own(1.01 * chart.recoil, false);
-    this.lookAtWinds(chart, moved[i]);
+    this.lookAtWinds(chart, drifts.of(i));
   }
 
   /** Adds an acceleration of at most `strongest` towards the chart's asteroid, or none. */
@@ -97,23 +72,22 @@ export class Forces {
   }
 
   /** Sets the pull of other asteroids, or none; returns whether the chart's own asteroid may be the target. */
-  private lookAtRocks({ rocks }: Chart, i: number, moved: Float64Array, mostMoved: number): boolean {
-    const { places, rivals, scene, others } = this;
+  private lookAtRocks({ rocks }: Chart, i: number): boolean {
+    const { places, drifts, rivals, scene, others } = this;
     const { pull } = scene.rules;
     others.set(0, 0, 0, 0);
     this.isCentral = true;
     let mayPull = true;
     let reach = places.most;
     let count = 0;
-    const farthest = 2 * (places.most + 2 * mostMoved + 1);
+    const farthest = drifts.farthestRival(places.most);
     for (const rock of rocks) {
       // Nothing that is at the places can be nearer to this asteroid, or to those beyond.
       if (rock.r > farthest) break;
       places.look(rock.x, rock.y, rock.r);
-      const blur = Math.max(moved[i], moved[rock.index]);
+      const blur = drifts.between(i, rock.index);
       const half = (rock.r * rock.r) / 2;
-      // How much recoil and ties can move the line behind which the other asteroid is nearer.
-      const slack = (blur + TIE) * (places.most + rock.r) + (blur * blur) / 2 + TIE;
+      const slack = drifts.slack(blur, rock, places.most);
       if (places.dot0 > half + slack) mayPull = false;
       if (places.dot1 < half - slack) continue;
       const o = 7 * count++;
@@ -152,7 +126,7 @@ export class Forces {
     const { push } = scene.rules;
     let found: typeof NEVER | typeof PERHAPS | typeof ALWAYS = NEVER;
     for (const field of chart.fields) {
-      if (isFar(field, places, field.radius + blur + ON_RIM)) continue;
+      if (places.areFarFrom(field, field.radius + blur + ON_RIM)) continue;
       places.look(field.x, field.y, field.r);
       const near = Math.max(0, places.near - blur);
       const far = places.far + blur;
@@ -179,9 +153,7 @@ export class Forces {
   private lookAtWinds(chart: Chart, blur: number): void {
     const { places, others, all } = this;
     for (const wind of chart.winds) {
-      if (isFar(wind, places, wind.radius + blur + ON_RIM)) continue;
-      places.look(wind.x, wind.y, wind.r);
-      if (places.near > wind.radius + blur + ON_RIM) continue;
+      if (places.areBeyond(wind, wind.radius + blur + ON_RIM)) continue;
       const isIn = places.far + blur < wind.radius - ON_RIM;
       places.look(wind.ax, wind.ay, wind.strength);
       const least = (n: number) => (isIn ? n : Math.min(0, n));
@@ -200,6 +172,3 @@ export class Forces {
 const NEVER = 0;
 const PERHAPS = 1;
 const ALWAYS = 2;
-
-/** Whether a disc of this radius around an object cannot contain any of the places. A quick look: false says nothing. */
-export const isFar = ({ r }: Body, { least, most }: Places, radius: number): boolean => r - most > radius || least - r > radius;

@@ -5,9 +5,11 @@ import type { Claim } from '../claim.ts';
 import { isCount, isFrom } from '../turned-scene.ts';
 import { Stepper } from './advance.ts';
 import { Boxes, SIZE } from './boxes.ts';
-import { Forces, isFar } from './forces.ts';
+import { Drifts } from './drifts.ts';
+import { Forces } from './forces.ts';
+import { mostSquare } from './intervals.ts';
 import { Places } from './places.ts';
-import { type Body, ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
+import { ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
 import { asteroidOf, isNear, Sorter } from './sort-in.ts';
 
 /** The most boxes of all times together, and the most pieces of boxes to examine. */
@@ -71,6 +73,8 @@ export class OrbitSets {
   private next = new Boxes();
   private readonly claim: Claim;
   private readonly scene: Scene;
+  /** Up to the end of the step that is being made. */
+  private readonly drifts: Drifts;
   private readonly stepper: Stepper;
   private readonly sorter: Sorter;
   private readonly box = new Float64Array(SIZE);
@@ -79,8 +83,9 @@ export class OrbitSets {
     this.claim = claim;
     this.scene = sceneOf(claim, grid.frames * TICK);
     const places = new Places();
-    this.stepper = new Stepper(this.scene, places, new Forces(this.scene, places));
-    this.sorter = new Sorter(this.scene, grid, MOST_PIECES);
+    this.drifts = new Drifts(this.scene);
+    this.stepper = new Stepper(this.scene, places, new Forces(this.scene, places, this.drifts));
+    this.sorter = new Sorter(this.scene, this.drifts, grid, MOST_PIECES);
     this.why = this.start();
   }
 
@@ -100,9 +105,9 @@ export class OrbitSets {
     box.set([...bounds, momentum - blur, momentum + blur]);
     // What is over at the start is dropped at once, so this is where she could touch anything.
     this.stepper.places.rectangle(box[0], box[1], box[2], box[3]);
-    const touches = this.whyNotSafe(i, 0);
+    const touches = this.whyNotSafe(i);
     if (touches !== null) return touches;
-    this.sorter.into(this.boxes, 0);
+    this.sorter.into(this.boxes);
     this.sorter.near(i, box);
     this.total = this.boxes.count;
     return this.sorter.isTooMuch ? TOO_MANY : null;
@@ -130,12 +135,11 @@ export class OrbitSets {
     const { scene, box, boxes, next, sorter, stepper } = this;
     const time = ++this.step * scene.seconds;
     next.clear();
-    stepper.endAt(time);
-    sorter.into(next, time);
-    const drifts = Float64Array.from(scene.charts, (_, i) => scene.drift(i, time));
+    this.drifts.until(time);
+    sorter.into(next);
     let touches: string | null = null;
     const isSafe = (i: number) => {
-      touches = this.whyNotSafe(i, drifts[i]);
+      touches = this.whyNotSafe(i);
       return touches === null;
     };
     for (let n = 0; n < boxes.count; n++) {
@@ -156,11 +160,12 @@ export class OrbitSets {
   }
 
   /** What she may touch at the places of the step that is being made: the object or a wormhole; else null. */
-  private whyNotSafe(i: number, drift: number): string | null {
+  private whyNotSafe(i: number): string | null {
     const { places } = this.stepper;
+    const drift = this.drifts.of(i);
     const { thing, mouths } = this.scene.charts[i];
-    if (!isBeyond(places, thing, thing.radius + drift + ROUNDING)) return `she may touch it in step ${this.step}`;
-    return mouths.every((mouth) => isBeyond(places, mouth, mouth.radius + drift + ON_RIM))
+    if (!places.areBeyond(thing, thing.radius + drift + ROUNDING)) return `she may touch it in step ${this.step}`;
+    return mouths.every((mouth) => places.areBeyond(mouth, mouth.radius + drift + ON_RIM))
       ? null
       : `she may enter a wormhole in step ${this.step}`;
   }
@@ -168,17 +173,10 @@ export class OrbitSets {
   /** Whether she could come to the speed limit within a step that begins in this box and ends at some time. */
   private isTooFast(chart: number, box: Float64Array, time: number): boolean {
     const { scene, claim } = this;
-    const square = (k: number) => Math.max(box[k] * box[k], box[k + 1] * box[k + 1]);
-    const speed = isNear(chart) ? Math.sqrt(square(4) + square(6)) : Math.sqrt(square(4) + square(6) / (box[0] * box[0]));
+    const across = mostSquare(box[6], box[7]);
+    const speed = Math.sqrt(mostSquare(box[4], box[5]) + (isNear(chart) ? across : across / (box[0] * box[0])));
     const absolute = speed + scene.recoil * time;
     if (this.step > 1 && !(absolute <= farFromLimit(claim.rules))) return true;
     return !(absolute + claim.push * (scene.seconds + TICK) <= claim.rules.speedLimit);
   }
-}
-
-/** Whether all places are farther from an object than this, px. */
-function isBeyond(places: Places, body: Body, radius: number): boolean {
-  if (isFar(body, places, radius)) return true;
-  places.look(body.x, body.y, body.r);
-  return places.near > radius;
 }

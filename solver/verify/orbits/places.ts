@@ -1,4 +1,5 @@
 import { cosineAndSine } from './angles.ts';
+import type { Body } from './scene.ts';
 
 /** Far more than the rounding error of a square of lengths, relative to the largest of them. */
 const OF_SQUARES = 1e-14;
@@ -58,12 +59,41 @@ export class Places {
     this.x1 = x1;
     this.y0 = y0;
     this.y1 = y1;
-    const nx = Math.max(0, x0, -x1);
-    const ny = Math.max(0, y0, -y1);
-    const fx = Math.max(-x0, x1);
-    const fy = Math.max(-y0, y1);
-    this.least = Math.sqrt(nx * nx + ny * ny);
-    this.most = Math.sqrt(fx * fx + fy * fy);
+    this.least = this.nearestTo(0, 0);
+    this.most = this.farthestFrom(0, 0);
+  }
+
+  /** Least distance between a place of the rectangle and the place (x, y), px. */
+  private nearestTo(x: number, y: number): number {
+    const dx = Math.max(0, this.x0 - x, x - this.x1);
+    const dy = Math.max(0, this.y0 - y, y - this.y1);
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /** Greatest distance between a place of the rectangle and the place (x, y), px. */
+  private farthestFrom(x: number, y: number): number {
+    const dx = Math.max(x - this.x0, this.x1 - x);
+    const dy = Math.max(y - this.y0, this.y1 - y);
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /** Whether a disc of this radius around an object cannot contain any of the places. A quick look: false says nothing. */
+  areFarFrom({ r }: Body, radius: number): boolean {
+    return r - this.most > radius || this.least - r > radius;
+  }
+
+  /** Whether all places are farther from an object than this, px. Unless they are far from it, they have looked at it then. */
+  areBeyond(body: Body, radius: number): boolean {
+    if (this.areFarFrom(body, radius)) return true;
+    this.look(body.x, body.y, body.r);
+    return this.near > radius;
+  }
+
+  /** Whether all places are nearer to an object than this, px. */
+  areWithin(body: Body, radius: number): boolean {
+    if (this.areFarFrom(body, radius)) return false;
+    this.look(body.x, body.y, body.r);
+    return this.far < radius;
   }
 
   /** Measures an object at (x, y), r px from the asteroid. */
@@ -111,12 +141,8 @@ export class Places {
 
   private lookFromRectangle(x: number, y: number): void {
     const { x0, x1, y0, y1 } = this;
-    const nx = Math.max(0, x0 - x, x - x1);
-    const ny = Math.max(0, y0 - y, y - y1);
-    const fx = Math.max(x - x0, x1 - x);
-    const fy = Math.max(y - y0, y1 - y);
-    this.near = Math.sqrt(nx * nx + ny * ny);
-    this.far = Math.sqrt(fx * fx + fy * fy);
+    this.near = this.nearestTo(x, y);
+    this.far = this.farthestFrom(x, y);
     const slack = OF_SQUARES * (x * x + y * y + this.most * this.most);
     this.dot0 = Math.min(x * x0, x * x1) + Math.min(y * y0, y * y1) - slack;
     this.dot1 = Math.max(x * x0, x * x1) + Math.max(y * y0, y * y1) + slack;

@@ -1,40 +1,33 @@
-import { isFar } from './forces.ts';
+import type { Drifts } from './drifts.ts';
 import { Places } from './places.ts';
-import { type Chart, ROUNDING, type Rock, type Scene, TIE } from './scene.ts';
+import { type Chart, ROUNDING, type Rock, type Scene } from './scene.ts';
 
 /** Who may come nearer than this to an asteroid within a step, px, has coordinates in x and y. */
 const PASS = 16;
+
+/** Nearer to an asteroid than this, px, boxes are in x and y; further away if she is fast. */
+export const CLOSE = 32;
+
+/** The least distance for polar coordinates, as a share of how far she can go within a step. */
+export const SHARE = 0.25;
 
 /** The asteroid of the chart. */
 export const OWN = -1;
 
 /** Where a set of places lies among everything at one time: in a hazard, out of range, nearest to which asteroid. */
-export abstract class Whereabouts {
-  protected readonly scene: Scene;
+export class Whereabouts {
+  private readonly scene: Scene;
   /** The places that are asked about. */
-  protected readonly places = new Places();
-  /** How far recoil may have moved each asteroid, px, and the most of these. */
-  protected readonly moved: Float64Array;
-  private mostMoved = 0;
-  /** The time, s. */
-  protected time = 0;
+  readonly places = new Places();
+  private readonly drifts: Drifts;
 
-  constructor(scene: Scene) {
+  constructor(scene: Scene, drifts: Drifts) {
     this.scene = scene;
-    this.moved = new Float64Array(scene.charts.length);
-  }
-
-  protected at(time: number): void {
-    this.time = time;
-    this.mostMoved = 0;
-    for (let i = 0; i < this.moved.length; i++) {
-      this.moved[i] = this.scene.drift(i, time);
-      this.mostMoved = Math.max(this.mostMoved, this.moved[i]);
-    }
+    this.drifts = drifts;
   }
 
   /** How far she can go within a step, px. */
-  protected flight(speed: number): number {
+  flight(speed: number): number {
     const { seconds, push } = this.scene;
     return seconds * (speed + (push * seconds) / 2);
   }
@@ -43,7 +36,7 @@ export abstract class Whereabouts {
    * Whether she may come close to the asteroid within a step, where polar coordinates are of no use.
    * @param inward - how fast she comes nearer at most, px/s
    */
-  protected mayPassClose(distance: number, inward: number, speed: number, L0: number, L1: number): boolean {
+  mayPassClose(distance: number, inward: number, speed: number, L0: number, L1: number): boolean {
     const { seconds, push } = this.scene;
     const gain = push * seconds;
     // at the nearest place, angular momentum is distance times speed
@@ -51,47 +44,34 @@ export abstract class Whereabouts {
   }
 
   /** Whether all places of `places` lie in one hazard. */
-  protected isBlocked(chart: Chart, i: number): boolean {
-    const { places, moved } = this;
-    for (const body of chart.blocked) {
-      const radius = body.radius - moved[i] - ROUNDING;
-      if (isFar(body, places, radius)) continue;
-      places.look(body.x, body.y, body.r);
-      if (places.far < radius) return true;
-    }
-    for (const rock of chart.rocks) {
-      if (rock.radius <= 0) continue;
-      const radius = rock.radius - Math.max(moved[i], moved[rock.index]) - ROUNDING;
-      if (isFar(rock, places, radius)) continue;
-      places.look(rock.x, rock.y, rock.r);
-      if (places.far < radius) return true;
+  isBlocked({ blocked, rocks }: Chart, i: number): boolean {
+    const { places, drifts } = this;
+    for (const body of blocked) if (places.areWithin(body, body.radius - drifts.of(i) - ROUNDING)) return true;
+    for (const rock of rocks) {
+      if (rock.radius > 0 && places.areWithin(rock, rock.radius - drifts.between(i, rock.index) - ROUNDING)) return true;
     }
     return false;
   }
 
   /** Whether all places of `places` are out of range of all asteroids but that of the chart. */
-  protected isOutOfOthers(chart: Chart, i: number): boolean {
-    const { places, moved, scene } = this;
-    for (const rock of chart.rocks) {
-      const radius = scene.range + Math.max(moved[i], moved[rock.index]) + ROUNDING;
-      if (isFar(rock, places, radius)) continue;
-      places.look(rock.x, rock.y, rock.r);
-      if (places.near <= radius) return false;
+  isOutOfOthers({ rocks }: Chart, i: number): boolean {
+    const { places, drifts, scene } = this;
+    for (const rock of rocks) {
+      if (!places.areBeyond(rock, scene.range + drifts.between(i, rock.index) + ROUNDING)) return false;
     }
     return true;
   }
 
   /** OWN when the chart's asteroid may be the nearest at one of `places`; otherwise one that is certainly nearer. */
-  protected nearest({ rocks }: Chart, i: number): number {
-    const { places, moved, mostMoved } = this;
+  nearest({ rocks }: Chart, i: number): number {
+    const { places, drifts } = this;
     let best = OWN;
     let least = Number.POSITIVE_INFINITY;
-    const farthest = 2 * (places.most + 2 * mostMoved + 1);
+    const farthest = drifts.farthestRival(places.most);
     for (const rock of rocks) {
       if (rock.r > farthest) break;
       places.look(rock.x, rock.y, rock.r);
-      const blur = Math.max(moved[i], moved[rock.index]);
-      const slack = (blur + TIE) * (places.most + rock.r) + (blur * blur) / 2 + TIE;
+      const slack = drifts.slack(drifts.between(i, rock.index), rock, places.most);
       if (places.dot0 > (rock.r * rock.r) / 2 + slack && places.far < least) {
         best = rock.index;
         least = places.far;
@@ -100,7 +80,8 @@ export abstract class Whereabouts {
     return best;
   }
 
-  protected rock(i: number, j: number): Rock {
+  /** Asteroid j in the chart of asteroid i. */
+  rock(i: number, j: number): Rock {
     return this.scene.charts[i].rocks.find(({ index }) => index === j) as Rock;
   }
 }
