@@ -63,6 +63,8 @@ const ASK_EVERY = 200_000;
 
 /** A limit on the work of one attempt that also ends it on request. */
 class StoppableBudget extends WorkBudget {
+  /** Whether a request ended it. */
+  wasStopped = false;
   private readonly isStopped: () => boolean;
   private askAt = ASK_EVERY;
 
@@ -75,7 +77,8 @@ class StoppableBudget extends WorkBudget {
     super.look(count);
     if (this.looks < this.askAt) return;
     this.askAt = this.looks + ASK_EVERY;
-    if (this.isStopped()) this.end();
+    this.wasStopped = this.isStopped();
+    if (this.wasStopped) this.end();
   }
 }
 
@@ -91,6 +94,13 @@ function aboutsOf({ minerals }: Level, goal: Goal): About[] {
   const needed = mineralsNeeded(goal, minerals.length);
   const areAllNeeded = needed > 0 && needed === minerals.length && needed <= MOST_MINERALS;
   return [{ kind: 'blackHole' }, ...(areAllNeeded ? minerals.map((_, index): About => ({ kind: 'mineral', index })) : [])];
+}
+
+/** What makes and checks proofs. */
+export interface ProofParts {
+  readonly mayProve: typeof mayProve;
+  readonly proveBy: typeof proveBy;
+  readonly verifyProof: typeof verifyProof;
 }
 
 /**
@@ -113,26 +123,35 @@ function aboutsOf({ minerals }: Level, goal: Goal): About[] {
  * ```
  */
 export function createAnytimeProof(level: Level, options: AnytimeOptions): AnytimeProof {
+  return anytimeProofBy({ mayProve, proveBy, verifyProof }, level, options);
+}
+
+/** {@link createAnytimeProof} with other provers or another checker. */
+export function anytimeProofBy(parts: ProofParts, level: Level, options: AnytimeOptions): AnytimeProof {
   const { accuracy, goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS, isStopped = () => false } = options;
   const maxTime = maxTicks * TICK;
   const abouts = aboutsOf(level, goal);
-  const attempts = ATTEMPTS.filter(
+  let attempts = ATTEMPTS.filter(
     ({ prover, fineness }) =>
-      (options.provers?.includes(prover) ?? true) && mayProve(prover, level, { accuracy, maxTime, fineness }),
+      (options.provers?.includes(prover) ?? true) && parts.mayProve(prover, level, { accuracy, maxTime, fineness }),
   ).flatMap((attempt) => abouts.map((about): Attempt => ({ ...attempt, about })));
-  let made = 0;
   let proof: Proof | null = null;
   let asked = 0;
   let spent = 0;
 
-  const next = (): Attempt | null => (proof === null ? (attempts[made] ?? null) : null);
+  const next = (): Attempt | null => (proof === null ? (attempts[0] ?? null) : null);
 
   function make({ prover, about, fineness, limit }: Attempt): void {
-    made++;
+    attempts.shift();
     const budget = new StoppableBudget(limit, isStopped);
-    const found = proveBy(prover, level, about, { accuracy, maxTime, budget, fineness });
+    const found = parts.proveBy(prover, level, about, { accuracy, maxTime, budget, fineness });
     spent += Math.min(limit, Math.max(1, Math.ceil(budget.looks)));
-    if (found !== null && verifyProof(level, found).ok) proof = found;
+    if (found !== null && parts.verifyProof(level, found).ok) proof = found;
+    // it ended by itself, so it would end in the same way with more work
+    if (!budget.isUsedUp && !budget.wasStopped) {
+      const isSame = (other: Attempt) => other.prover === prover && other.fineness === fineness && other.about === about;
+      attempts = attempts.filter((other) => !isSame(other));
+    }
   }
 
   return {

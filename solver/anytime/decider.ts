@@ -1,8 +1,8 @@
 import { isAccuracyName, type Scene } from '../../engine/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import type { Closest, Effort, Explored } from '../search/index.ts';
-import { createSolver, type Solution, type SolveOptions } from '../solve/index.ts';
-import { createAnytimeProof } from './anytime-proof.ts';
+import { createSolver, type Solution, type SolveOptions, type Solver } from '../solve/index.ts';
+import { type AnytimeProof, createAnytimeProof } from './anytime-proof.ts';
 import { proofShare } from './proof-share.ts';
 
 /** What a {@link Decider} looks for. */
@@ -53,10 +53,18 @@ export interface Decider {
  * ```
  */
 export function createDecider(scene: Scene, options: DeciderOptions = {}): Decider {
-  const { goal, maxTicks, isStopped, effort = Number.POSITIVE_INFINITY } = options;
-  const solver = createSolver(scene, options);
+  const { goal, maxTicks, isStopped } = options;
   const { name } = scene.accuracy;
   const proving = isAccuracyName(name) ? createAnytimeProof(scene.level, { accuracy: name, goal, maxTicks, isStopped }) : null;
+  return sideBySide(createSolver(scene, options), proving, options);
+}
+
+/** A search for a run and one for a proof, side by side. @param proving null: there are no proofs */
+export function sideBySide(
+  solver: Pick<Solver, 'advance' | 'best' | 'closest' | 'effort' | 'explored' | 'finished'>,
+  proving: Pick<AnytimeProof, 'advance' | 'finished' | 'proof' | 'ticks'> | null,
+  { effort = Number.POSITIVE_INFINITY, isStopped }: Pick<DeciderOptions, 'effort' | 'isStopped'> = {},
+): Decider {
   const spent = (): number => solver.effort.ticks + (proving?.ticks ?? 0);
   const isProved = (): boolean => solver.best === null && proving?.proof != null;
   const isOver = (): boolean => isProved() || solver.finished || spent() >= effort;
