@@ -34,13 +34,13 @@ const BENT = 16;
 /**
  * Draws a run press by press, and draws a press anew where it leads to an end, so that much of what is drawn can be used.
  * @param simulation the layout without a black hole
- * @returns the run, null where every next press led to an end, and the ticks simulated
+ * @returns the run up to the pause after each of its presses, as soon as they are enough; and the ticks simulated
  */
-export function drawFlight(
+export function drawFlights(
   simulation: Simulation,
   spec: GeneratorSpec,
   random: Random,
-): { readonly flight: DrawnFlight | null; readonly ticks: number } {
+): { readonly flights: readonly DrawnFlight[]; readonly ticks: number } {
   const [least, most] = spec.presses;
   const [shortest, longest] = spec.hold;
   const state = new Float64Array(STATE_SIZE);
@@ -63,9 +63,11 @@ export function drawFlight(
   simulation.reset();
   const holds: Hold[] = [];
   const way: Place[] = [];
-  if (!goTo(WAIT, false, way)) return { flight: null, ticks };
+  const flights: DrawnFlight[] = [];
+  if (!goTo(WAIT, false, way)) return { flights, ticks };
   const before = simulation.snapshot();
-  for (let presses = least + random.below(most - least + 1); presses > 0; presses--) {
+  const released = simulation.snapshot();
+  for (let presses = most; presses > 0; presses--) {
     simulation.snapshot(before);
     const length = way.length;
     let redraws = 0;
@@ -80,12 +82,17 @@ export function drawFlight(
       simulation.restore(before);
       way.length = length;
     }
-    if (redraws === REDRAWS) return { flight: null, ticks };
+    if (redraws === REDRAWS) break;
+    if (holds.length < least) continue;
+    // the run may end in this pause, or go on
+    simulation.snapshot(released);
+    const from = Math.ceil((holds[holds.length - 1][1] + LAST_PAUSE) / EVERY);
+    const whole = [...way];
+    goTo(simulation.tick + spec.coast, false, whole);
+    if (from < whole.length && isBent(whole)) flights.push({ holds: [...holds], way: whole, from });
+    simulation.restore(released);
   }
-  const [, released] = holds[holds.length - 1];
-  const from = Math.ceil((released + LAST_PAUSE) / EVERY);
-  goTo(released + LAST_PAUSE + spec.coast, false, way);
-  return { flight: from < way.length && isBent(way) ? { holds, way, from } : null, ticks };
+  return { flights, ticks };
 }
 
 const isInside = ({ width, height }: GeneratorSpec, { x, y }: Place): boolean =>

@@ -4,7 +4,7 @@ import { countOnePress, hardnessOf } from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
-import { type DrawnFlight, drawFlight, endsOf, flightUpTo } from './flights.ts';
+import { type DrawnFlight, drawFlights, endsOf, flightUpTo } from './flights.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
@@ -44,6 +44,9 @@ const GAMES = 100;
 // The radius of a nova that closes a way, px.
 const NOVA = 16;
 
+// By how much novae beside the run raise its grade, about.
+const NARROWED = 0.8;
+
 // The share of random play that wins in a finished level, about.
 const RARE = 0.004;
 
@@ -68,18 +71,18 @@ export function* findRoute(
   let [sum, ended, passed] = [0, 0, 0];
   const most = () => (ended === 0 ? NONE_ENDS : passed === 0 ? NONE_SUITS : MOST_TICKS);
   while (sum < most() && passed < ROUTES) {
-    const { flight, ticks } = drawFlight(empty, spec, random);
+    const { flights, ticks } = drawFlights(empty, spec, random);
     // a run that is not even begun costs something as well
     let cost = ticks + 50;
-    const end = flight === null ? null : endOf(flight, layout, spec, random, theme);
-    if (flight !== null && end !== null) {
+    for (const flight of flights) {
+      const end = endOf(flight, layout, spec, random, theme);
+      if (end === null) continue;
       ended++;
       const judged = judge({ ...layout, blackHole: end }, flight.holds, spec, random, theme);
       cost += judged.ticks;
-      if (judged.route !== null) {
-        passed++;
-        if (best === null || judged.off < best.off) best = { route: judged.route, off: judged.off };
-      }
+      if (judged.route === null) continue;
+      passed++;
+      if (best === null || judged.off < best.off) best = { route: judged.route, off: judged.off };
     }
     sum += cost;
     yield cost;
@@ -122,7 +125,7 @@ function judge(
   const measured = measureRun(scene, run, SAMPLES, 1);
   ticks += MEASURING * tick;
   const alone = hardnessOf({ ...measured, randomShare: RARE });
-  if (measured.p40 < spec.p40 || alone < spec.grade[0] || alone > spec.grade[1]) return no();
+  if (measured.p40 < spec.p40 || alone < spec.grade[0] - NARROWED || alone > spec.grade[1]) return no();
   const open = tubeOf(scene, run.holds, spec.certifiedTicks, random);
   const hasRoom = roomForNovae(ended, spec, open, NOVA);
   const isClosed = (holds: readonly Hold[]) => wayOf(scene, holds).some(hasRoom);
@@ -134,6 +137,6 @@ function judge(
   ticks += lucky.ticks;
   const randomShare = Math.max(RARE, lucky.games.filter((holds) => !isClosed(holds)).length / GAMES);
   const grade = hardnessOf({ ...measured, randomShare });
-  if (grade < spec.grade[0]) return no();
+  if (grade < spec.grade[0] - NARROWED) return no();
   return { route: { layout: ended, run }, off: Math.abs(grade - wantedGrade(spec)) - RANK * rank, ticks };
 }
