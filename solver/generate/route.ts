@@ -124,8 +124,8 @@ function judge(
   if (!forgives(scene, run.holds, spec.certifiedTicks, random)) return no();
   const measured = measureRun(scene, run, SAMPLES, 1);
   ticks += MEASURING * tick;
-  const alone = hardnessOf({ ...measured, randomShare: RARE });
-  if (measured.p40 < spec.p40 || alone < spec.grade[0] - NARROWED || alone > spec.grade[1]) return no();
+  const gradeAt = (randomShare: number): number => hardnessOf({ ...measured, randomShare });
+  if (measured.p40 < spec.p40 || gradeAt(RARE) < spec.grade[0] - NARROWED) return no();
   const open = tubeOf(scene, run.holds, spec.certifiedTicks, random);
   const hasRoom = roomForNovae(ended, spec, open, NOVA);
   const isClosed = (holds: readonly Hold[]) => wayOf(scene, holds).some(hasRoom);
@@ -135,8 +135,9 @@ function judge(
     return no();
   const lucky = luckyGames(scene, GAMES, random);
   ticks += lucky.ticks;
-  const randomShare = Math.max(RARE, lucky.games.filter((holds) => !isClosed(holds)).length / GAMES);
-  const grade = hardnessOf({ ...measured, randomShare });
-  if (grade < spec.grade[0] - NARROWED) return no();
+  const left = lucky.games.filter((holds) => !isClosed(holds)).length;
+  const grade = gradeAt(Math.max(RARE, left / GAMES));
+  // the level is as hard as that when all others are closed, and at least as hard as if none is
+  if (grade < spec.grade[0] - NARROWED || gradeAt(Math.max(RARE, lucky.games.length / GAMES)) > spec.grade[1]) return no();
   return { route: { layout: ended, run }, off: Math.abs(grade - wantedGrade(spec)) - RANK * rank, ticks };
 }

@@ -1,5 +1,6 @@
 import type { Place } from '../../../schema/basics/index.ts';
 import { distance } from '../layout.ts';
+import { takesOver } from '../takes-over.ts';
 import type { Site } from './site.ts';
 
 /** How the asteroids of a chain lie. Lengths are in px. */
@@ -44,18 +45,6 @@ export function setOff(site: Site, to: Place): void {
   const speed = (site.random.below(2) === 0 ? 1 : -1) * site.between(SLOWEST, FASTEST);
   site.start(start, Math.round((-(start.y - to.y) / away) * speed), Math.round(((start.x - to.x) / away) * speed));
 }
-
-/** Whether she comes nearer to the second asteroid than to the first, when she falls from rest through the first and beyond it. */
-export function takesOver(start: Place, first: Place, second: Place): boolean {
-  const fall = distance(start, first);
-  const [dx, dy] = [second.x - first.x, second.y - first.y];
-  const along = (dx * (first.x - start.x) + dy * (first.y - start.y)) / fall;
-  // the places that are as far from both lie on a line across; she meets it so far beyond the first
-  return along > 0 && (dx * dx + dy * dy) / (2 * along) < TAKEN * fall;
-}
-
-// Of the distance that she has fallen.
-const TAKEN = 0.9;
 
 const DRAWS = 40;
 

@@ -1,7 +1,8 @@
 import { boxOf } from '../../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../../schema/basics/index.ts';
 import { distance, tryOften } from '../layout.ts';
-import { setOff, takesOver } from './chain.ts';
+import { takesOver } from '../takes-over.ts';
+import { setOff } from './chain.ts';
 import type { Flight } from './flight.ts';
 import { COARSE, snap } from './site.ts';
 import type { Theme } from './theme.ts';
