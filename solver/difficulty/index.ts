@@ -28,5 +28,5 @@ export {
 } from './player/index.ts';
 export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';
 export { findShortcuts, type OnePress, type ShortcutOptions, type Shortcuts } from './shortcuts.ts';
-export { findSigmaAtHalf, type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
+export { type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 export type { AsteroidUse, WithoutAsteroid } from './without-asteroid.ts';
