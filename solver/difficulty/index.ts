@@ -1,6 +1,6 @@
 export type { ComparedRun } from './compare-runs.ts';
 export { type FoundRuns, findRuns } from './find-runs.ts';
-export { GRADE_WORDS, type Grade, type GradeWord, gradeOf } from './grade.ts';
+export { GRADE_WORDS, type Grade, type GradeInput, type GradeWord, gradeOf, hardnessOf } from './grade.ts';
 export {
   type Difficulty,
   type DifficultyOptions,
@@ -28,5 +28,5 @@ export {
 } from './player/index.ts';
 export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';
 export { findShortcuts, type OnePress, type ShortcutOptions, type Shortcuts } from './shortcuts.ts';
-export { findSigmaAtHalf, type SigmaAtHalf } from './sigma-at-half.ts';
+export { type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 export type { AsteroidUse, WithoutAsteroid } from './without-asteroid.ts';

@@ -1,3 +1,4 @@
+import type { Scene } from '../../engine/index.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
@@ -14,9 +15,6 @@ import { isOnTheme, PLAIN_STAGE, type Stage } from './stage.ts';
 import { Site, THEMES, type Theme, withImages } from './themes/index.ts';
 import { forgives, tubeOf } from './tube.ts';
 
-// The cost of the search for a route, ticks, about.
-const ROUTE_EFFORT = 500_000;
-
 // How often a level is changed towards the wanted grade.
 const ROUNDS = 12;
 
@@ -26,11 +24,13 @@ const EASIER_EFFORT = 300_000;
 // Known runs that are kept from round to round.
 const WAYS = 6;
 
-// Runs that are graded.
-const GRADED = 3;
-
-// The cost of grading a run, in runs, about.
+// The costs of grading a run, and of measuring one to sort it, in runs, about.
 const GRADING = 1000;
+const SORTING = 200;
+
+// The attempt is given up when the grade has not risen by so much in so many rounds.
+const RISE = 0.1;
+const PATIENCE = 3;
 
 const SAMPLES = 150;
 
@@ -59,41 +59,45 @@ export function* attemptLevel(random: Random, spec: GeneratorSpec, description: 
   const theme = spec.theme === null ? null : THEMES[spec.theme];
   const empty = theme === null ? layOut(random, spec) : arrange(random, spec, theme);
   if (empty === null) return 'noRoom';
-  const route = findRoute(empty, spec, random, theme);
-  yield ROUTE_EFFORT;
+  const route = yield* findRoute(empty, spec, random, theme);
   if (route === null) return 'noRun';
   const surrounded = theme === null ? withNovae(route, spec, random) : yield* compose(route, spec, theme, random);
   if (typeof surrounded === 'string') return surrounded;
   const { stage } = surrounded;
   let { layout } = surrounded;
 
-  let known: readonly Candidate[] = [route.run];
+  const { run } = route;
+  let known: readonly Candidate[] = [run];
   let reason: Rejection = 'tooEasy';
+  let [highest, risen] = [0, 0];
   for (let round = 0; round < ROUNDS; round++) {
     const scene = sceneOf(layout);
     const still = known.filter(({ holds }) => verifyRun(scene, holds) !== null);
     const found = yield* findWays(scene, ANY, random.next(), EASIER_EFFORT);
     const all = sortByP40(scene, different([...still, ...found]));
-    if (all.length === 0) return 'noRun';
-    known = withOnTheme(all, WAYS, layout, stage);
-    const [best] = known;
-    const graded = withOnTheme(known, GRADED, layout, stage);
-    const grades = graded.map((way) => gradeRun(scene, way, 1).value);
-    yield GRADING * GRADED * best.tick;
-    if (grades[0] > spec.grade[1]) return 'tooHard';
+    yield SORTING * all.reduce((sum, { tick }) => sum + tick, 0);
+    const intended = all.find(({ holds }) => holds.join(' ') === run.holds.join(' '));
+    if (intended === undefined) return 'noRun';
+    known = [...new Set([...all.slice(0, WAYS), intended])];
+    const [best] = all;
+    const grade = gradeRun(scene, best, 1).value;
+    yield GRADING * best.tick;
+    if (grade > spec.grade[1]) return 'tooHard';
+    if (grade >= highest + RISE) [highest, risen] = [grade, round];
     const presses = scoutOnePress(scene, best);
-    const isHardEnough = grades[0] >= spec.grade[0] && isOnTheme(stage, layout, best);
+    yield presses.ticks;
+    const isHardEnough = grade >= spec.grade[0] && isOnTheme(stage, layout, best);
     if (isHardEnough && presses.count <= spec.onePress * presses.tried) {
       const generated = yield* finish(layout, spec, known, random, description, stage);
       if (typeof generated !== 'string') return generated;
       reason = generated;
       if (reason !== 'tooEasy') return reason;
     }
-    const kept = keptOf(layout, spec, graded, grades, random, stage);
-    if (kept === null) return 'unforgiving';
-    const tube = [...tubeOf(scene, kept.holds, spec.certifiedTicks, random), ...stage.detourWays];
+    if (round - risen >= PATIENCE) return reason;
+    if (!isForgiving(scene, intended, spec, random)) return 'unforgiving';
+    const tube = [...tubeOf(scene, run.holds, spec.certifiedTicks, random), ...stage.detourWays];
     const closed = closeShortcuts(layout, spec, tube, best, random, stage.slots);
-    const harder = closed === layout ? harden(layout, spec, kept, known, random, stage) : closed;
+    const harder = closed === layout ? harden(layout, spec, intended, known, random, stage) : closed;
     const next = harder === layout ? shrunk(layout) : harder;
     if (next === null) return reason;
     layout = stage.image === null ? next : withImages(new Site(spec, random, next, tube), stage.image);
@@ -115,40 +119,10 @@ function withNovae(route: Route, spec: GeneratorSpec, random: Random): { layout:
   return { layout: addNovae(layout, spec, tube, spec.novae, random), stage: PLAIN_STAGE };
 }
 
-/** The first runs, and the first that is of the theme if it comes later. */
-function withOnTheme(ways: readonly Candidate[], most: number, layout: Layout, stage: Stage): readonly Candidate[] {
-  const first = ways.slice(0, most);
-  if (stage.theme === null || first.some((way) => isOnTheme(stage, layout, way))) return first;
-  const other = ways.find((way) => isOnTheme(stage, layout, way));
-  return other === undefined ? first : [...first, other];
-}
-
-/**
- * The run to keep open: of those that forgive enough and are of the theme, the one whose grade is closest to the lower half of the
- * wanted ones.
- */
-function keptOf(
-  layout: Layout,
-  spec: GeneratorSpec,
-  ways: readonly Candidate[],
-  grades: readonly number[],
-  random: Random,
-  stage: Stage,
-): Candidate | null {
-  const scene = sceneOf(layout);
-  const wanted = (spec.grade[0] + Math.min(spec.grade[1], spec.grade[0] + 2)) / 2;
-  let kept: Candidate | null = null;
-  let least = Number.POSITIVE_INFINITY;
-  for (const [i, grade] of grades.entries()) {
-    const off = Math.abs(grade - wanted);
-    if (off >= least || !isOnTheme(stage, layout, ways[i])) continue;
-    const { p } = successProbability(scene, ways[i].holds, ANY, 40, { samples: SAMPLES, seed: 1 });
-    if (p < spec.p40 + RESERVE || !forgives(scene, ways[i].holds, spec.certifiedTicks, random)) continue;
-    kept = ways[i];
-    least = off;
-  }
-  return kept;
-}
+/** Whether a run may be narrowed: success is measured again in the end. */
+const isForgiving = (scene: Scene, { holds }: Candidate, spec: GeneratorSpec, random: Random): boolean =>
+  successProbability(scene, holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p >= spec.p40 + RESERVE &&
+  forgives(scene, holds, spec.certifiedTicks, random);
 
 /** The layout with a smaller black hole; null when it is small already. */
 function shrunk(layout: Layout): Layout | null {

@@ -57,6 +57,15 @@ export function* compose(
     if (composed.aliens.length === 0) return 'unforgiving';
     composed = { ...composed, aliens: composed.aliens.slice(1) };
   }
-  const stage: Stage = { theme, slots: site.slots, figures: composed.novae, kept: site.kept, image, detour, detourWays };
+  const stage: Stage = {
+    theme,
+    least: theme.least(spec),
+    slots: site.slots,
+    figures: composed.novae,
+    kept: site.kept,
+    image,
+    detour,
+    detourWays,
+  };
   return isOnTheme(stage, composed, run) ? { layout: composed, stage } : 'offTheme';
 }

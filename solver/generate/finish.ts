@@ -105,11 +105,11 @@ function fileOf(
   return toLevelFile(layout, nameLevel(random, spec.theme), description, runs);
 }
 
-function themeMeasure(layout: Layout, spec: GeneratorSpec, solution: Candidate, { theme }: Stage): ThemeMeasure | null {
+function themeMeasure(layout: Layout, spec: GeneratorSpec, solution: Candidate, { theme, least }: Stage): ThemeMeasure | null {
   if (theme === null || spec.theme === null) return null;
   const scene = sceneOf(layout);
   const value = theme.measure(scene.level, flightOf(scene, solution.holds));
-  return { name: spec.theme, measured: theme.measured, value, least: theme.least };
+  return { name: spec.theme, measured: theme.measured, value, least };
 }
 
 function symmetryMeasure(layout: Layout, spec: GeneratorSpec, { theme, image }: Stage): SymmetryMeasure | null {

@@ -75,8 +75,6 @@ export interface GeneratorSpec {
   readonly certifiedTicks: number;
   /** The least success under timing noise of 40 ms. */
   readonly p40: number;
-  /** The success under timing noise of 40 ms that the intended run should have before novae are added. */
-  readonly routeP40: number;
   /** The shortest and the longest press of the intended run, ticks. */
   readonly hold: readonly [number, number];
   /** The longest pause of the intended run, ticks: the longer the pause, the farther a small error leads. */
@@ -134,7 +132,6 @@ export function specOf(options: GeneratorOptions): GeneratorSpec {
     room: Math.round(12 - 9 * hardness),
     certifiedTicks: hardness < 0.3 ? 2 : 1,
     p40: 0.9 - 0.6 * hardness,
-    routeP40: 0.97 - 0.4 * hardness,
     hold: [20, 159],
     coast: Math.round(100 + 120 * hardness),
     onePress: 0.06 * (1 - hardness) + 0.002,

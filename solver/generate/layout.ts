@@ -3,6 +3,7 @@ import { type Disc, type OwnRules, type Place, placesIn, rulesOf } from '../../s
 import type { Random } from '../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed/index.ts';
+import { takesOver } from './takes-over.ts';
 
 /** A level under construction. All coordinates are whole px. */
 export interface Layout {
@@ -99,7 +100,9 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
     const place = tryOften(() => {
       const disc = { ...(i === 0 ? near(start, 100, 190) : near(last, 160, 270)), radius };
       const apart = layout.asteroids.every((other) => distance(other, disc) >= 140);
-      return apart && fits(layout, spec, disc) ? disc : null;
+      // from rest she falls along a line, and leaves it only where another asteroid takes over
+      const leads = speed > 0 || i !== 1 || takesOver(start, last, disc);
+      return apart && leads && fits(layout, spec, disc) ? disc : null;
     });
     if (place === null) return null;
     layout = { ...layout, asteroids: [...layout.asteroids, { ...place, hot }] };

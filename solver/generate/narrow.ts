@@ -1,5 +1,5 @@
 import { boxOf, compile } from '../../engine/index.ts';
-import { rulesOf } from '../../schema/basics/index.ts';
+import { type Disc, rulesOf } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
@@ -8,12 +8,16 @@ import type { GeneratorSpec } from './generator-spec.ts';
 import { fits, type Layout, NOVA_MARGIN } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import type { Stage } from './stage.ts';
-import { distanceToWays, forgives, type Way } from './tube.ts';
+import { distanceToWays, forgives, tubeOf, type Way } from './tube.ts';
 
 const ANY: Goal = { minerals: 'any' };
 const ALL: Goal = { minerals: 'all' };
 
 const RADIUS = 16;
+
+// Ticks by which the edges of mistimed runs are shifted, at most, and px from their ways to a nova on each axis, at most.
+const MISTIMED = 5;
+const OFF = 24;
 
 // Places that are tried for one nova.
 const PLACES = 40;
@@ -43,23 +47,28 @@ export function narrowWay(
     successProbability(compile(toLevel(grown), 'arcade'), run.holds, ANY, 40, { samples: SAMPLES, seed: 1 }).p;
   const now = p40(layout);
   const least = RADIUS + boxOf(rulesOf(layout)).halfDiagonal + 1;
-  const offset = () => random.below(2 * Math.ceil(least + NEAR) + 1) - Math.ceil(least + NEAR);
-  const narrowed: { readonly layout: Layout; readonly p: number }[] = [];
-  const beside = slots.filter((slot) => {
-    const away = distanceToWays([way], slot) - slot.radius + RADIUS;
-    return away >= least && away <= least + NEAR;
-  });
-  for (let i = 0; i < PLACES; i++) {
-    const at = way[random.below(way.length)];
-    const nova =
-      beside.length > 0
-        ? beside[random.below(beside.length)]
-        : { x: Math.round(at.x) + offset(), y: Math.round(at.y) + offset(), radius: RADIUS };
+  const isBeside = (nova: Disc): boolean => {
     const away = distanceToWays([way], nova) - nova.radius + RADIUS;
-    if (away < least || away > least + NEAR || !fits(layout, spec, nova, undefined, NOVA_MARGIN)) continue;
+    return away >= least && away <= least + NEAR && fits(layout, spec, nova, undefined, NOVA_MARGIN);
+  };
+  const narrowed: { readonly layout: Layout; readonly p: number }[] = [];
+  const weigh = (nova: Disc): void => {
+    if (!isBeside(nova)) return;
     const grown = { ...layout, novae: [...layout.novae, nova] };
     const p = p40(grown);
     if (p < now - 0.01 && p >= spec.p40 + RESERVE) narrowed.push({ layout: grown, p });
+  };
+  const beside = slots.filter(isBeside);
+  for (let i = 0; i < PLACES && beside.length > 0; i++) weigh(beside.splice(random.below(beside.length), 1)[0]);
+  // otherwise where mistimed runs pass, since a nova elsewhere changes nothing
+  if (narrowed.length === 0) {
+    const mistimed = tubeOf(compile(toLevel(layout), 'arcade'), run.holds, MISTIMED, random);
+    for (let i = 0; i < PLACES; i++) {
+      const passes = mistimed[random.below(mistimed.length)];
+      const { x, y } = passes[random.below(passes.length)];
+      const off = () => random.below(2 * OFF + 1) - OFF;
+      weigh({ x: Math.round(x) + off(), y: Math.round(y) + off(), radius: RADIUS });
+    }
   }
   narrowed.sort((a, b) => a.p - b.p);
   const isOpen = (grown: Layout) => {

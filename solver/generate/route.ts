@@ -1,15 +1,17 @@
-import { compile, createSimulation, playScript, type Simulation, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import type { Disc, Hold, Place } from '../../schema/basics/index.ts';
-import { countOnePress } from '../difficulty/index.ts';
+import { compile, createSimulation } from '../../engine/index.ts';
+import type { Disc, Hold } from '../../schema/basics/index.ts';
+import { countOnePress, hardnessOf } from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
-import { successProbability } from '../robustness/index.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
+import { type DrawnFlight, drawFlights, endsOf, flightUpTo } from './flights.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
-import { distance, fits, type Layout } from './layout.ts';
+import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
+import { roomForNovae } from './room-for-novae.ts';
+import { luckyGames, measureRun } from './scouting.ts';
 import { flightOf, type Theme } from './themes/index.ts';
-import { distanceToWays, forgives, type Way, wayOf } from './tube.ts';
+import { forgives, tubeOf, wayOf } from './tube.ts';
 
 /** A layout whose black hole lies at the end of a run. */
 export interface Route {
@@ -19,111 +21,123 @@ export interface Route {
 
 const ANY: Goal = { minerals: 'any' };
 
-// Runs that are tried before a layout is discarded, and where a theme is particular about them.
-const SCRIPTS = 1000;
-const THEME_SCRIPTS = 1500;
+// Ticks after which a layout is discarded: in any case, while no run suits, and while none even ends where the black hole may lie.
+const MOST_TICKS = 1_200_000;
+const NONE_SUITS = 800_000;
+const NONE_ENDS = 200_000;
 
-// How many suitable runs are compared. The one whose success is nearest to the wanted value is kept.
-const ROUTES = 5;
+// How many suitable runs are compared. The one whose grade is nearest to the wanted one is kept.
+const ROUTES = 3;
+
+// Places for the black hole that are tried at the end of a run.
+const ENDS = 6;
 
 const SAMPLES = 60;
 
-// What a rank of 1 weighs, as a difference of success.
-const RANK = 0.3;
+// The costs of measuring a run and of shifting it, in runs, about.
+const MEASURING = 200;
+const FORGIVING = 100;
 
-// Every tenth tick suffices to see whether many single presses win.
-const STRIDE = 10;
+// Random games, which show how many find the run or another way that no nova closes.
+const GAMES = 100;
 
-// px between the black hole and the start, at least.
-const FROM_START = 160;
+// The radius of a nova that closes a way, px.
+const NOVA = 16;
 
-// px around the place of the black hole that her path must avoid before its end.
-const CLEAR_OF_END = 60;
+// By how much novae beside the run raise its grade, about.
+const NARROWED = 0.8;
 
-// px between her path and the edge of the level, at least.
-const INSIDE = 25;
+// The share of random play that wins in a finished level, about.
+const RARE = 0.004;
 
-const BLACK_HOLE = 18;
+// What a rank of 1 weighs, as a difference of grades.
+const RANK = 0.6;
 
-// px of the grid on which a theme wants the black hole.
-const GRID = 4;
+// So many ticks apart suffice to see whether many single presses win.
+const STRIDE = 16;
 
 /**
- * Plays random runs in a layout without a black hole, and puts the black hole at the end of one whose success is close to the
- * wanted value. From rest she falls along a straight line, on which every press leads to the same place, so runs that a single
- * press can replace do not count.
+ * Draws runs in a layout without a black hole, and puts the black hole at the end of one whose own grade is close to what is wanted.
+ * Runs that a single press can replace do not count, unless a nova beside the run would close the way of that press.
  */
-export function findRoute(layout: Layout, spec: GeneratorSpec, random: Random, theme: Theme | null = null): Route | null {
+export function* findRoute(
+  layout: Layout,
+  spec: GeneratorSpec,
+  random: Random,
+  theme: Theme | null = null,
+): Generator<number, Route | null> {
   const empty = createSimulation(compile(toLevel(layout), 'arcade'));
   let best: { readonly route: Route; readonly off: number } | null = null;
-  const scripts = theme === null ? SCRIPTS : THEME_SCRIPTS;
-  for (let i = 0, passed = 0; i < scripts && passed < ROUTES; i++) {
-    const holds = randomHolds(spec, random);
-    const end = endOf(empty, layout, spec, holds, random, theme);
-    if (end === null) continue;
-    const ended = { ...layout, blackHole: end };
-    const scene = compile(toLevel(ended), 'arcade');
-    const run = verifyRun(scene, holds);
-    if (run === null || run.holds.length < holds.length || verifyRun(scene, []) !== null) continue;
-    const rank = theme === null ? 0 : theme.rank(scene.level, flightOf(scene, run.holds));
-    if (rank === null) continue;
-    const { count, tried } = countOnePress(scene, ANY, run.tick + 1, run.tick + 600, STRIDE);
-    if (count > spec.onePress * tried) continue;
-    const p40 = successProbability(scene, run.holds, ANY, 40, { samples: SAMPLES, seed: i }).p;
-    if (p40 < spec.p40 || !forgives(scene, run.holds, spec.certifiedTicks, random)) continue;
-    passed++;
-    const off = Math.abs(p40 - spec.routeP40) - RANK * rank;
-    if (best === null || off < best.off) best = { route: { layout: ended, run }, off };
+  let [sum, ended, passed] = [0, 0, 0];
+  const most = () => (ended === 0 ? NONE_ENDS : passed === 0 ? NONE_SUITS : MOST_TICKS);
+  while (sum < most() && passed < ROUTES) {
+    const { flights, ticks } = drawFlights(empty, spec, random);
+    // a run that is not even begun costs something as well
+    let cost = ticks + 50;
+    for (const flight of flights) {
+      const end = endOf(flight, layout, spec, random, theme);
+      if (end === null) continue;
+      ended++;
+      const judged = judge({ ...layout, blackHole: end }, flight.holds, spec, random, theme);
+      cost += judged.ticks;
+      if (judged.route === null) continue;
+      passed++;
+      if (best === null || judged.off < best.off) best = { route: judged.route, off: judged.off };
+    }
+    sum += cost;
+    yield cost;
   }
   return best?.route ?? null;
 }
 
-function randomHolds(spec: GeneratorSpec, random: Random): Hold[] {
-  const [least, most] = spec.presses;
-  const [shortest, longest] = spec.hold;
-  const presses = least + random.below(most - least + 1);
-  const holds: Hold[] = [];
-  let tick = 10 + random.below(40);
-  for (let i = 0; i < presses; i++) {
-    const press = tick;
-    tick += shortest + random.below(longest - shortest + 1);
-    holds.push([press, tick]);
-    tick += 10 + random.below(spec.coast);
+/** Draws a place for the black hole with which a run suits the theme; null where there is none. */
+function endOf(flight: DrawnFlight, layout: Layout, spec: GeneratorSpec, random: Random, theme: Theme | null): Disc | null {
+  const ends = endsOf(flight, layout, spec);
+  const level = theme === null ? null : toLevel(layout);
+  for (let i = 0; i < ENDS && ends.length > 0; i++) {
+    const [{ blackHole, at }] = ends.splice(random.below(ends.length), 1);
+    if (theme === null || level === null || theme.rank(level, flightUpTo(flight, at), spec) !== null) return blackHole;
   }
-  return holds;
+  return null;
 }
 
-/** The place for the black hole at the end of a run; null where there is no room, or where the run does not suit. */
-function endOf(
-  simulation: Simulation,
-  layout: Layout,
-  spec: GeneratorSpec,
+/** The middle of the lower half of the grades: a level easily gets a little harder than it was composed. */
+const wantedGrade = ({ grade: [least, most] }: GeneratorSpec): number => (least + Math.min(most, least + 2)) / 2;
+
+/** Whether a run suits; the lower `off`, the better. */
+function judge(
+  ended: Layout,
   holds: readonly Hold[],
+  spec: GeneratorSpec,
   random: Random,
   theme: Theme | null,
-): Disc | null {
-  const tick = holds[holds.length - 1][1] + 20 + random.below(spec.coast);
-  simulation.reset();
-  playScript(simulation, holds, tick);
-  if (simulation.ending !== null) return null;
-  const state = new Float64Array(STATE_SIZE);
-  simulation.readState(state);
-  const grid = theme === null ? 1 : GRID;
-  const end = { x: grid * Math.round(state[0] / grid), y: grid * Math.round(state[1] / grid), radius: BLACK_HOLE };
-  if (distance(end, layout.start) < FROM_START || !fits(layout, spec, end)) return null;
-
-  const { scene } = simulation;
-  const { events } = simulate(scene, holds, { maxTime: tick * TICK });
-  // While a single asteroid pulls, she stays on the line of her first fall.
-  const targets = new Set(events.flatMap((event) => (event.type === 'target' ? [event.index] : [])));
-  const moves = layout.start.vx !== 0 || layout.start.vy !== 0;
-  if (targets.size < 2 && (theme === null || !moves)) return null;
-  const way = wayOf(scene, holds, tick);
-  if (!way.every((place) => isInside(spec, place))) return null;
-  // Only the last stretch may come near the black hole; otherwise she would reach it too early.
-  const before: Way = way.filter((place, i) => i < way.length / 2 || distance(place, end) > 2 * CLEAR_OF_END);
-  return distanceToWays([before], end) < CLEAR_OF_END ? null : end;
+): { readonly route: Route | null; readonly off: number; readonly ticks: number } {
+  const scene = compile(toLevel(ended), 'arcade');
+  const run = verifyRun(scene, holds);
+  let ticks = 2 * (run?.tick ?? 500);
+  const no = () => ({ route: null, off: 0, ticks });
+  if (run === null || run.holds.length < holds.length || verifyRun(scene, []) !== null) return no();
+  const rank = theme === null ? 0 : theme.rank(scene.level, flightOf(scene, run.holds), spec);
+  if (rank === null) return no();
+  const tick = run.tick;
+  ticks += FORGIVING * tick;
+  if (!forgives(scene, run.holds, spec.certifiedTicks, random)) return no();
+  const measured = measureRun(scene, run, SAMPLES, 1);
+  ticks += MEASURING * tick;
+  const gradeAt = (randomShare: number): number => hardnessOf({ ...measured, randomShare });
+  if (measured.p40 < spec.p40 || gradeAt(RARE) < spec.grade[0] - NARROWED) return no();
+  const open = tubeOf(scene, run.holds, spec.certifiedTicks, random);
+  const hasRoom = roomForNovae(ended, spec, open, NOVA);
+  const isClosed = (holds: readonly Hold[]) => wayOf(scene, holds).some(hasRoom);
+  const shortcuts = countOnePress(scene, ANY, tick + 1, tick + 600, STRIDE);
+  ticks += shortcuts.ticks;
+  if (shortcuts.count > spec.onePress * shortcuts.tried && shortcuts.example !== null && !isClosed(shortcuts.example))
+    return no();
+  const lucky = luckyGames(scene, GAMES, random);
+  ticks += lucky.ticks;
+  const left = lucky.games.filter((holds) => !isClosed(holds)).length;
+  const grade = gradeAt(Math.max(RARE, left / GAMES));
+  // the level is as hard as that when all others are closed, and at least as hard as if none is
+  if (grade < spec.grade[0] - NARROWED || gradeAt(Math.max(RARE, lucky.games.length / GAMES)) > spec.grade[1]) return no();
+  return { route: { layout: ended, run }, off: Math.abs(grade - wantedGrade(spec)) - RANK * rank, ticks };
 }
-
-const isInside = ({ width, height }: GeneratorSpec, { x, y }: Place): boolean =>
-  x > INSIDE && y > INSIDE && x < width - INSIDE && y < height - INSIDE;

@@ -1,12 +1,14 @@
 import { compile, createSimulation, type Scene } from '../../engine/index.ts';
+import type { Hold } from '../../schema/basics/index.ts';
 import {
   countOnePress,
-  findSigmaAtHalf,
   type Grade,
+  type GradeInput,
   gradeOf,
   type OnePressCount,
   playAtRandom,
   playGameAtRandom,
+  sigmaAtHalfOf,
 } from '../difficulty/index.ts';
 import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
@@ -70,28 +72,50 @@ export function sortByP40(scene: Scene, runs: readonly Candidate[]): Candidate[]
 }
 
 /** The grade of a level by its best known run. */
-export function gradeRun(scene: Scene, run: Candidate, seed: number): Grade {
-  const options = { samples: SAMPLES, seed };
-  return gradeOf({
-    p40: successProbability(scene, run.holds, ANY, 40, options).p,
-    sigmaAtHalf: findSigmaAtHalf(scene, run.holds, ANY, options).ms,
-    presses: run.holds.length,
-    seconds: run.time,
+export const gradeRun = (scene: Scene, run: Candidate, seed: number): Grade =>
+  gradeOf({
+    ...measureRun(scene, run, SAMPLES, seed),
     randomShare: playAtRandom(scene, ANY, { samples: GAMES, seed, maxTicks: DEFAULT_MAX_TICKS }).share,
   });
+
+/** What a grade is computed from, but for random play. */
+export function measureRun(scene: Scene, run: Candidate, samples: number, seed: number): Omit<GradeInput, 'randomShare'> {
+  const success = successProbability(scene, run.holds, ANY, 40, { samples, seed });
+  return {
+    p40: success.p,
+    sigmaAtHalf: sigmaAtHalfOf(scene, run.holds, ANY, { samples, seed, known: [success] }),
+    presses: run.holds.length,
+    seconds: run.time,
+  };
 }
 
 /** What single presses within the length of a run achieve, sampled with a stride. */
 export const scoutOnePress = (scene: Scene, run: Candidate): OnePressCount =>
   countOnePress(scene, ANY, run.tick + 1, DEFAULT_MAX_TICKS, STRIDE);
 
-/** A few paths on which random play reached the black hole. */
-export function luckyWays(scene: Scene, most: number, random: Random): Way[] {
+/**
+ * Plays random games.
+ * @param count how many
+ * @param most the games end when so many have reached the black hole
+ * @returns the games that reached it, as holds, and the ticks simulated
+ */
+export function luckyGames(
+  scene: Scene,
+  count: number,
+  random: Random,
+  most = count,
+): { readonly games: readonly (readonly Hold[])[]; readonly ticks: number } {
   const simulation = createSimulation(scene);
-  const ways: Way[] = [];
-  for (let game = 0; game < GAMES && ways.length < most; game++) {
+  const games: (readonly Hold[])[] = [];
+  let ticks = 0;
+  for (let game = 0; game < count && games.length < most; game++) {
     const holds = playGameAtRandom(simulation, random, DEFAULT_MAX_TICKS);
-    if (simulation.ending?.outcome === 'completed') ways.push(wayOf(scene, holds));
+    ticks += simulation.tick;
+    if (simulation.ending?.outcome === 'completed') games.push(holds);
   }
-  return ways;
+  return { games, ticks };
 }
+
+/** A few paths on which random play reached the black hole. */
+export const luckyWays = (scene: Scene, most: number, random: Random): Way[] =>
+  luckyGames(scene, GAMES, random, most).games.map((holds) => wayOf(scene, holds));

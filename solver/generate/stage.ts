@@ -9,6 +9,8 @@ import type { Way } from './tube.ts';
 /** What a theme asks of a level while it is made harder. */
 export interface Stage {
   readonly theme: Theme | null;
+  /** The least that the theme measures. */
+  readonly least: number;
   /** Places that continue the composition, for more novae; without any, novae go wherever they help. */
   readonly slots: readonly Disc[];
   /** The novae that the theme has composed. */
@@ -24,9 +26,18 @@ export interface Stage {
 }
 
 /** A level without a theme. */
-export const PLAIN_STAGE: Stage = { theme: null, slots: [], figures: [], kept: [], image: null, detour: null, detourWays: [] };
+export const PLAIN_STAGE: Stage = {
+  theme: null,
+  least: 0,
+  slots: [],
+  figures: [],
+  kept: [],
+  image: null,
+  detour: null,
+  detourWays: [],
+};
 
 /** Whether a run is of the theme. */
-export function isOnTheme({ theme }: Stage, layout: Layout, run: Candidate): boolean {
-  return theme === null || theme.measure(toLevel(layout), flightOf(sceneOf(layout), run.holds)) >= theme.least;
+export function isOnTheme({ theme, least }: Stage, layout: Layout, run: Candidate): boolean {
+  return theme === null || theme.measure(toLevel(layout), flightOf(sceneOf(layout), run.holds)) >= least;
 }

@@ -20,16 +20,21 @@ interface Place {
 
 const away = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
 
-// Seeds whose layouts have a route that suits the theme. For lures it is the sixth layout of a generator with that seed.
+// Seeds whose layouts have a route that suits the theme.
 const SEEDS: Readonly<Record<ThemeName, readonly number[]>> = {
-  orbits: [1, 4],
-  corridors: [1, 7],
-  slings: [0, 4],
-  lures: [5],
-  fields: [6],
+  orbits: [4, 5],
+  corridors: [0, 1],
+  slings: [11, 14],
+  lures: [2],
+  fields: [3, 4],
 };
 
-const LURES_LAYOUT = 6;
+/** Runs a generator to its end. */
+function finish<T>(steps: Generator<number, T>): T {
+  let step = steps.next();
+  while (step.done !== true) step = steps.next();
+  return step.value;
+}
 
 /** Composed levels of a theme, before they are made harder. */
 function composed(theme: ThemeName): { level: Level; route: Route }[] {
@@ -37,15 +42,12 @@ function composed(theme: ThemeName): { level: Level; route: Route }[] {
   const spec = { ...asked, ...THEMES[theme].adjust(asked) };
   const made: { level: Level; route: Route }[] = [];
   for (const seed of SEEDS[theme]) {
-    const source = createRandom(seed);
-    const random = theme === 'lures' ? Array.from({ length: LURES_LAYOUT }, () => source.fork())[LURES_LAYOUT - 1] : source;
+    const random = createRandom(seed);
     const site = new Site(spec, random);
-    const route = THEMES[theme].arrange(site) ? findRoute(site.layout, spec, random, THEMES[theme]) : null;
+    const route = THEMES[theme].arrange(site) ? finish(findRoute(site.layout, spec, random, THEMES[theme])) : null;
     if (route === null) continue;
-    const steps = compose(route, spec, THEMES[theme], random);
-    let step = steps.next();
-    while (step.done !== true) step = steps.next();
-    if (typeof step.value !== 'string') made.push({ level: toLevel(step.value.layout), route });
+    const around = finish(compose(route, spec, THEMES[theme], random));
+    if (typeof around !== 'string') made.push({ level: toLevel(around.layout), route });
   }
   return made;
 }
@@ -93,7 +95,7 @@ const MEASURED_ANEW: Readonly<Record<ThemeName, (level: Level, places: Place[], 
     for (let tick = 1; tick < places.length; tick++) {
       if (!run.holds.some(([press, release]) => tick >= press && tick < release)) free += away(places[tick - 1], places[tick]);
     }
-    return free >= 2 * THEMES.slings.least - 20;
+    return free >= 2 * THEMES.slings.least(specOf({ seed: 0 })) - 20;
   },
   // a mineral that she does not come near, with novae on a part of a circle around it: more than a fifth, and not all around
   lures: ({ minerals, novae }, places) =>

@@ -1,6 +1,7 @@
 import { boxOf } from '../../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../../schema/basics/index.ts';
 import { distance } from '../layout.ts';
+import { placeChain } from './chain.ts';
 import { type Flight, headingAt, lengthOf } from './flight.ts';
 import type { Theme } from './theme.ts';
 
@@ -16,34 +17,28 @@ const ENDS = 60;
 const WIDEST = 72;
 const REACH = 26;
 
-// px of the route, at least, and between two stretches of it that have walls of their own.
-const LEAST_LENGTH = 300;
+// Length of the route, at least, of the side of a square as large as the level; and px between two stretches of it that have walls
+// of their own.
+const LEAST_LENGTH = 0.43;
 const APART = 64;
 
 /** Rows of novae along both sides of the route. */
 export const corridors: Theme = {
   measured: 'share of the route between two walls',
-  least: 0.5,
+  least: () => 0.5,
   symmetry: 'none',
   adjust: ({ room }) => ({ room: Math.min(room, 6), novae: 0 }),
 
   arrange(site) {
     const { width, height, asteroids } = site.spec;
     site.start({ x: site.between(80, width - 80), y: site.between(80, height - 80) });
-    let last: Place = site.layout.start;
-    for (let i = site.between(...asteroids); i > 0; i--) {
-      const first = last === site.layout.start;
-      const found = site.asteroid(() => (first ? site.near(last, 120, 200) : site.near(last, 170, 280)), first ? 32 : 24);
-      if (found === null) break;
-      last = found;
-    }
-    return site.layout.asteroids.length >= 2;
+    return placeChain(site, site.between(...asteroids), { first: [120, 200], next: [170, 280], radii: [32, () => 24] });
   },
 
   // long routes that do not come back to where they have been
-  rank(_, { places }) {
-    const length = lengthOf(places);
-    return length < LEAST_LENGTH || comesBack(places) ? null : Math.min(1.5, length / 700);
+  rank(_, { places }, { width, height }) {
+    const length = lengthOf(places) / Math.sqrt(width * height);
+    return length < LEAST_LENGTH || comesBack(places) ? null : Math.min(1.5, length);
   },
 
   compose(site, flight) {

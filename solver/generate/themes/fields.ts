@@ -1,6 +1,8 @@
 import { boxOf } from '../../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../../schema/basics/index.ts';
-import { distance } from '../layout.ts';
+import { distance, tryOften } from '../layout.ts';
+import { takesOver } from '../takes-over.ts';
+import { setOff } from './chain.ts';
 import type { Flight } from './flight.ts';
 import { COARSE, snap } from './site.ts';
 import type { Theme } from './theme.ts';
@@ -14,7 +16,7 @@ const NOVA = 16;
 /** Rows of repulsors across the level that she has to pass, and novae that go on with the rows. */
 export const fields: Theme = {
   measured: 'share of the time in fields',
-  least: 0.12,
+  least: () => 0.12,
   symmetry: 'mirror',
   adjust: () => ({ asteroids: [2, 3], novae: 0 }),
 
@@ -34,31 +36,34 @@ export const fields: Theme = {
       for (let i = 0; i < count; i++) site.repulsor(place(along, middle + (i - (count - 1) / 2) * step), radius);
     }
     if (site.layout.repulsors.length < 2) return false;
-    const ends = site.random.below(2) === 0 ? [0.2, 0.84] : [0.8, 0.16];
-    const start = place(long * ends[0], site.between(90, short - 90));
+    // the first two lie on either side of the row, so that her swing leads through a field
+    const field = site.layout.repulsors[site.random.below(site.layout.repulsors.length)];
+    const sign = site.random.below(2) === 0 ? 1 : -1;
+    const beyond = (away: number, aside: number): Place =>
+      isUpright ? { x: field.x + away, y: field.y + aside } : { x: field.x + aside, y: field.y + away };
+    const aside = () => site.between(0, 120) - 60;
+    const first = site.asteroid(() => beyond(-sign * site.between(radius + 50, radius + 90), aside()), 32);
+    if (first === null) return false;
+    const second = site.asteroid(() => beyond(sign * site.between(radius + 50, radius + 90), aside()), 24);
+    if (second === null) return false;
+    const isMoving = site.random.below(2) === 0;
+    const start = tryOften(() => {
+      const place = site.near(first, 90, 180);
+      const isBehind = sign * (isUpright ? first.x - place.x : first.y - place.y) > 0;
+      return isBehind && site.takesStart(place) && (isMoving || takesOver(place, first, second)) ? place : null;
+    });
+    if (start === null) return false;
     site.start(start);
-    let last: Place = start;
-    for (let i = site.between(...site.spec.asteroids); i > 0; i--) {
-      const first = last === start;
-      const sign = ends[0] < ends[1] ? 1 : -1;
-      // the first two lie on either side of the rows, so that her swing leads through a field
-      const beyond = (away: number): Place => {
-        const { x, y } = site.layout.repulsors[site.random.below(site.layout.repulsors.length)];
-        const aside = site.between(0, 120) - 60;
-        return isUpright ? { x: x + away, y: y + aside } : { x: x + aside, y: y + away };
-      };
-      const find = () =>
-        first ? beyond(-sign * site.between(radius + 50, radius + 110)) : beyond(sign * site.between(radius + 50, radius + 120));
-      const found = site.asteroid(find, first ? 32 : 24);
-      if (found === null) break;
-      last = found;
+    if (isMoving) setOff(site, first);
+    for (let i = site.between(...site.spec.asteroids); i > 2; i--) {
+      site.asteroid(() => beyond(sign * site.between(radius + 50, radius + 200), site.between(0, 360) - 180), 24);
     }
-    return site.layout.asteroids.length >= 2;
+    return true;
   },
 
-  rank(level, flight) {
+  rank(level, flight, spec) {
     const share = fields.measure(level, flight);
-    return share < fields.least ? null : Math.min(1.5, 3 * share);
+    return share < fields.least(spec) ? null : Math.min(1.5, 3 * share);
   },
 
   compose(site) {

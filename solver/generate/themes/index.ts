@@ -6,7 +6,7 @@ import { orbits } from './orbits.ts';
 import { slings } from './slings.ts';
 import type { Theme } from './theme.ts';
 
-export { flightOf } from './flight.ts';
+export { type Flight, flightOf } from './flight.ts';
 export { ASIDE } from './lures.ts';
 export { Site } from './site.ts';
 export { bestImage, type Image, partnerOf, symmetryOf, withImages, withoutSingles } from './symmetry.ts';

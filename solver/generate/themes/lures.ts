@@ -23,7 +23,7 @@ const ALIEN = 25;
 /** Minerals far from the route, each in a pocket of novae that is open to one side, with sleeping aliens beside them. */
 export const lures: Theme = {
   measured: 'minerals off the route in pockets of novae',
-  least: 1,
+  least: () => 1,
   symmetry: 'none',
   adjust: () => ({ novae: 0 }),
   arrange: corridors.arrange,

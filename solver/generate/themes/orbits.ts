@@ -1,5 +1,6 @@
 import type { Disc, Place } from '../../../schema/basics/index.ts';
 import { distance } from '../layout.ts';
+import { setOff } from './chain.ts';
 import { DIRECTIONS, directionOf, TURN } from './directions.ts';
 import { longestOrbit } from './flight.ts';
 import type { Site } from './site.ts';
@@ -20,7 +21,7 @@ const CLEAR = 18;
 /** One large asteroid that she goes around, and rings of novae about it. */
 export const orbits: Theme = {
   measured: 'full turns around an asteroid',
-  least: 0.55,
+  least: () => 0.55,
   symmetry: 'rotate',
   adjust: ({ presses, hold }) => ({ presses: [1, Math.max(2, presses[1] - 1)], hold: [hold[0], 420] }),
 
@@ -34,21 +35,19 @@ export const orbits: Theme = {
     if (body === null) return false;
     const place = site.near(body, radius + 70, radius + 130);
     if (place.x < 60 || place.y < 60 || place.x > width - 60 || place.y > height - 60) return false;
-    const away = distance(place, body);
-    // across the line to the asteroid, at about the speed of a circle
-    const speed = (site.random.below(2) === 0 ? 1 : -1) * site.between(28, 56);
-    site.start(place, Math.round((-(place.y - body.y) / away) * speed), Math.round(((place.x - body.x) / away) * speed));
+    site.start(place);
+    setOff(site, body);
     for (let n = site.between(0, Math.max(1, Math.round(width / 500))); n > 0; n--) {
       site.asteroid(() => site.near(body, 200, 280), 16 + 8 * site.random.below(2));
     }
     return true;
   },
 
-  rank({ asteroids }, flight) {
+  rank({ asteroids }, flight, spec) {
     const { turns, index } = longestOrbit(asteroids, flight);
     const body = asteroids[index];
     const isClear = flight.places.every((place) => distance(place, body) >= body.radius + CLEAR);
-    return turns >= orbits.least && isClear ? Math.min(1.5, turns) : null;
+    return turns >= orbits.least(spec) && isClear ? Math.min(1.5, turns) : null;
   },
 
   compose(site, flight) {

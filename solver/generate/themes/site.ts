@@ -15,6 +15,12 @@ export const snap = ({ x, y }: Place, grid: number): Place => ({
   y: Math.round(y / grid) * grid,
 });
 
+// px around the start that stay free, and between it and the edge, at least.
+const START_FREE = 75;
+const START_MARGIN = 60;
+
+const FAR = { x: -1e4, y: -1e4, vx: 0, vy: 0 };
+
 // px between the centres of two asteroids, at least.
 const ASTEROIDS_APART = 130;
 
@@ -54,6 +60,11 @@ export class Site {
       const away = distance(place, { x: 0, y: 0 });
       if (away >= least && away <= most) return snap({ x: around.x + place.x, y: around.y + place.y }, COARSE);
     }
+  }
+
+  /** Whether she may start at a place: within the margins and clear of everything that is there. */
+  takesStart(place: Place): boolean {
+    return fits({ ...this.layout, start: FAR }, this.spec, { ...place, radius: 0 }, START_FREE, START_MARGIN);
   }
 
   start(place: Place, vx = 0, vy = 0): void {

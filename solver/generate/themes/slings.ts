@@ -1,5 +1,6 @@
 import { boxOf } from '../../../engine/index.ts';
-import { type Place, rulesOf } from '../../../schema/basics/index.ts';
+import { rulesOf } from '../../../schema/basics/index.ts';
+import { placeChain } from './chain.ts';
 import { coastsOf, type Flight, headingAt, lengthOf } from './flight.ts';
 import { FINE, snap } from './site.ts';
 import type { Theme } from './theme.ts';
@@ -7,13 +8,17 @@ import type { Theme } from './theme.ts';
 // px; the largest gate that fits is taken.
 const RADII = [56, 48, 40, 32, 24] as const;
 
+// Of the side of a square as large as the level.
+const LEAST_SHARE = 0.245;
+
 // px that a free flight has at least to get a gate.
 const LONG = 110;
 
 /** Long free flights between far asteroids, through gates of few large novae. */
 export const slings: Theme = {
   measured: 'px of her two longest free flights, on average',
-  least: 170,
+  // 170 px in a level of 800 x 600 px
+  least: ({ width, height }) => Math.round(LEAST_SHARE * Math.sqrt(width * height)),
   symmetry: 'none',
   adjust: ({ coast, room }) => ({ coast: Math.round(coast * 1.6), asteroids: [2, 4], room: room + 2, novae: 0 }),
 
@@ -24,20 +29,16 @@ export const slings: Theme = {
     const x = site.between(70, width * 0.2);
     site.start({ x: flip ? width - x : x, y: site.between(80, height - 80) });
     const span = Math.min(420, Math.max(230, width * 0.42));
-    let last: Place = site.layout.start;
-    for (let i = site.between(...asteroids); i > 0; i--) {
-      const first = last === site.layout.start;
-      const find = () => (first ? site.near(last, 110, 200) : site.near(last, Math.round(span * 0.7), Math.round(span)));
-      const found = site.asteroid(find, first ? 40 : 24 + 8 * site.random.below(2));
-      if (found === null) break;
-      last = found;
-    }
-    return site.layout.asteroids.length >= 2;
+    return placeChain(site, site.between(...asteroids), {
+      first: [110, 200],
+      next: [Math.round(span * 0.7), Math.round(span)],
+      radii: [40, () => 24 + 8 * site.random.below(2)],
+    });
   },
 
-  rank(level, flight) {
+  rank(level, flight, spec) {
     const px = slings.measure(level, flight);
-    return px < slings.least ? null : Math.min(1.5, px / 250);
+    return px < slings.least(spec) ? null : Math.min(1.5, (0.7 * px) / slings.least(spec));
   },
 
   compose(site, flight) {
