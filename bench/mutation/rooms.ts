@@ -21,7 +21,10 @@ export const ROOMS: Readonly<Record<string, Room>> = {
       ...['verify', 'proofs', 'lemmas', 'lemmas-of-ways', 'orbits'].map((name) => `tests/solver/${name}.test.ts`),
     ],
   },
-  'solver/anytime': { sources: ['solver/anytime'], tests: ['tests/solver/anytime.test.ts'] },
+  'solver/anytime': {
+    sources: ['solver/anytime'],
+    tests: ['tests/solver/anytime-schedule.test.ts', 'tests/solver/anytime.test.ts'],
+  },
   'solver/softlock': { sources: ['solver/softlock'], tests: ['tests/solver/softlock.test.ts'] },
   'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },
   'engine/continuous': {

@@ -25,10 +25,15 @@ const PROOF = { code: 'doomed' } as Proof;
  * @param work looks that each attempt wants
  * @param proves whether an attempt that has done all its work finds a proof
  */
-function fakeParts(work: (made: Made) => number, proves: (made: Made) => boolean = () => false, isTrue = true) {
+function fakeParts(
+  work: (made: Made) => number,
+  proves: (made: Made) => boolean = () => false,
+  isTrue = true,
+  barred = 'flowpipe',
+) {
   const made: Made[] = [];
   const parts: ProofParts = {
-    mayProve: (prover) => prover !== 'flowpipe',
+    mayProve: (prover) => prover !== barred,
     verifyProof: () => (isTrue ? { ok: true } : { ok: false, why: 'it is false' }),
     proveBy(prover, _level, about, { budget = unlimited(), fineness = 0, maxTime = 0 } = {}) {
       const one = { prover, about, fineness, limit: budget.most, maxTime };
@@ -88,7 +93,7 @@ describe('the schedule of proofs with ever finer sets', () => {
   });
 
   it('goes on with finer sets and more work as long as there is some to give', () => {
-    const { parts, made } = fakeParts(NEVER_ENOUGH);
+    const { parts, made } = fakeParts(NEVER_ENOUGH, () => false, true, 'none');
     const proving = anytimeProofBy(parts, withMinerals(0), OPTIONS);
     const limits: number[] = [];
     while (!proving.finished) {
@@ -105,16 +110,21 @@ describe('the schedule of proofs with ever finer sets', () => {
       [1, 8_000_000],
       [3, 24_000_000],
     ]);
-    expect(made.filter(({ prover }) => prover === 'doomed').map(({ fineness, limit }) => [fineness, limit])).toEqual([
-      [1, 2_000_000],
-    ]);
+    for (const once of ['flowpipe', 'doomed']) {
+      expect(made.filter(({ prover }) => prover === once)).toMatchObject([{ fineness: 1, limit: 2_000_000 }]);
+    }
   });
 
   it('does not repeat an attempt that ended by itself with less work than it had', () => {
-    const ended = fakeParts(() => 400_000);
+    const ended = fakeParts(
+      () => 400_000,
+      () => false,
+      true,
+      'none',
+    );
     anytimeProofBy(ended.parts, withMinerals(0), OPTIONS).advance(PLENTY);
     const tried = ended.made.map(({ prover, fineness }) => `${prover} ${fineness}`);
-    expect(new Set(tried).size).toBe(tried.length);
+    expect(tried).toEqual(['orbits 0', 'orbits 3', 'flowpipe 1', 'doomed 1', 'orbits 2', 'orbits 1']);
     // what the limit ended is tried again with a higher one
     const cut = fakeParts(() => 600_000);
     anytimeProofBy(cut.parts, withMinerals(0), OPTIONS).advance(PLENTY);
@@ -187,6 +197,14 @@ describe('the schedule of proofs with ever finer sets', () => {
     expect(proving.ticks).toBe(500_000);
     proving.advance(1);
     expect(proving.ticks).toBe(1_000_000);
+    // what was asked for and not spent is not forgotten
+    const { parts: quick, made } = fakeParts(() => 100);
+    const saving = anytimeProofBy(quick, withMinerals(0), OPTIONS);
+    saving.advance(400_000);
+    expect(made).toHaveLength(0);
+    saving.attempt();
+    saving.advance(100_100);
+    expect(made).toHaveLength(2);
   });
 
   it('is asked to stop now and then, and begins nothing after that', () => {
@@ -197,10 +215,16 @@ describe('the schedule of proofs with ever finer sets', () => {
     // before the attempt, and then twice within it
     expect([made.length, proving.ticks]).toEqual([1, 400_000]);
     expect(proving.finished).toBe(false);
-    // what was cut short may be tried again with more work
-    const left = anytimeProofBy(parts, withMinerals(0), { ...OPTIONS, isStopped: () => false });
-    left.advance(PLENTY);
-    expect(made.filter(({ prover, fineness }) => prover === 'orbits' && fineness === 0).length).toBeGreaterThan(2);
+  });
+
+  it('tries what was cut short again with more work', () => {
+    let asked = 0;
+    const { parts, made } = fakeParts(NEVER_ENOUGH);
+    const proving = anytimeProofBy(parts, withMinerals(0), { ...OPTIONS, isStopped: () => ++asked === 2 });
+    proving.advance(PLENTY);
+    const coarse = made.filter(({ prover, fineness }) => prover === 'orbits' && fineness === 0);
+    expect(coarse.map(({ limit }) => limit)).toEqual([500_000, 3_000_000]);
+    expect(proving.ticks).toBe(made.reduce((sum, { limit }) => sum + limit, 0) - 300_000);
   });
 });
 
