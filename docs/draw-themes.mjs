@@ -6,7 +6,7 @@ import { resolveLevel } from '../dist/schema/index.js';
 import { createGenerator } from '../dist/solver/index.js';
 
 const LEVELS = [
-  { theme: 'orbits', seed: 1, difficulty: 1.7 },
+  { theme: 'orbits', seed: 3, difficulty: 2.4 },
   { theme: 'corridors', seed: 2, difficulty: 2 },
   { theme: 'slings', seed: 3, difficulty: 2.4 },
   { theme: 'lures', seed: 5, difficulty: 'easy' },

@@ -18,7 +18,36 @@ const CROWN = 26;
 // px between the asteroid's rim and her path, at least: an orbit goes around and not through.
 const CLEAR = 18;
 
-/** One large asteroid that she goes around, and rings of novae about it. */
+/** What stands around the orbit: places of beads, from a radius on. */
+type Figure = (body: Disc, radius: number, site: Site) => Place[];
+
+const FIGURES: readonly Figure[] = [
+  // a ring
+  (body, radius) => ringOf(body, radius, SPACING),
+  // arcs with gaps between them
+  (body, radius, site) => {
+    const arcs = site.between(2, 4);
+    const ring = [ringOf(body, radius, SPACING), ringOf(body, radius + RINGS_APART, SPACING)];
+    return ring.flatMap((places) => places.filter((_, i) => ((i * arcs) / places.length) % 1 < 0.55));
+  },
+  // rays
+  (body, radius, site) => {
+    const rays = 2 * site.between(3, 5);
+    return Array.from({ length: rays }, (_, i) =>
+      [0, 1, 2, 3].map((bead) => around(body, (i / rays) * TURN, radius + 36 * bead)),
+    ).flat();
+  },
+  // the arms of a spiral, each half a turn long
+  (body, radius, site) => {
+    const arms = site.between(2, 3);
+    const beads = Math.floor((Math.PI * (radius + 60)) / SPACING);
+    return Array.from({ length: arms }, (_, arm) =>
+      Array.from({ length: beads }, (_, i) => around(body, (arm / arms + i / beads / 2) * TURN, radius + (150 * i) / beads)),
+    ).flat();
+  },
+];
+
+/** One large asteroid that she goes around, and rings, rays or spirals of novae about it. */
 export const orbits: Theme = {
   measured: 'full turns around an asteroid',
   least: () => 0.55,
@@ -66,7 +95,7 @@ export const orbits: Theme = {
     }
     const most = Math.max(...rings.map(({ share }) => share));
     const outer = rings.find(({ share }) => share >= 0.92 * most)?.radius ?? 236;
-    for (const place of ringOf(body, outer, SPACING)) site.nova(place, BEAD);
+    for (const place of FIGURES[site.random.below(FIGURES.length)](body, outer, site)) site.nova(place, BEAD);
     for (let radius = outer - RINGS_APART; radius > inner + 30; radius -= RINGS_APART) offer(site, body, radius);
     for (let radius = outer + RINGS_APART; radius < 500; radius += RINGS_APART) offer(site, body, radius);
   },
@@ -75,14 +104,17 @@ export const orbits: Theme = {
 };
 
 /** Evenly spaced places on a circle, which begin at the top. */
-function ringOf({ x, y }: Disc, radius: number, spacing: number): Place[] {
+function ringOf(body: Disc, radius: number, spacing: number): Place[] {
   const count = Math.floor((2 * Math.PI * radius) / spacing);
   // an even number of places, that rings may be turned by half
   const even = Math.max(4, count - (count % 2));
-  return Array.from({ length: even }, (_, i) => {
-    const { x: dx, y: dy } = unitAt((i / even) * TURN + directionOf(0, -1));
-    return { x: Math.round(x + dx * radius), y: Math.round(y + dy * radius) };
-  });
+  return Array.from({ length: even }, (_, i) => around(body, (i / even) * TURN, radius));
+}
+
+/** The place at a number of directions from the top, clockwise. */
+function around({ x, y }: Disc, turn: number, radius: number): Place {
+  const { x: dx, y: dy } = unitAt(turn + directionOf(0, -1));
+  return { x: Math.round(x + dx * radius), y: Math.round(y + dy * radius) };
 }
 
 /** The unit vector at a number of directions that need not be whole. */
