@@ -1,7 +1,6 @@
-import { compile, createSimulation } from '../../engine/index.ts';
+import { createSimulation } from '../../engine/index.ts';
 import type { Disc, Hold } from '../../schema/basics/index.ts';
 import { countOnePress, hardnessOf } from '../difficulty/index.ts';
-import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
 import { type DrawnFlight, drawFlights, endsOf, flightUpTo } from './flights.ts';
@@ -9,7 +8,7 @@ import type { GeneratorSpec } from './generator-spec.ts';
 import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { roomForNovae } from './room-for-novae.ts';
-import { luckyGames, measureRun } from './scouting.ts';
+import { ANY, luckyGames, measureRun, sceneOf } from './scouting.ts';
 import { flightOf, type Theme } from './themes/index.ts';
 import { forgives, tubeOf, wayOf } from './tube.ts';
 
@@ -18,8 +17,6 @@ export interface Route {
   readonly layout: Layout;
   readonly run: Candidate;
 }
-
-const ANY: Goal = { minerals: 'any' };
 
 // Ticks after which a layout is discarded: in any case, while no run suits, and while none even ends where the black hole may lie.
 const MOST_TICKS = 1_200_000;
@@ -66,7 +63,7 @@ export function* findRoute(
   random: Random,
   theme: Theme | null = null,
 ): Generator<number, Route | null> {
-  const empty = createSimulation(compile(toLevel(layout), 'arcade'));
+  const empty = createSimulation(sceneOf(layout));
   let best: { readonly route: Route; readonly off: number } | null = null;
   let [sum, ended, passed] = [0, 0, 0];
   const most = () => (ended === 0 ? NONE_ENDS : passed === 0 ? NONE_SUITS : MOST_TICKS);
@@ -112,7 +109,7 @@ function judge(
   random: Random,
   theme: Theme | null,
 ): { readonly route: Route | null; readonly off: number; readonly ticks: number } {
-  const scene = compile(toLevel(ended), 'arcade');
+  const scene = sceneOf(ended);
   const run = verifyRun(scene, holds);
   let ticks = 2 * (run?.tick ?? 500);
   const no = () => ({ route: null, off: 0, ticks });

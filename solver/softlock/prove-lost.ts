@@ -74,15 +74,12 @@ export interface LostProof {
  * @param maxTicks the longest run, ticks from the state on
  * @param alive the longest that she was seen alive after the state, ticks
  */
-export function proveLost(simulation: Simulation, maxTicks: number, alive: number): LostProof {
-  const { name } = simulation.scene.accuracy;
-  const from = isAccuracyName(name) ? levelFrom(simulation) : null;
-  if (from === null) return { proof: null, level: null, ticks: 0 };
-  const budget = new WorkBudget(MAX_WORK);
-  const provers = proversFor(from, alive, ({ takes }) => takes !== 'longest');
-  const proof = proveWithin(provers, from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
-  return { proof, level: proof === null ? null : from.level, ticks: TICKS_A_PIECE * budget.spent };
-}
+export const proveLost = (simulation: Simulation, maxTicks: number, alive: number): LostProof =>
+  proveWith(simulation, maxTicks, alive, {
+    is: ({ takes }) => takes !== 'longest',
+    work: MAX_WORK,
+    ticksAPiece: TICKS_A_PIECE,
+  });
 
 /**
  * The same by `orbits`, which costs more, and covers states from which she lives on longer.
@@ -90,14 +87,29 @@ export function proveLost(simulation: Simulation, maxTicks: number, alive: numbe
  * @param maxTicks the longest run, ticks from the state on
  * @param alive the longest that she was seen alive after the state, ticks
  */
-export function proveLostByOrbits(simulation: Simulation, maxTicks: number, alive: number): LostProof {
+export const proveLostByOrbits = (simulation: Simulation, maxTicks: number, alive: number): LostProof =>
+  proveWith(simulation, maxTicks, alive, {
+    is: ({ takes }) => takes === 'longest',
+    work: ORBITS_WORK,
+    ticksAPiece: ORBITS_TICKS_A_PIECE,
+  });
+
+/** Which provers are tried, and what they may cost. */
+interface Means {
+  readonly is: (prover: ProverEntry) => boolean;
+  /** Pieces of motion. */
+  readonly work: number;
+  readonly ticksAPiece: number;
+}
+
+function proveWith(simulation: Simulation, maxTicks: number, alive: number, { is, work, ticksAPiece }: Means): LostProof {
   const { name } = simulation.scene.accuracy;
   const from = isAccuracyName(name) ? levelFrom(simulation) : null;
   if (from === null) return { proof: null, level: null, ticks: 0 };
-  const provers = proversFor(from, alive, ({ takes }) => takes === 'longest');
-  const budget = new WorkBudget(ORBITS_WORK);
-  const proof = proveWithin(provers, from.level, { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget });
-  return { proof, level: proof === null ? null : from.level, ticks: ORBITS_TICKS_A_PIECE * budget.spent };
+  const budget = new WorkBudget(work);
+  const options = { accuracy: name as AccuracyName, maxTime: maxTicks * TICK, budget };
+  const proof = proveWithin(proversFor(from, alive, is), from.level, options);
+  return { proof, level: proof === null ? null : from.level, ticks: ticksAPiece * budget.spent };
 }
 
 /**
