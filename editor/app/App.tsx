@@ -3,7 +3,7 @@ import { useEffect } from 'react';
 import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
 import { CanvasView } from '../canvas/index.ts';
-import { type Command, listenToKeys } from '../commands/index.ts';
+import { type Command, listenToKeys, listenToPads } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
 import { AttemptsWatch } from '../panels/attempts/index.ts';
@@ -198,7 +198,8 @@ function Screen() {
       ...panelCommands(editor),
       ...ruleCommands(editor),
     ]);
-    const stops = [listenToKeys(window, commands, () => session.getState().mode), keepFocus(document)];
+    const mode = () => session.getState().mode;
+    const stops = [listenToKeys(window, commands, mode), listenToPads(window, commands, mode), keepFocus(document)];
     return () => {
       forget();
       for (const stop of stops) stop();

@@ -15,6 +15,7 @@ const POINTER: readonly (readonly [gesture: string, what: string])[] = [
   ['wheel, pinch', 'zoom at the pointer'],
   ['drag a hold in the gun lane', 'move it; drag an end to stretch it'],
   ['Alt + drag in the gun lane', 'move everything after it as well'],
+  ['A, B, X, Y, shoulders of a gamepad', 'hold the gun in a playtest'],
 ];
 
 /** All keyboard shortcuts and gestures on one sheet. */
@@ -39,13 +40,14 @@ export function CheatSheet() {
             <dl>
               {keyed
                 .filter((command) => command.group === group)
-                .map(({ id, title, keys }) => (
+                .map(({ id, title, keys, pad }) => (
                   <div key={id} className="sheet__row">
                     <dt>{title}</dt>
                     <dd>
                       {keyLabels(keys ?? [], IS_MAC).map((label) => (
                         <kbd key={label}>{label}</kbd>
                       ))}
+                      {pad !== undefined && <kbd>gamepad {pad}</kbd>}
                     </dd>
                   </div>
                 ))}

@@ -29,18 +29,22 @@ function NarrowLayout({ canvas, timeline, panels }: LayoutProps) {
   const shown = useSession((state) => state.panels.phone);
   const show = (phone: string | null) => session.setState({ panels: { ...session.getState().panels, phone } });
   const all = [{ id: 'timeline', title: 'Timeline', icon: <Activity size={17} />, content: timeline }, ...panels];
-  const panel = all.find(({ id }) => id === shown);
+  // a playtest needs all of a small screen
+  const isPlaying = useSession((state) => state.mode === 'play');
+  const panel = isPlaying ? undefined : all.find(({ id }) => id === shown);
   return (
     <div className={panel === undefined ? 'narrow' : 'narrow narrow--open'}>
       <main className="region region--canvas">{canvas}</main>
       {panel !== undefined && <section className={`region narrow__sheet narrow__sheet--${panel.id}`}>{panel.content}</section>}
-      <nav className="narrow__tabs" aria-label="Panels">
-        {all.map(({ id, title, icon }) => (
-          <Button key={id} hint={title} icon={icon} pressed={id === shown} onClick={() => show(id === shown ? null : id)}>
-            {title}
-          </Button>
-        ))}
-      </nav>
+      {!isPlaying && (
+        <nav className="narrow__tabs" aria-label="Panels">
+          {all.map(({ id, title, icon }) => (
+            <Button key={id} hint={title} icon={icon} pressed={id === shown} onClick={() => show(id === shown ? null : id)}>
+              {title}
+            </Button>
+          ))}
+        </nav>
+      )}
     </div>
   );
 }

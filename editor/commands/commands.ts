@@ -1,4 +1,6 @@
-/** An action that can be started from the palette or with its keys. */
+import type { PadButton } from './gamepads.ts';
+
+/** An action that can be started from the palette, with its keys, or with a button of a gamepad. */
 export interface Command {
   /** `group.verb`, unique */
   readonly id: string;
@@ -6,7 +8,9 @@ export interface Command {
   readonly group: 'File' | 'Edit' | 'Crosshair' | 'Object' | 'View' | 'Run' | 'Play' | 'Solve' | 'Help';
   /** Key bindings in the notation of tinykeys: `$mod+z`, `Shift+Space`, `?`. The first one is shown. */
   readonly keys?: readonly string[];
-  /** The mode in which its keys work; `edit` if absent. */
+  /** The button of a gamepad that starts it. */
+  readonly pad?: PadButton;
+  /** The mode in which its keys and button work; `edit` if absent. */
   readonly mode?: 'edit' | 'play' | 'both';
   /** Whether its keys also work while a text field has the focus. */
   readonly inText?: boolean;

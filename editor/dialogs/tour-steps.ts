@@ -36,7 +36,7 @@ export const TOUR: readonly TourStep[] = [
   },
   {
     title: 'Play it right here',
-    text: 'Press Space to play, Esc to return. Hold the mouse button to hold the gun. You can keep each attempt as a run of the level.',
+    text: 'Press Space to play, Esc to return. Hold the mouse button or one of a gamepad to hold the gun; [ plays in slow motion. You can keep each attempt as a run of the level.',
     touch:
       'Tap Play to start, and again to return. Hold a finger down to hold the gun. You can keep each attempt as a run of the level.',
     at: ['.topbar .button--main'],

@@ -1,7 +1,9 @@
 import { Check, Plus, RotateCcw, X } from 'lucide-react';
+import { useRef } from 'react';
 import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
 import { useLevel } from '../context/index.ts';
 import { Button } from '../ui/index.ts';
+import { usePadChoice } from './use-pad-choice.ts';
 
 interface PlayEndProps {
   readonly end: RunEnd;
@@ -15,8 +17,10 @@ interface PlayEndProps {
 export function PlayEnd({ end, onRestart, onKeep, onLeave }: PlayEndProps) {
   const { range } = useLevel().proof.proof().level;
   const won = end.outcome === 'completed';
+  const panel = useRef<HTMLDivElement>(null);
+  usePadChoice(panel);
   return (
-    <div className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
+    <div ref={panel} className={`play__end play__end--${won ? 'won' : 'lost'}`} role="status">
       <strong>{won ? 'Level completed' : 'Not completed'}</strong>
       <span>She {outcomeAsPredicate(end, range)}.</span>
       <span className="play__actions">

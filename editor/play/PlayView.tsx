@@ -24,8 +24,8 @@ export function PlayView() {
   useEffect(
     () =>
       editor.commands.register([
-        { id: 'play.stop', title: 'Back to editing', group: 'Play', mode: 'play', keys: ['Escape'], run: leave },
-        { id: 'play.restart', title: 'Play again', group: 'Play', mode: 'play', keys: ['r'], run: start },
+        { id: 'play.stop', title: 'Back to editing', group: 'Play', mode: 'play', keys: ['Escape'], pad: 'Start', run: leave },
+        { id: 'play.restart', title: 'Play again', group: 'Play', mode: 'play', keys: ['r'], pad: 'Select', run: start },
         {
           id: 'play.promote',
           title: 'Keep this attempt as a run',

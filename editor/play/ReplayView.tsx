@@ -73,11 +73,11 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
   useEffect(() => {
     const play = { group: 'Play', mode: 'play' } as const;
     return editor.commands.register([
-      { ...play, id: 'play.stop', title: 'Leave the replay', keys: ['Escape'], run: leave },
-      { ...play, id: 'play.restart', title: 'Replay from the start', keys: ['r', 'Home'], run: () => seek(0) },
-      { ...play, id: 'replay.pause', title: 'Stop or go on with the replay', keys: ['Space', 'k'], run: toggle },
-      { ...play, id: 'replay.back', title: 'Previous tick of the replay', keys: ['Comma'], run: () => step(-1) },
-      { ...play, id: 'replay.on', title: 'Next tick of the replay', keys: ['Period'], run: () => step(1) },
+      { ...play, id: 'play.stop', title: 'Leave the replay', keys: ['Escape'], pad: 'Start', run: leave },
+      { ...play, id: 'play.restart', title: 'Replay from the start', keys: ['r', 'Home'], pad: 'Select', run: () => seek(0) },
+      { ...play, id: 'replay.pause', title: 'Stop or go on with the replay', keys: ['Space', 'k'], pad: 'A', run: toggle },
+      { ...play, id: 'replay.back', title: 'Previous tick of the replay', keys: ['Comma'], pad: 'Left', run: () => step(-1) },
+      { ...play, id: 'replay.on', title: 'Next tick of the replay', keys: ['Period'], pad: 'Right', run: () => step(1) },
       { ...play, id: 'replay.keep', title: 'Keep what is replayed as a run', keys: ['Enter'], run: keep },
     ]);
   }, [editor, leave, seek, toggle, step, keep]);

@@ -1,3 +1,5 @@
+import { followGamepads } from '../commands/index.ts';
+
 /** What the button of the gun does: a player, or what stands for one. */
 export interface GunButton {
   press(): void;
@@ -6,7 +8,7 @@ export interface GunButton {
 
 /** The input that holds the gun in a playtest. */
 export interface GunInput {
-  /** Whether a pointer or a key holds the gun now. */
+  /** Whether a pointer, a key or a gamepad holds the gun now. */
   isHeld(): boolean;
   stop(): void;
 }
@@ -14,10 +16,10 @@ export interface GunInput {
 const isOnButton = ({ target }: Event): boolean => target instanceof Element && target.closest('button') !== null;
 
 /**
- * Reads mouse, touch or a key as the gun.
+ * Reads mouse, touch, a key or a gamepad as the gun.
  * @param element where presses of the pointer count
  * @param key `KeyboardEvent.code`; Space also works
- * @param button pressed by the first pointer or key that is down, released when the last one is up
+ * @param button pressed by the first pointer, key or button that is down, released when the last one is up
  */
 export function listenToGun(page: Window, element: HTMLElement, key: () => string, button: GunButton): GunInput {
   const held = new Set<string>();
@@ -67,8 +69,16 @@ export function listenToGun(page: Window, element: HTMLElement, key: () => strin
     },
     options,
   );
+  const leavePads = followGamepads(page, ({ source, isDown, holdsGun }) => {
+    // a press on a focused button is not for the gun
+    if (isDown && holdsGun && !(page.document.activeElement instanceof HTMLButtonElement)) press(source);
+    if (!isDown) release(source);
+  });
   return {
     isHeld: () => held.size > 0,
-    stop: () => stopping.abort(),
+    stop() {
+      stopping.abort();
+      leavePads();
+    },
   };
 }

@@ -2,6 +2,7 @@ export {
   createSession,
   LAYERS,
   type Layer,
+  RATE_NAMES,
   RATES,
   type Replay,
   type Session,

@@ -13,6 +13,8 @@ export type Layer = (typeof LAYERS)[number];
 /** Speeds of the timeline and the playtest, relative to real time. */
 export const RATES = [0.25, 0.5, 1, 2] as const;
 export type Rate = (typeof RATES)[number];
+/** How they are written. */
+export const RATE_NAMES: Readonly<Record<Rate, string>> = { 0.25: '¼×', 0.5: '½×', 1: '1×', 2: '2×' };
 
 /** What covers the page: a dialog or the palette. */
 export type Overlay =

@@ -2,12 +2,10 @@ import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward, ZoomIn, 
 import { memo } from 'react';
 import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
 import { endInWords } from '../proof/index.ts';
-import { RATES } from '../session/index.ts';
+import { RATE_NAMES, RATES } from '../session/index.ts';
 import { Button } from '../ui/index.ts';
 import { holdsInWords, type Reached } from './reached.ts';
 import { TimelineLegend } from './TimelineLegend.tsx';
-
-const RATE_NAMES: Readonly<Record<number, string>> = { 0.25: '¼×', 0.5: '½×', 1: '1×', 2: '2×' };
 
 /** The shown moment in words; a component of its own, as it changes with every frame of a scrub. */
 function Moment({ end }: { readonly end: number }) {
