@@ -4,7 +4,7 @@ import type { EditedLevel } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
 import { type Base, fromStored, toStored, wholeIn, wholeText } from './stored-text.ts';
 import { thin } from './thinning.ts';
-import { checkOf, isVersion, shortened, type Version, type VersionBy } from './version.ts';
+import { checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
 import type { NewVersion, VersionStore } from './version-store.ts';
 
 /** The history of one level. */
@@ -21,6 +21,12 @@ export interface LevelVersions {
   nameNow(name: string): Promise<boolean>;
   /** Names a version anew; null: it has no name any more. @returns whether that is kept */
   rename(version: Version, name: string | null): Promise<boolean>;
+  /**
+   * Adds versions of a file, except those that are there.
+   * @param versions each with the canonical text of a level
+   * @returns how many were added; null: they can't be kept
+   */
+  import(versions: readonly PastVersion[]): Promise<number | null>;
   /** The level has another place from now on. */
   moveTo(place: string): void;
   /** Resolves when everything that was noted is recorded or could not be. */
@@ -94,7 +100,7 @@ export class RecordedVersions implements LevelVersions {
   async load(): Promise<boolean> {
     await this.record();
     return this.inTurn(async (store, history) => {
-      this.store.setState((await store.list(history)).filter(isVersion), true);
+      this.store.setState(inTime(await store.list(history)), true);
     });
   }
 
@@ -130,6 +136,24 @@ export class RecordedVersions implements LevelVersions {
     });
     await this.reload();
     return isDone;
+  }
+
+  async import(versions: readonly PastVersion[]): Promise<number | null> {
+    await this.record();
+    let added = 0;
+    const isDone = await this.inTurn(async (store, history) => {
+      const known = new Set((await store.list(history)).map(({ check, time }) => `${check} ${time}`));
+      for (const { text, name, time, by, labels, more } of versions) {
+        const version: NewVersion = { time, by, ...shortened(labels, more), name, check: checkOf(text) };
+        if (known.has(`${version.check} ${time}`)) continue;
+        const last = await store.last(history);
+        const stored = await this.put(store, history, version, text);
+        if (stored !== null && stored.number !== last?.number) added++;
+        known.add(`${version.check} ${time}`);
+      }
+    });
+    await this.reload();
+    return isDone ? added : null;
   }
 
   moveTo(place: string): void {
@@ -169,6 +193,15 @@ export class RecordedVersions implements LevelVersions {
     const before = await store.last(history);
     if (before?.check === version.check) return;
     if (before !== null) this.base ??= await baseOf(store, history, before);
+    const added = await this.put(store, history, version, text);
+    if (added === null || added.number === before?.number) return;
+    const listed = this.store.getState();
+    if (listed !== null) this.store.setState(inTime([...listed, added]), true);
+    if (++this.added % THIN_EVERY === 1) await this.thinOut(store, history);
+  }
+
+  /** Stores a version; room is made if the database is full. */
+  private async put(store: VersionStore, history: number, version: NewVersion, text: string): Promise<Version | null> {
     const put = async () =>
       // another page may have thinned out what it is stored by
       (await store.add(history, version, toStored(text, this.base))) ?? (await store.add(history, version, wholeText(text)));
@@ -177,23 +210,20 @@ export class RecordedVersions implements LevelVersions {
       await this.thinOut(store, history, KEPT_PART);
       return put();
     });
-    if (added === null || added.number === before?.number) return;
-    if (added.base === added.number) this.base = { number: added.number, text, uses: 1 };
+    if (added?.base === added?.number && added !== null) this.base = { number: added.number, text, uses: 1 };
     else if (this.base !== null) this.base = { ...this.base, uses: this.base.uses + 1 };
-    const listed = this.store.getState();
-    if (listed !== null) this.store.setState([...listed, added], true);
-    if (++this.added % THIN_EVERY === 1) await this.thinOut(store, history);
+    return added;
   }
 
   /** @param part of what is stored may stay */
   private async thinOut(store: VersionStore, history: number, part = 1): Promise<void> {
-    const versions = (await store.list(history)).filter(isVersion);
+    const versions = inTime(await store.list(history));
     const size = versions.reduce((sum, version) => sum + version.size, 0);
     const limits = part < 1 ? { versions: part * versions.length, size: part * size } : undefined;
     const { drop, put } = thin(versions, this.parts.now(), limits);
     if (drop.length === 0) return;
     await store.change(history, drop, put);
-    if (this.store.getState() !== null) this.store.setState((await store.list(history)).filter(isVersion), true);
+    if (this.store.getState() !== null) this.store.setState(inTime(await store.list(history)), true);
   }
 
   private async reload(): Promise<void> {

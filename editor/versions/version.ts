@@ -1,8 +1,10 @@
+export const VERSION_MAKERS = ['page', 'other', 'found'] as const;
+
 /**
  * Who made a version: this editor; another program, while the level was open; or nobody knows, as the file was different when
  * the level was opened.
  */
-export type VersionBy = 'page' | 'other' | 'found';
+export type VersionBy = (typeof VERSION_MAKERS)[number];
 
 /** One version of a level that was on disk, or was named, without its text. */
 export interface Version {
@@ -24,6 +26,15 @@ export interface Version {
   /** Characters that are stored for it. */
   readonly size: number;
 }
+
+/** A version with its text, as it goes into a file. */
+export interface PastVersion extends Pick<Version, 'time' | 'by' | 'labels' | 'more' | 'name'> {
+  readonly text: string;
+}
+
+/** The order of versions in time. */
+export const inTime = (versions: readonly Version[]): Version[] =>
+  versions.filter(isVersion).sort((p, q) => p.time - q.time || p.number - q.number);
 
 /** The most labels that a version keeps. */
 export const MOST_LABELS = 12;
@@ -50,7 +61,7 @@ export function checkOf(text: string): string {
 /** Whether a stored row is a version, and not damaged. */
 export const isVersion = (row: Version): boolean =>
   [row.number, row.time, row.more, row.base, row.size].every(Number.isFinite) &&
-  ['page', 'other', 'found'].includes(row.by) &&
+  VERSION_MAKERS.includes(row.by) &&
   (row.name === null || typeof row.name === 'string') &&
   typeof row.check === 'string' &&
   Array.isArray(row.labels) &&

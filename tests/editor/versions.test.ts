@@ -415,11 +415,11 @@ describe('thinning', () => {
 describe('a history follows its level', () => {
   const heads = (...places: string[]) =>
     new Map(places.map((place, i) => [place, { place, history: i + 1, token: null as string | null }]));
-  const after = (map: ReturnType<typeof heads>, moves: Parameters<typeof movedHeads>[1]) => {
-    const moved = movedHeads(map, moves);
+  const moved = (map: ReturnType<typeof heads>, moves: Parameters<typeof movedHeads>[1]) => {
+    const change = movedHeads(map, moves);
     const next = new Map(map);
-    for (const place of moved?.gone ?? []) next.delete(place);
-    for (const head of moved?.put ?? []) next.set(head.place, head);
+    for (const place of change?.gone ?? []) next.delete(place);
+    for (const head of change?.put ?? []) next.set(head.place, head);
     return next;
   };
   const names = (map: ReturnType<typeof heads>) =>
@@ -430,19 +430,19 @@ describe('a history follows its level', () => {
       { from: 'a', to: 'b', token: 'a b 1' },
       { from: 'b', to: 'a', token: 'b a 2' },
     ];
-    const once = after(heads('a', 'b', 'c'), swap);
+    const once = moved(heads('a', 'b', 'c'), swap);
     expect(names(once)).toEqual({ a: 2, b: 1, c: 3 });
-    expect(names(after(once, swap))).toEqual({ a: 2, b: 1, c: 3 });
+    expect(names(moved(once, swap))).toEqual({ a: 2, b: 1, c: 3 });
     const back = [
       { from: 'a', to: 'b', token: 'a b 2' },
       { from: 'b', to: 'a', token: 'b a 1' },
     ];
-    expect(names(after(once, back))).toEqual({ a: 1, b: 2, c: 3 });
+    expect(names(moved(once, back))).toEqual({ a: 1, b: 2, c: 3 });
   });
 
   it('and what had that name before is set aside, not lost', () => {
-    expect(names(after(heads('a', 'b'), [{ from: 'a', to: 'b', token: 't' }]))).toEqual({ b: 1, 'b?aside 2': 2 });
-    expect(names(after(heads('a'), [{ from: 'x', to: 'a', token: 't' }]))).toEqual({ a: 1 });
+    expect(names(moved(heads('a', 'b'), [{ from: 'a', to: 'b', token: 't' }]))).toEqual({ b: 1, 'b?aside 2': 2 });
+    expect(names(moved(heads('a'), [{ from: 'x', to: 'a', token: 't' }]))).toEqual({ a: 1 });
   });
 
   it('as long as the page records, too', async () => {
