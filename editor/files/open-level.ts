@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { mergeLevels } from '../../review/index.ts';
-import { formatLevel, isSame, type Problem } from '../../schema/index.ts';
-import { createEditedLevel, type EditedLevel } from '../document/index.ts';
+import { isSame, type Problem } from '../../schema/index.ts';
+import { createEditedLevel, type EditedLevel, levelText } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import type { LevelVersions, VersionKeeper } from '../versions/index.ts';
 import { readStored, readText } from './disk-text.ts';
@@ -189,7 +189,7 @@ class LevelOnPage implements OpenedLevel {
   /** What other tabs show of the level. */
   private shown(): Shown {
     const { file, etag } = this.saver.base();
-    return { text: formatLevel(this.level.settledFile()), base: { text: formatLevel(file), etag } };
+    return { text: levelText(this.level.settledFile()), base: { text: levelText(file), etag } };
   }
 
   /** Shows the state of the tab that writes. */

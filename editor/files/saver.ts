@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type Choices, mergeLevels } from '../../review/index.ts';
-import { formatLevel, type LevelFile, type ReadResponse } from '../../schema/index.ts';
-import type { EditedLevel } from '../document/index.ts';
+import type { LevelFile, ReadResponse } from '../../schema/index.ts';
+import { type EditedLevel, levelText } from '../document/index.ts';
 import { diskNews } from './disk-news.ts';
 import { type DiskBase, KnownDisk } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
@@ -243,7 +243,7 @@ class LevelSaver implements Saver {
       this.request = null;
       return;
     }
-    const answer = await this.storage.write(this.id, formatLevel(file), disk.base.etag);
+    const answer = await this.storage.write(this.id, levelText(file), disk.base.etag);
     this.request = null;
     if (!answer.ok) {
       if (!IN_DOUBT.includes(answer.error.code)) notSent();

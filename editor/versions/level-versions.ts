@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import type { EditedLevel } from '../document/index.ts';
+import type { LevelFile } from '../../schema/index.ts';
+import { type EditedLevel, levelText } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
 import { type Base, fromStored, toStored, wholeIn, wholeText } from './stored-text.ts';
 import { thin } from './thinning.ts';
@@ -116,7 +116,7 @@ export class RecordedVersions implements LevelVersions {
   async nameNow(name: string): Promise<boolean> {
     this.note(this.level.settledFile(), 'page');
     await this.record();
-    const text = formatLevel(this.level.settledFile());
+    const text = levelText(this.level.settledFile());
     let isKept = false;
     const isDone = await this.inTurn(async (store, history) => {
       const last = await store.last(history);
@@ -178,7 +178,7 @@ export class RecordedVersions implements LevelVersions {
     const noted = this.noted;
     this.noted = [];
     if (noted.length === 0) return true;
-    const texts = noted.map(({ file }) => formatLevel(file));
+    const texts = noted.map(({ file }) => levelText(file));
     const isDone = await this.inTurn(async (store, history) => {
       for (const [i, one] of noted.entries()) await this.add(store, history, one, texts[i]);
     });

@@ -1,9 +1,7 @@
 import { takeBack } from '../../../review/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { Editor, OpenLevel } from '../../context/index.ts';
+import type { OpenLevel } from '../../context/index.ts';
 import { nameOf, objectsOf } from '../../document/index.ts';
-import { folderOf } from '../../files/index.ts';
-import { addLevels, copyOf } from '../levels/index.ts';
 import type { DifferencePart } from './differences.ts';
 
 /** What was done; or why not, and nothing has changed. */
@@ -19,6 +17,8 @@ export function whyNot({ opened, document }: Pick<OpenLevel, 'opened' | 'documen
 }
 
 function replaced(level: OpenLevel, label: string, file: LevelFile): Restored {
+  // so that what is left is in the history, too, even if it was not on disk yet
+  level.opened.versions.note(level.document.settledFile(), 'page');
   const result = level.document.replace(label, file);
   return result.ok ? { ok: true } : refused(`${result.refusal.message}. ${result.refusal.hint}`);
 }
@@ -64,11 +64,4 @@ export function takeBackParts(level: OpenLevel, before: LevelFile, after: LevelF
     throw error;
   }
   return replaced(level, parts.length === 1 ? `Take back: ${parts[0].words}` : `Take back ${parts.length} changes`, file);
-}
-
-/** Makes a new level file of a version and opens it. @returns whether it was made; a refusal is shown as a notice */
-export async function openAsCopy(editor: Editor, id: string, file: LevelFile): Promise<boolean> {
-  const levels = editor.workspace.store.getState().list?.levels ?? [];
-  const { stem, name } = copyOf(levels, id, file.name);
-  return (await addLevels(editor, folderOf(id), [{ stem, file: { ...file, name } }])).length > 0;
 }

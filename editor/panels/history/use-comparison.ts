@@ -1,7 +1,8 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
-import { formatLevel, type LevelFile } from '../../../schema/index.ts';
+import type { LevelFile } from '../../../schema/index.ts';
 import { useDocument, useEditor, useFolderRules, useLevel, usePageTheme } from '../../context/index.ts';
+import { levelText } from '../../document/index.ts';
 import { readText } from '../../files/index.ts';
 import type { Version } from '../../versions/index.ts';
 import type { Results } from '../../workers/index.ts';
@@ -66,7 +67,7 @@ export function useComparison(version: Version, previous: Version | null, compar
   const [made, setMade] = useState<{ before: LevelFile; after: LevelFile; drawn: Results['compare'] | string } | null>(null);
   useEffect(() => {
     if (before === null || after === null) return;
-    const texts = { before: formatLevel(before), after: formatLevel(after) };
+    const texts = { before: levelText(before), after: levelText(after) };
     const job = editor.workers.start('compare', { ...texts, rules, accuracy, theme, width: 960 });
     void job.end.then((end) => {
       if (end.kind === 'done') setMade({ before, after, drawn: end.result });

@@ -8,6 +8,16 @@ export const clockTime = (time: number): string => {
   return `${twoDigits(date.getHours())}:${twoDigits(date.getMinutes())}`;
 };
 
+// not by the browser's locale: the page speaks English, and browsers differ in commas
+const WEEKDAYS = ['Sunday', 'Monday', 'Tuesday', 'Wednesday', 'Thursday', 'Friday', 'Saturday'];
+const MONTHS = [
+  ...['January', 'February', 'March', 'April', 'May', 'June'],
+  ...['July', 'August', 'September', 'October', 'November', 'December'],
+];
+
+/** `23 November 2026` */
+const dateInWords = (date: Date): string => `${date.getDate()} ${MONTHS[date.getMonth()]} ${date.getFullYear()}`;
+
 const midnight = (time: number): number => new Date(time).setHours(0, 0, 0, 0);
 
 /** The day of a time: `Today`, `Yesterday`, `Monday, 23 November 2026`. @param now ms since 1970 */
@@ -16,7 +26,8 @@ export function dayInWords(time: number, now: number): string {
   const days = Math.round((midnight(now) - midnight(time)) / DAY);
   if (days === 0) return 'Today';
   if (days === 1) return 'Yesterday';
-  return new Date(time).toLocaleDateString('en-GB', { weekday: 'long', day: 'numeric', month: 'long', year: 'numeric' });
+  const date = new Date(time);
+  return `${WEEKDAYS[date.getDay()]}, ${dateInWords(date)}`;
 }
 
 /** A day and a time: `14:32`, `yesterday 14:32`, `23 November 2026, 14:32`. */
@@ -24,7 +35,7 @@ export function momentInWords(time: number, now: number): string {
   const day = dayInWords(time, now);
   if (day === 'Today') return clockTime(time);
   if (day === 'Yesterday') return `yesterday ${clockTime(time)}`;
-  return `${new Date(time).toLocaleDateString('en-GB', { day: 'numeric', month: 'long', year: 'numeric' })}, ${clockTime(time)}`;
+  return `${dateInWords(new Date(time))}, ${clockTime(time)}`;
 }
 
 const UNITS = [
