@@ -44,7 +44,9 @@ async function showHistory(page) {
   await dialog.getByRole('treeitem', { name: /First playtest/ }).click();
   await dialog.getByRole('checkbox', { name: /Hot asteroid 3 removed/ }).check();
   await dialog.getByRole('img', { name: 'Both versions of the level' }).waitFor();
+  await page.setViewportSize({ width: 980, height: 620 });
   await page.waitForTimeout(3000);
+  return dialog;
 }
 
 const levels = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
@@ -87,8 +89,8 @@ try {
     await time.focus();
     for (let second = 0; second < 4; second++) await page.keyboard.press('PageUp');
     await page.waitForTimeout(500);
-    await show?.(page);
-    await page.screenshot({ path: join(root, 'docs', `${name}.png`) });
+    const shown = (await show?.(page)) ?? page;
+    await shown.screenshot({ path: join(root, 'docs', `${name}.png`) });
     await context.close();
   }
 } finally {

@@ -2,6 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
 import { type EditedLevel, levelText } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
+import { changesInShort } from './changes-in-short.ts';
 import { type Base, fromStored, toStored, wholeIn, wholeText } from './stored-text.ts';
 import { thin } from './thinning.ts';
 import { checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
@@ -53,6 +54,8 @@ interface Noted {
   readonly by: VersionBy;
   readonly labels: readonly string[];
   readonly time: number;
+  /** The version that was noted before it; null: none. */
+  readonly after: LevelFile | null;
 }
 
 /** Which part of a history stays if the database is full. */
@@ -69,6 +72,7 @@ export class RecordedVersions implements LevelVersions {
   /** Steps since the last version, and the file that each led to. */
   private steps: { readonly label: string; readonly file: LevelFile }[] = [];
   private noted: Noted[] = [];
+  private lastNoted: LevelFile | null = null;
   private base: Base | null = null;
   private added = 0;
   private cancel: (() => void) | null = null;
@@ -93,7 +97,8 @@ export class RecordedVersions implements LevelVersions {
   note(file: LevelFile, by: VersionBy): void {
     const index = this.steps.findLastIndex((step) => step.file === file);
     const labels = this.steps.splice(0, index + 1).map(({ label }) => label);
-    this.noted.push({ file, by, labels, time: this.parts.now() });
+    this.noted.push({ file, by, labels, time: this.parts.now(), after: this.lastNoted });
+    this.lastNoted = file;
     this.cancel ??= this.parts.whenIdle(() => void this.record());
   }
 
@@ -143,8 +148,8 @@ export class RecordedVersions implements LevelVersions {
     let added = 0;
     const isDone = await this.inTurn(async (store, history) => {
       const known = new Set((await store.list(history)).map(({ check, time }) => `${check} ${time}`));
-      for (const { text, name, time, by, labels, more } of versions) {
-        const version: NewVersion = { time, by, ...shortened(labels, more), name, check: checkOf(text) };
+      for (const { text, name, time, by, labels, more, changes } of versions) {
+        const version: NewVersion = { time, by, ...shortened(labels, more), changes, name, check: checkOf(text) };
         if (known.has(`${version.check} ${time}`)) continue;
         const last = await store.last(history);
         const stored = await this.put(store, history, version, text);
@@ -178,18 +183,26 @@ export class RecordedVersions implements LevelVersions {
     const noted = this.noted;
     this.noted = [];
     if (noted.length === 0) return true;
-    const texts = noted.map(({ file }) => levelText(file));
+    const texts = noted.map(({ file, after }) => ({
+      text: levelText(file),
+      changes: after === null ? '' : changesInShort(after, file),
+    }));
     const isDone = await this.inTurn(async (store, history) => {
       for (const [i, one] of noted.entries()) await this.add(store, history, one, texts[i]);
     });
     // The next attempt comes with the next version. Those between are lost, but not what they were called.
     const last = noted.at(-1);
-    if (!isDone && last !== undefined) this.noted = [{ ...last, ...allLabels(noted) }, ...this.noted];
+    if (!isDone && last !== undefined) this.noted = [{ ...last, ...allLabels(noted), after: noted[0].after }, ...this.noted];
     return isDone;
   }
 
-  private async add(store: VersionStore, history: number, { by, labels, time }: Noted, text: string): Promise<void> {
-    const version: NewVersion = { time, by, ...shortened(labels), name: null, check: checkOf(text) };
+  private async add(
+    store: VersionStore,
+    history: number,
+    { by, labels, time }: Noted,
+    { text, changes }: { readonly text: string; readonly changes: string },
+  ): Promise<void> {
+    const version: NewVersion = { time, by, ...shortened(labels), changes, name: null, check: checkOf(text) };
     const before = await store.last(history);
     if (before?.check === version.check) return;
     if (before !== null) this.base ??= await baseOf(store, history, before);

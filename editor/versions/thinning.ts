@@ -64,15 +64,18 @@ function labelsPassedOn(versions: readonly Version[], drop: ReadonlySet<number>)
   const put: Version[] = [];
   let labels: readonly string[] = [];
   let more = 0;
+  let isDropped = false;
   for (const version of versions) {
     if (drop.has(version.number)) {
       labels = [...labels, ...version.labels];
       more += version.more;
+      isDropped = true;
       continue;
     }
-    if (labels.length > 0 || more > 0)
-      put.push({ ...version, ...shortened([...labels, ...version.labels], more + version.more) });
-    [labels, more] = [[], 0];
+    // what it changed is told of a version that is gone
+    if (isDropped)
+      put.push({ ...version, ...shortened([...labels, ...version.labels], more + version.more), changes: '' });
+    [labels, more, isDropped] = [[], 0, false];
   }
   return put;
 }

@@ -17,6 +17,8 @@ export interface Version {
   readonly labels: readonly string[];
   /** How many earlier steps led to it besides those. */
   readonly more: number;
+  /** What it changed in the version before it, in words; empty if that is not known, or that one was thinned out. */
+  readonly changes: string;
   /** What a person called it; null: nothing. A version with a name is never thinned out. */
   readonly name: string | null;
   /** Of its text: see `checkOf`. */
@@ -28,7 +30,7 @@ export interface Version {
 }
 
 /** A version with its text, as it goes into a file. */
-export interface PastVersion extends Pick<Version, 'time' | 'by' | 'labels' | 'more' | 'name'> {
+export interface PastVersion extends Pick<Version, 'time' | 'by' | 'labels' | 'more' | 'changes' | 'name'> {
   readonly text: string;
 }
 
@@ -62,6 +64,7 @@ export function checkOf(text: string): string {
 export const isVersion = (row: Version): boolean =>
   [row.number, row.time, row.more, row.base, row.size].every(Number.isFinite) &&
   VERSION_MAKERS.includes(row.by) &&
+  typeof row.changes === 'string' &&
   (row.name === null || typeof row.name === 'string') &&
   typeof row.check === 'string' &&
   Array.isArray(row.labels) &&

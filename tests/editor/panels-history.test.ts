@@ -50,7 +50,7 @@ describe('times in words', () => {
 });
 
 const version = (number: number, time: number, more: Partial<Version> = {}): Version => ({
-  ...{ number, time, by: 'page', labels: ['Move'], more: 0, name: null, check: `${number}`, base: 1, size: 1 },
+  ...{ number, time, by: 'page', labels: ['Move'], more: 0, changes: '', name: null, check: `${number}`, base: 1, size: 1 },
   ...more,
 });
 
@@ -232,7 +232,7 @@ describe('taking back and restoring', () => {
 });
 
 describe('a history in a file', () => {
-  const past = { time: 5, by: 'page' as const, labels: ['Move'], more: 2, name: 'x', text: formatLevel(FILE) };
+  const past = { time: 5, by: 'page' as const, labels: ['Move'], more: 2, changes: 'Moved', name: 'x', text: formatLevel(FILE) };
 
   it('is read again as it was written', () => {
     expect(readHistory(formatHistory('01', [past]))).toEqual({ versions: [past], unread: 0 });

@@ -93,7 +93,7 @@ describe('the history of a level', () => {
     // after the undo, the text is that of the second version again, so nothing is added
     expect(found).toMatchObject([
       { number: 1, by: 'found', labels: [], time: START, name: null },
-      { number: 2, by: 'page', labels: ['Move', 'Move again'], time: START + 1000 },
+      { number: 2, by: 'page', labels: ['Move', 'Move again'], time: START + 1000, changes: 'Asteroid 1 moved 2 px right' },
     ]);
     level.change('More', move(5));
     versions.note(level.file(), 'other');
@@ -343,7 +343,7 @@ describe('a browser whose database fails', () => {
 
 const MINUTE = 60_000;
 const versionAt = (number: number, time: number, name: string | null = null): Version => ({
-  ...{ number, time, name, by: 'page', labels: [`step ${number}`], more: 0, check: String(number), base: 1, size: 100 },
+  ...{ number, time, name, by: 'page', labels: [`step ${number}`], more: 0, changes: `change ${number}`, check: String(number), base: 1, size: 100 },
 });
 
 describe('thinning', () => {
@@ -370,8 +370,9 @@ describe('thinning', () => {
           const own = versions[number - 1];
           expect(kept.some((one) => one.number > number && stretchOf(one) === stretchOf(own))).toBe(true);
         }
-        // no step is forgotten
+        // no step is forgotten, and what a version changed is told only as long as the one before it is there
         const after = kept.map((version) => put.find(({ number }) => number === version.number) ?? version);
+        for (const { number, changes } of after) expect(changes === '').toBe(gone.has(number - 1));
         expect(after.reduce((sum, { labels, more }) => sum + labels.length + more, 0)).toBe(versions.length);
         // thinning again changes nothing
         expect(thin(after, now)).toEqual({ drop: [], put: [] });

@@ -25,15 +25,18 @@ export function VersionLine({ version, now }: { readonly version: Version; reado
     return () => pictures.drop(key);
   }, [pictures, key, by]);
   const steps = stepsInWords(version);
+  // the first line has the most telling of the three, the second the next
+  const [title, about] = [version.name, version.changes, steps].filter((words) => words !== null && words !== '');
   return (
     <>
       <span className="levels__picture">{picture?.url != null && <img src={picture.url} alt="" draggable={false} />}</span>
-      <span className="history__text" title={steps}>
+      <span className="history__text" title={[version.changes, steps].filter((words) => words !== '').join(' – ')}>
         <span className="history__line">
           {version.name !== null && <Bookmark size={12} aria-label="named" className="history__mark" />}
           {version.by === 'other' && <HardDrive size={12} aria-label="by another program" className="history__mark" />}
-          <span className={version.name === null ? 'history__steps' : 'history__name'}>{version.name ?? steps}</span>
+          <span className={version.name === null ? 'history__steps' : 'history__name'}>{title}</span>
         </span>
+        {about !== undefined && <span className="history__line history__line--quiet history__about-line">{about}</span>}
         <span className="history__line history__line--quiet">
           <span className="numbers">{clockTime(version.time)}</span>
           <span>{agoInWords(version.time, now)}</span>

@@ -13,7 +13,7 @@ interface VersionListProps {
 }
 
 /** px */
-const rowHeight = ({ version }: HistoryRow) => (version === null ? 30 : 56);
+const rowHeight = ({ version }: HistoryRow) => (version === null ? 30 : 66);
 
 /** The versions, newest first, by day. */
 export function VersionList({ versions, picked, onPick }: VersionListProps) {

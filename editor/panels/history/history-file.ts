@@ -11,8 +11,8 @@ export async function exportHistory({ opened }: OpenLevel): Promise<string> {
   const versions: PastVersion[] = [];
   for (const version of list) {
     const text = await opened.versions.text(version);
-    const { time, by, labels, more, name } = version;
-    if (text !== null) versions.push({ time, by, labels, more, name, text });
+    const { time, by, labels, more, changes, name } = version;
+    if (text !== null) versions.push({ time, by, labels, more, changes, name, text });
   }
   const blob = new Blob([formatHistory(opened.id(), versions)], { type: 'application/json' });
   downloadFile({ name: `${stemOf(opened.id())}.history.json`, blob });

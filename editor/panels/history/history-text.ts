@@ -14,13 +14,13 @@ const isTexts = (value: unknown): value is string[] => Array.isArray(value) && v
 /** A version of a file; null if it is not one, or its level can't be read. */
 function versionIn(value: unknown): PastVersion | null {
   if (typeof value !== 'object' || value === null) return null;
-  const { time, by, labels, more, name, text } = value as Readonly<Record<string, unknown>>;
+  const { time, by, labels, more, changes, name, text } = value as Readonly<Record<string, unknown>>;
   const isTime = typeof time === 'number' && Number.isFinite(time) && Math.abs(time) <= 8.64e15;
   if (!isTime || !VERSION_MAKERS.includes(by as VersionBy) || !isTexts(labels) || typeof text !== 'string') return null;
   if (!(name === null || typeof name === 'string') || !Number.isSafeInteger(more) || (more as number) < 0) return null;
   const reading = readText(text);
   if (!reading.ok) return null;
-  return { time, by: by as VersionBy, labels, more: more as number, name, text: formatLevel(reading.file) };
+  return { time, by: by as VersionBy, labels, more: more as number, changes: typeof changes === 'string' ? changes : '', name, text: formatLevel(reading.file) };
 }
 
 /** The versions in the text of a file, and how many could not be read; null if it is not a history. */
