@@ -73,8 +73,7 @@ function labelsPassedOn(versions: readonly Version[], drop: ReadonlySet<number>)
       continue;
     }
     // what it changed is told of a version that is gone
-    if (isDropped)
-      put.push({ ...version, ...shortened([...labels, ...version.labels], more + version.more), changes: '' });
+    if (isDropped) put.push({ ...version, ...shortened([...labels, ...version.labels], more + version.more), changes: '' });
     [labels, more, isDropped] = [[], 0, false];
   }
   return put;

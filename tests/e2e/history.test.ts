@@ -182,7 +182,7 @@ inChromium('the history of a level in Chromium', ({ on }) => {
       await rows(page).first().click();
       await dialog(page).getByText('Written by another program.').waitFor();
       await dialog(page).getByRole('radio', { name: 'With the one before' }).check();
-      await dialog(page).getByText('Renamed "Garden" -> "From outside"').waitFor();
+      await dialog(page).getByRole('listitem').filter({ hasText: 'Renamed "Garden" -> "From outside"' }).waitFor();
       await page.keyboard.press('Escape');
 
       const reader = (await open()).page;

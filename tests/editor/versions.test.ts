@@ -343,7 +343,18 @@ describe('a browser whose database fails', () => {
 
 const MINUTE = 60_000;
 const versionAt = (number: number, time: number, name: string | null = null): Version => ({
-  ...{ number, time, name, by: 'page', labels: [`step ${number}`], more: 0, changes: `change ${number}`, check: String(number), base: 1, size: 100 },
+  ...{
+    number,
+    time,
+    name,
+    by: 'page',
+    labels: [`step ${number}`],
+    more: 0,
+    changes: `change ${number}`,
+    check: String(number),
+    base: 1,
+    size: 100,
+  },
 });
 
 describe('thinning', () => {

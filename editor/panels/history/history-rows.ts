@@ -36,7 +36,13 @@ export function historyRows(versions: readonly Version[], now: number, folded: R
     if (folded.has(day)) return [head];
     const rows = ofDay.map(
       (version, i): HistoryRow => ({
-        ...{ key: keyOf(version), depth: 2, label: version.name ?? (version.changes || stepsInWords(version)), expanded: null, list: null },
+        ...{
+          key: keyOf(version),
+          depth: 2,
+          label: version.name ?? (version.changes || stepsInWords(version)),
+          expanded: null,
+          list: null,
+        },
         ...{ place: i, siblings: ofDay.length, version, day, count: 1 },
       }),
     );

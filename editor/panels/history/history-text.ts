@@ -20,7 +20,15 @@ function versionIn(value: unknown): PastVersion | null {
   if (!(name === null || typeof name === 'string') || !Number.isSafeInteger(more) || (more as number) < 0) return null;
   const reading = readText(text);
   if (!reading.ok) return null;
-  return { time, by: by as VersionBy, labels, more: more as number, changes: typeof changes === 'string' ? changes : '', name, text: formatLevel(reading.file) };
+  return {
+    time,
+    by: by as VersionBy,
+    labels,
+    more: more as number,
+    changes: typeof changes === 'string' ? changes : '',
+    name,
+    text: formatLevel(reading.file),
+  };
 }
 
 /** The versions in the text of a file, and how many could not be read; null if it is not a history. */
