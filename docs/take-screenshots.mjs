@@ -1,4 +1,4 @@
-// Takes the README's screenshots of the editor: node docs/take-screenshots.mjs, after npm run build.
+// Takes the screenshots of the editor: node docs/take-screenshots.mjs [NAME ...], after npm run build.
 import { spawn } from 'node:child_process';
 import { cpSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,39 @@ const SHOTS = [
   { name: 'editor-light', width: 1440, height: 900, theme: 'light' },
   { name: 'editor-phone-dark', width: 390, height: 844, theme: 'dark' },
   { name: 'editor-phone-light', width: 390, height: 844, theme: 'light' },
+  { name: 'editor-history', width: 1280, height: 860, theme: 'dark', show: showHistory },
 ];
+const wanted = process.argv.slice(2);
+
+/** Makes some versions of the level, and shows what has changed since one of them. */
+async function showHistory(page) {
+  const edit = async (object, ...keys) => {
+    await page.getByRole('treeitem', { name: object }).first().click();
+    const saved = page.getByRole('status', { name: 'Saving' });
+    await page.getByRole('application', { name: 'Level canvas' }).focus();
+    for (const key of keys) await page.keyboard.press(key);
+    await page.waitForTimeout(500);
+    await saved.filter({ hasText: 'saved' }).waitFor();
+  };
+  await edit(/^Hot asteroid 2/, 'Shift+ArrowRight');
+  await page.keyboard.press('Shift+Y');
+  await page.getByRole('textbox', { name: 'Name', exact: true }).fill('First playtest');
+  await page.keyboard.press('Enter');
+  const kept = page.getByText('This version is kept as "First playtest".');
+  await kept.waitFor();
+  await edit(/^Hot asteroid 2/, ...Array(6).fill('Shift+ArrowDown'));
+  await edit(/^Hot asteroid 1/, ...Array(8).fill('Shift+ArrowLeft'));
+  await edit(/^Hot asteroid 3/, 'Delete');
+  await kept.waitFor({ state: 'hidden' });
+  await page.keyboard.press('y');
+  const dialog = page.getByRole('dialog', { name: 'History' });
+  await dialog.getByRole('treeitem', { name: /First playtest/ }).click();
+  await dialog.getByRole('checkbox', { name: /Hot asteroid 3 removed/ }).check();
+  await dialog.getByRole('img', { name: 'Both versions of the level' }).waitFor();
+  await page.setViewportSize({ width: 980, height: 620 });
+  await page.waitForTimeout(3000);
+  return dialog;
+}
 
 const levels = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
 cpSync(join(root, 'levels'), levels, { recursive: true });
@@ -32,7 +64,8 @@ const address = new Promise((resolve) => {
 });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 try {
-  for (const { name, width, height, theme } of SHOTS) {
+  for (const { name, width, height, theme, show } of SHOTS) {
+    if (wanted.length > 0 && !wanted.includes(name)) continue;
     const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, hasTouch: width < 800 });
     const page = await context.newPage();
     await page.addInitScript((level) => {
@@ -56,7 +89,8 @@ try {
     await time.focus();
     for (let second = 0; second < 4; second++) await page.keyboard.press('PageUp');
     await page.waitForTimeout(500);
-    await page.screenshot({ path: join(root, 'docs', `${name}.png`) });
+    const shown = (await show?.(page)) ?? page;
+    await shown.screenshot({ path: join(root, 'docs', `${name}.png`) });
     await context.close();
   }
 } finally {

@@ -1,7 +1,8 @@
-import { CircleQuestionMark, Play, Redo2, Search, Settings, Share2, Square, Undo2 } from 'lucide-react';
+import { CircleQuestionMark, Clock, Play, Redo2, Search, Settings, Share2, Square, Undo2 } from 'lucide-react';
 import { useStore } from 'zustand';
 import { keyLabel } from '../commands/index.ts';
 import { IS_MAC, useDocument, useEditor, useSession } from '../context/index.ts';
+import { HISTORY_KEY } from '../panels/history/index.ts';
 import { listHistoryOf } from '../panels/levels/index.ts';
 import { Button } from '../ui/index.ts';
 import { SaveStatus } from './SaveStatus.tsx';
@@ -35,6 +36,13 @@ export function TopBar() {
         icon={<Redo2 size={16} />}
         disabled={redo === null}
         onClick={history.redo}
+      />
+      <Button
+        className="topbar__history"
+        hint="History of this level"
+        shortcut={key(HISTORY_KEY)}
+        icon={<Clock size={16} />}
+        onClick={() => session.setState({ overlay: 'history' })}
       />
       <Button
         className="topbar__search"

@@ -181,7 +181,7 @@ export async function createEditor(): Promise<Editor> {
   const { lateLevels, ...surroundings } = await pageSurroundings(window);
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
-  const { journal } = surroundings;
+  const { journal, versions } = surroundings;
   let reportedLink = '';
   const tellLink = (link: Link) => {
     const text = link === 'up' ? '' : linkInWords(link, journal.state.getState().kind === 'working');
@@ -208,6 +208,7 @@ export async function createEditor(): Promise<Editor> {
     notices,
     workspace,
     journal,
+    versions,
     marks: createOpeningMarks(pageStorage('localStorage'), tabName(pageStorage('sessionStorage'))),
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
@@ -245,6 +246,7 @@ export async function createEditor(): Promise<Editor> {
   });
   followConfiguration(editor);
   window.addEventListener('pagehide', editor.marks.leave);
+  document.addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && versions.flush());
   void lateLevels?.then((found) => offerLateLevels(editor, found));
   return editor;
 }

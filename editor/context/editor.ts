@@ -9,6 +9,7 @@ import type { Notices } from '../notices/index.ts';
 import type { ProofStore } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
+import type { VersionKeeper } from '../versions/index.ts';
 import type { Workers } from '../workers/index.ts';
 import type { Ghost } from './ghost.ts';
 import type { Pose } from './pose.ts';
@@ -54,6 +55,8 @@ export interface Editor {
   readonly workspace: Workspace;
   /** What this browser keeps of levels until they are saved. */
   readonly journal: Journal;
+  /** What this browser keeps of earlier versions of levels. */
+  readonly versions: VersionKeeper;
   /** Marks of levels whose opening made an earlier page hang. */
   readonly marks: OpeningMarks;
   /** A level from the page's address that is not added yet. */

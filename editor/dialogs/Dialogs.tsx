@@ -1,5 +1,6 @@
 import { useEffect } from 'react';
 import { useEditor } from '../context/index.ts';
+import { HistoryDialog, historyCommands, NameVersionDialog } from '../panels/history/index.ts';
 import { ConflictDialog } from './ConflictDialog.tsx';
 import { DropZone } from './DropZone.tsx';
 import './dialogs.css';
@@ -18,7 +19,11 @@ import { followLinks } from './take-link.ts';
 export function Dialogs() {
   const editor = useEditor();
   useEffect(() => {
-    const stops = [editor.commands.register(fileCommands(editor)), followDisagreement(editor), followLinks(editor)];
+    const stops = [
+      editor.commands.register([...fileCommands(editor), ...historyCommands(editor)]),
+      followDisagreement(editor),
+      followLinks(editor),
+    ];
     return () => {
       for (const stop of stops) stop();
     };
@@ -28,6 +33,8 @@ export function Dialogs() {
       <NewLevelDialog />
       <ShareDialog />
       <TrashDialog />
+      <HistoryDialog />
+      <NameVersionDialog />
       <ConflictDialog />
       <KeptDialog />
       <Tour />

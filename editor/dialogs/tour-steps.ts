@@ -48,8 +48,8 @@ export const TOUR: readonly TourStep[] = [
   },
   {
     title: 'Find any command',
-    text: 'Press Ctrl+K to find any command, ? for all shortcuts. Every change is saved at once and can be undone. Have fun!',
-    touch: 'Tap the magnifier to find any command. Every change is saved at once and can be undone. Have fun!',
+    text: 'Press Ctrl+K to find any command, ? for all shortcuts. Every change is saved at once and can be undone; Y shows earlier versions. Have fun!',
+    touch: 'Tap the magnifier to find any command, also the history. Every change is saved at once and can be undone. Have fun!',
     at: ['.topbar__search'],
   },
 ];

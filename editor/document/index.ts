@@ -7,6 +7,7 @@ export {
   type Gesture,
   type Recipe,
 } from './document.ts';
+export { levelText } from './level-text.ts';
 export { nameOf, titled } from './names.ts';
 export {
   ASTRONAUT,

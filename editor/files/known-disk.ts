@@ -17,11 +17,11 @@ export class KnownDisk {
   /** Whether the level must be written even if it does not differ. */
   private isForced = false;
 
-  /** @param onDisk called whenever the state on disk becomes known */
+  /** @param onDisk called whenever the state on disk becomes known, and who wrote it: this page or another program */
   constructor(
     private readonly level: EditedLevel,
     base: DiskBase,
-    private readonly onDisk: ((file: LevelFile, etag: string | null) => void) | undefined,
+    private readonly onDisk: ((file: LevelFile, etag: string | null, by: 'page' | 'other') => void) | undefined,
   ) {
     this.now = base;
   }
@@ -41,9 +41,9 @@ export class KnownDisk {
   }
 
   /** This version is on disk: it was read, or its write was confirmed. */
-  holds(file: LevelFile, etag: string | null): void {
+  holds(file: LevelFile, etag: string | null, by: 'page' | 'other'): void {
     this.now = { file, etag };
-    this.onDisk?.(file, etag);
+    this.onDisk?.(file, etag, by);
   }
 
   /** This version may be on disk from now on. @returns undoes this, if it was not sent after all */
@@ -58,7 +58,7 @@ export class KnownDisk {
   /** A write has reached the disk. */
   written(file: LevelFile, etag: string | null): void {
     this.isForced = false;
-    this.holds(file, etag);
+    this.holds(file, etag, 'page');
   }
 
   /** The next write replaces whatever is on disk. */

@@ -1,8 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { mergeLevels } from '../../review/index.ts';
-import { formatLevel, isSame, type Problem } from '../../schema/index.ts';
-import { createEditedLevel, type EditedLevel } from '../document/index.ts';
+import { isSame, type Problem } from '../../schema/index.ts';
+import { createEditedLevel, type EditedLevel, levelText } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
+import type { LevelVersions, VersionKeeper } from '../versions/index.ts';
 import { readStored, readText } from './disk-text.ts';
 import type { DiskBase } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
@@ -14,6 +15,7 @@ import { type Channel, claimLevel, type Role, type Shown, type WriterLock } from
 export interface Surroundings {
   readonly storage: LevelStorage;
   readonly journal: Journal;
+  readonly versions: VersionKeeper;
   readonly timers: Timers;
   /** The id of the folder, the same on every start: `folder.id` of its list. */
   readonly folder: string;
@@ -31,6 +33,8 @@ export interface OpenedLevel {
   readonly lock: WriterLock;
   /** Whether unsaved changes would outlive this page; null: this page keeps no journal of the level, as another page does. */
   readonly keeping: StoreApi<Keeping | null>;
+  /** The versions of the level that were on disk, or have names. */
+  readonly versions: LevelVersions;
   /** Unsaved changes of an earlier page. They are in the level again, as a step that can be undone. */
   readonly recovered: Recovery | null;
   /** Called when the level was renamed. */
@@ -51,7 +55,8 @@ export type Opening =
     }
   | { readonly ok: false; readonly kind: 'failed'; readonly error: StorageError };
 
-const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
+/** The name under which this browser keeps what belongs to a level. */
+export const placeOf = (folder: string, id: string): string => `${folder}/${id}`;
 
 /** ms after which the journal is asked again for changes of an earlier page */
 const RETRY = 3000;
@@ -83,6 +88,7 @@ export async function openLevel(id: string, surroundings: Surroundings, remember
 
 class LevelOnPage implements OpenedLevel {
   readonly saver: Saver;
+  readonly versions: LevelVersions;
   readonly lock: WriterLock;
   readonly keeping = createStore<Keeping | null>(() => null);
   /** Resolves when it is known whether this page may write. */
@@ -106,13 +112,17 @@ class LevelOnPage implements OpenedLevel {
     base: DiskBase,
     unwritable: string | null,
   ) {
-    const { storage, journal, timers, locks, channel } = surroundings;
+    const { storage, journal, versions, timers, locks, channel, folder } = surroundings;
+    this.versions = versions.follow(placeOf(folder, at), level);
     this.saver = createSaver(at, level, {
       storage,
       timers,
       base,
       unwritable,
-      onDisk: (file, etag) => this.kept?.onDisk(file, etag),
+      onDisk: (file, etag, by) => {
+        this.kept?.onDisk(file, etag);
+        if (this.lock.store.getState() === 'writer') this.versions.note(file, by);
+      },
       onSent: (file) => this.kept?.onSent(file),
     });
     this.saver.setReadOnly(ASKING, true);
@@ -150,6 +160,7 @@ class LevelOnPage implements OpenedLevel {
     const from = this.at;
     this.at = to;
     this.saver.moved(to, etag);
+    this.versions.moveTo(placeOf(folder, to));
     const name = this.lockOf(to);
     this.lock.moveTo(name, channel(name));
     if (this.kept === null) return;
@@ -165,6 +176,7 @@ class LevelOnPage implements OpenedLevel {
     await this.saver.flush();
     for (const stop of this.stops) stop();
     this.saver.close();
+    this.versions.close();
     await this.kept?.settled();
     this.keep(null);
     this.lock.close();
@@ -177,7 +189,7 @@ class LevelOnPage implements OpenedLevel {
   /** What other tabs show of the level. */
   private shown(): Shown {
     const { file, etag } = this.saver.base();
-    return { text: formatLevel(this.level.settledFile()), base: { text: formatLevel(file), etag } };
+    return { text: levelText(this.level.settledFile()), base: { text: levelText(file), etag } };
   }
 
   /** Shows the state of the tab that writes. */
@@ -203,7 +215,12 @@ class LevelOnPage implements OpenedLevel {
   }
 
   private onRole(role: Role): Promise<void> {
-    if (role === 'writer') return this.takeUp();
+    if (role === 'writer') {
+      // the file may have changed while no page had the level open
+      const { file, etag } = this.saver.base();
+      if (etag !== null) this.versions.note(file, 'found');
+      return this.takeUp();
+    }
     this.giveUp();
     return Promise.resolve();
   }

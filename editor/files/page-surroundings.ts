@@ -2,6 +2,7 @@ import { get, update } from 'idb-keyval';
 import { EDIT_API, EDIT_ERRORS } from '../../schema/index.ts';
 import { openDatabase } from '../database/index.ts';
 import { createJournal, openIndexedDbStore } from '../journal/index.ts';
+import { createVersionKeeper, openIndexedDbVersions } from '../versions/index.ts';
 import { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 import type { LevelStorage } from './level-storage.ts';
 import type { Surroundings } from './open-level.ts';
@@ -94,11 +95,23 @@ async function browserLevels(timers: Timers): Promise<{ storage: LevelStorage; l
   return { storage: over(passingValues(), false), lateLevels: late.then((values) => over(values, true)) };
 }
 
+/** ms after which what waits for an idle moment is done in any case */
+const LONGEST_WAIT = 2000;
+
+/** Calls back once the page is idle. @returns cancels it */
+function whenPageIdle(call: () => void): () => void {
+  // Safari has no requestIdleCallback
+  if (typeof requestIdleCallback === 'undefined') return pageTimers.after(LONGEST_WAIT / 4, call);
+  const handle = requestIdleCallback(call, { timeout: LONGEST_WAIT });
+  return () => cancelIdleCallback(handle);
+}
+
 /** What the page provides: the levels behind `gq edit` if it comes from there, else those of the browser. */
 export async function pageSurroundings(page: Window): Promise<PageSurroundings> {
   const timers = pageTimers;
   const given = takeToken(page);
   const opening = inTimeOrLate(() => openIndexedDbStore(indexedDB, timers.after), timers);
+  const openingVersions = inTimeOrLate(() => openIndexedDbVersions(indexedDB, timers.after), timers);
   // with an empty token, the storage reports what is missing
   const token = given ?? ((await isServed(page)) ? '' : null);
   const levels =
@@ -116,5 +129,8 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
   const { inTime, late } = await opening;
   const journal = createJournal(inTime, Date.now, timers.after);
   if (inTime === null) void late.then((store) => journal.adopt(store));
-  return { ...levels, journal, timers, locks: page.navigator.locks ?? null, channel: channelTo };
+  const found = await openingVersions;
+  const versions = createVersionKeeper({ store: found.inTime, now: Date.now, whenIdle: whenPageIdle });
+  if (found.inTime === null) void found.late.then((store) => versions.adopt(store));
+  return { ...levels, journal, versions, timers, locks: page.navigator.locks ?? null, channel: channelTo };
 }

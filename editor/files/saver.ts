@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type Choices, mergeLevels } from '../../review/index.ts';
-import { formatLevel, type LevelFile, type ReadResponse } from '../../schema/index.ts';
-import type { EditedLevel } from '../document/index.ts';
+import type { LevelFile, ReadResponse } from '../../schema/index.ts';
+import { type EditedLevel, levelText } from '../document/index.ts';
 import { diskNews } from './disk-news.ts';
 import { type DiskBase, KnownDisk } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
@@ -47,8 +47,8 @@ export interface SaverOptions {
   readonly base: DiskBase;
   /** Why the file can't be written, as known on opening. */
   readonly unwritable?: string | null;
-  /** Called when a version is on disk, written by this page or others. */
-  readonly onDisk?: (file: LevelFile, etag: string | null) => void;
+  /** Called when a version is on disk, written by this page or another program. */
+  readonly onDisk?: (file: LevelFile, etag: string | null, by: 'page' | 'other') => void;
   /** Called when a version is about to be sent, so that it may be on disk from now on. It is sent when the promise resolves. */
   readonly onSent?: (file: LevelFile) => Promise<unknown> | undefined;
 }
@@ -126,7 +126,7 @@ class LevelSaver implements Saver {
     level.seal();
     const merged = mergeLevels(disk.base.file, level.settledFile(), blocked.file, choices, disk.sent);
     if (!this.take('Merged with the disk', merged.file)) return;
-    disk.holds(blocked.file, blocked.theirs.etag);
+    disk.holds(blocked.file, blocked.theirs.etag, 'other');
     this.goOn();
   }
 
@@ -143,7 +143,7 @@ class LevelSaver implements Saver {
   takeTheirs(): void {
     const { blocked, disk, level } = this;
     if (blocked?.file == null || blocked.theirs === null || !this.take('Taken from the disk', blocked.file)) return;
-    disk.holds(level.settledFile(), blocked.theirs.etag);
+    disk.holds(level.settledFile(), blocked.theirs.etag, 'other');
     this.goOn();
   }
 
@@ -243,7 +243,7 @@ class LevelSaver implements Saver {
       this.request = null;
       return;
     }
-    const answer = await this.storage.write(this.id, formatLevel(file), disk.base.etag);
+    const answer = await this.storage.write(this.id, levelText(file), disk.base.etag);
     this.request = null;
     if (!answer.ok) {
       if (!IN_DOUBT.includes(answer.error.code)) notSent();
@@ -302,11 +302,11 @@ class LevelSaver implements Saver {
         this.block({ theirs: current, file: null }, { kind: 'unreadable', problems: news.problems });
         return;
       case 'own':
-        disk.holds(news.file, current.etag);
+        disk.holds(news.file, current.etag, 'page');
         break;
       case 'changed':
         this.take('Changed on disk', news.theirs);
-        disk.holds(level.settledFile(), current.etag);
+        disk.holds(level.settledFile(), current.etag, 'other');
         break;
       case 'both changed': {
         const { theirs, merged } = news;
@@ -317,7 +317,7 @@ class LevelSaver implements Saver {
           this.block({ theirs: current, file: theirs }, { kind: 'conflict', conflicts: merged.conflicts });
           return;
         }
-        disk.holds(theirs, current.etag);
+        disk.holds(theirs, current.etag, 'other');
       }
     }
     this.goOn();

@@ -4,7 +4,7 @@ import type { EditedLevel } from '../document/index.ts';
 import { withKeptRules } from './folder-rules.ts';
 import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
-import { type OpenedLevel, type Opening, openLevel, type Surroundings } from './open-level.ts';
+import { type OpenedLevel, type Opening, openLevel, placeOf, type Surroundings } from './open-level.ts';
 
 /** The folder that is edited. */
 export interface WorkspaceState {
@@ -49,6 +49,9 @@ export interface Workspace {
 
 /** The levels of a storage, one of them open. The histories of levels are kept as long as the page lives. */
 export const createWorkspace = (surroundings: Omit<Surroundings, 'folder'>): Workspace => new StorageWorkspace(surroundings);
+
+/** Where the versions of a level are kept while it is in the trash; no id has such a name. */
+const inTrash = (trash: string): string => `?trash/${trash}`;
 
 /** A level with a new id. */
 interface Renamed {
@@ -116,15 +119,25 @@ class StorageWorkspace implements Workspace {
   }
 
   async duplicate(entry: LevelEntry, to: string): Promise<Answer<LevelEntry>> {
-    return this.listed(await this.storage.duplicate(entry.id, to, await this.baseOf(entry)));
+    const answer = await this.storage.duplicate(entry.id, to, await this.baseOf(entry));
+    // a copy begins anew, whatever had its name before
+    if (answer.ok) this.moveVersions([{ from: to, to: `${to}?before`, of: answer.value.etag }]);
+    return this.listed(answer);
   }
 
   async remove(entry: LevelEntry): Promise<Answer<DeleteResponse>> {
-    return this.listed(await this.storage.remove(entry.id, await this.baseOf(entry)));
+    const answer = await this.storage.remove(entry.id, await this.baseOf(entry));
+    if (answer.ok) {
+      const { trash, id } = answer.value.trashed;
+      this.moveVersions([{ from: id, to: inTrash(trash), of: trash }]);
+    }
+    return this.listed(answer);
   }
 
   async restore(trash: string, to?: string): Promise<Answer<LevelEntry>> {
-    return this.listed(await this.storage.restore(trash, to));
+    const answer = await this.storage.restore(trash, to);
+    if (answer.ok) this.moveVersions([{ from: inTrash(trash), to: answer.value.id, of: trash }]);
+    return this.listed(answer);
   }
 
   async order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>> {
@@ -212,8 +225,20 @@ class StorageWorkspace implements Workspace {
     if (list !== null) this.store.setState({ list: { ...list, levels: change(list.levels) } });
   }
 
+  /** Moves what this browser keeps of the versions of levels. @param of tells this move from others between the same places */
+  private moveVersions(moves: readonly { readonly from: string; readonly to: string; readonly of: string | null }[]): void {
+    const folder = this.store.getState().list?.folder.id ?? '';
+    const places = moves.map(({ from, to, of }) => ({
+      from: placeOf(folder, from),
+      to: placeOf(folder, to),
+      token: `${from} to ${to} ${of}`,
+    }));
+    this.surroundings.versions.moved(places);
+  }
+
   /** Moves histories and the open level to their new ids; all at once, as levels may swap ids. */
   private follow(renamed: readonly Renamed[]): void {
+    this.moveVersions(renamed.map(({ from, entry }) => ({ from, to: entry.id, of: entry.etag })));
     const { remembered } = this;
     const histories = renamed.map(({ from }) => remembered.get(from));
     for (const { from } of renamed) remembered.delete(from);

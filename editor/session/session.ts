@@ -26,6 +26,8 @@ export type Overlay =
   | 'share'
   | 'publish'
   | 'trash'
+  | 'history'
+  | 'nameVersion'
   | 'tour'
   | 'conflict'
   | 'kept';

@@ -64,6 +64,15 @@ export interface Requests {
     readonly width: number;
     readonly theme: 'dark' | 'light';
   };
+  /** Two versions of a level file in one picture, and what is true of both; `rules`: those of their folder. */
+  compare: {
+    readonly before: string;
+    readonly after: string;
+    readonly rules: OwnRules;
+    readonly accuracy: AccuracyName;
+    readonly width: number;
+    readonly theme: 'dark' | 'light';
+  };
   /** A new level that can be completed. */
   generate: { readonly options: GeneratorOptions };
   /** Verifies plays of a level, and says what they teach together with those that are known. */
@@ -195,6 +204,17 @@ export interface CheckedPlay {
   readonly replayed: Attempt | null;
 }
 
+/** Two versions of a level, compared. */
+export interface Compared {
+  /** null: a version can't be drawn. */
+  readonly svg: string | null;
+  /** What is true of each, in words. */
+  readonly before: string;
+  readonly after: string;
+  /** What follows from the changes, in words. */
+  readonly effects: readonly string[];
+}
+
 /** The results of jobs. */
 export interface Results {
   solve: Solving;
@@ -212,6 +232,7 @@ export interface Results {
     readonly verdict: LevelVerdict | 'invalid';
     readonly minerals: number;
   };
+  compare: Compared;
   /** `grade`: 1 to 10 */
   generate: { readonly file: LevelFile; readonly grade: number };
   plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
@@ -232,6 +253,7 @@ export interface Progresses {
   check: never;
   accuracy: never;
   thumbnail: never;
+  compare: never;
   generate: { readonly attempts: number };
   /** The number of plays that are verified. */
   plays: { readonly done: number };

@@ -61,6 +61,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
   proofs: 20_000,
   thumbnail: 10_000,
+  compare: 60_000,
   fan: 20_000,
   robustness: 120_000,
   accuracy: 60_000,

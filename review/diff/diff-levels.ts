@@ -79,6 +79,7 @@ function diffList(
   const [kept, come] = [new Set(matches.map((m) => m.before)), new Set(matches.map((m) => m.after))];
   for (const [index, entry] of before.entries()) if (!kept.has(index)) changes.push({ type: 'removed', of, index, entry });
   for (const { before: b, after: a, by } of matches) {
+    if (before[b] === after[a]) continue;
     const { fields, keys } = fieldsBetween(before[b], after[a]);
     if (fields.length === 0 && keys === null) continue;
     changes.push({ type: 'changed', of, before: b, after: a, matchedBy: by, fields, keys });

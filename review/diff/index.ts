@@ -2,6 +2,7 @@ export { applyDiff } from './apply-diff.ts';
 export type { Change } from './change.ts';
 export { diffLevels } from './diff-levels.ts';
 export { levelInLines } from './level-lines.ts';
+export { marksOf } from './marks.ts';
 export {
   assessLevel,
   playAlike,
@@ -9,4 +10,5 @@ export {
   type Standing,
   type StandingRun,
 } from './standing.ts';
+export { takeBack } from './take-back.ts';
 export { changesInWords, compareHolds, effectsInWords, standingInWords } from './words/index.ts';

@@ -14,7 +14,7 @@ import {
 } from '../../editor/panels/levels/level-files.ts';
 import { listHistoryOf } from '../../editor/panels/levels/list-history.ts';
 import { formatLevel, type LevelEntry, type LevelFile } from '../../schema/index.ts';
-import { breathe, createChannels, createKeyValues, createLine, LockKeeper, TurnedClock } from './stage.ts';
+import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 
 const fileOf = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
 
@@ -28,7 +28,7 @@ beforeEach(async () => {
   line = createLine(disk);
   const timers = new TurnedClock();
   workspace = createWorkspace({
-    ...{ storage: line, journal: createJournal(createMemoryStore(), () => 0), timers },
+    ...{ storage: line, journal: createJournal(createMemoryStore(), () => 0), versions: passingVersions(), timers },
     ...{ channel: createChannels(), locks: new LockKeeper().of('page') },
   });
   await workspace.start();

@@ -2,6 +2,7 @@ import { expect, it } from 'vitest';
 import { createWorkspace, type LevelStorage, pageTimers } from '../../editor/files/index.ts';
 import type { Journal } from '../../editor/journal/index.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
+import { passingVersions } from './stage.ts';
 
 const entry = (id: string, name: string = id): LevelEntry => ({
   id,
@@ -33,7 +34,14 @@ async function pageOn(first: ListResponse) {
       return () => {};
     },
   } as unknown as LevelStorage;
-  const workspace = createWorkspace({ storage, journal: {} as Journal, timers: pageTimers, locks: null, channel: () => null });
+  const workspace = createWorkspace({
+    storage,
+    journal: {} as Journal,
+    versions: passingVersions(),
+    timers: pageTimers,
+    locks: null,
+    channel: () => null,
+  });
   await workspace.start();
   const ids = () => workspace.store.getState().list?.levels.map(({ id }) => id);
   const unread = () => workspace.store.getState().list?.unread;

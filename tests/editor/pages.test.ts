@@ -12,7 +12,7 @@ import {
 } from '../../editor/files/index.ts';
 import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { breathe, createChannels, createKeyValues, createLine, LockKeeper, TurnedClock } from './stage.ts';
+import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 
 const FILE: LevelFile = { version: 1, name: 'base', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } };
 
@@ -49,6 +49,7 @@ class Browser {
     const workspace = createWorkspace({
       storage: line,
       journal: createJournal(journal, () => 0),
+      versions: passingVersions(),
       timers: { now: this.clock.now, after: (ms, call) => this.clock.after(ms, () => isAlive && call()) },
       locks: this.locks.of(name),
       channel: (of) => {

@@ -14,6 +14,7 @@ import { createJournal, createMemoryStore } from '../../editor/journal/index.ts'
 import type { EditEvent } from '../../schema/index.ts';
 import { levelText, makeFolder, put, serve } from '../server/running.ts';
 import { until } from '../until.ts';
+import { passingVersions } from './stage.ts';
 
 let made: ReturnType<typeof makeFolder>;
 let server: Awaited<ReturnType<typeof serve>>;
@@ -159,6 +160,7 @@ describe('a page on it', () => {
     const workspace = createWorkspace({
       storage,
       journal: createJournal(createMemoryStore(), () => 0),
+      versions: passingVersions(),
       timers: pageTimers,
       locks: null,
       channel: () => null,

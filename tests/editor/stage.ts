@@ -1,5 +1,6 @@
 import type { Channel, KeyValues, LevelStorage, Timers } from '../../editor/files/index.ts';
 import { type Link, storageError } from '../../editor/files/level-storage.ts';
+import { createVersionKeeper, type VersionKeeper, type VersionStore } from '../../editor/versions/index.ts';
 import type { EditEvent, LevelFile } from '../../schema/index.ts';
 
 /** A small level with which tests of files start. */
@@ -10,6 +11,13 @@ export const FILE: LevelFile = {
   blackHole: { x: 300, y: 0 },
   asteroids: [{ id: 'aa', x: 10, y: 20, radius: 16 }],
 };
+
+/** Histories that live as long as the test; nothing is recorded by itself without `whenIdle`. */
+export const passingVersions = (
+  store: VersionStore | null = null,
+  now: () => number = () => 0,
+  whenIdle: (call: () => void) => () => void = () => () => {},
+): VersionKeeper => createVersionKeeper({ store, now, whenIdle });
 
 /** A clock that stands still until a test advances it. */
 export class TurnedClock implements Timers {

@@ -13,7 +13,8 @@ import {
 import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
 import { createRunner } from '../../editor/workers/runner.ts';
 import { createPacer } from '../../editor/workers/work.ts';
-import { compile, joinHolds, simulate } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_MAX_TIME, joinHolds, simulate } from '../../engine/index.ts';
+import { assessLevel, effectsInWords, standingInWords } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
 import { findSlack, verifyRun } from '../../solver/index.ts';
 import { breathe, TurnedClock } from './stage.ts';
@@ -144,6 +145,46 @@ describe('jobs', () => {
     expect(doJob('thumbnail', { ...request, text: undecided }).result).toMatchObject({
       verdict: 'invalid',
       svg: expect.stringContaining('<svg'),
+    });
+  });
+
+  it('compare two versions of a level: the picture, and what gq diff says of both', () => {
+    const text = textOf('02-first-swing');
+    const file = JSON.parse(text);
+    const [{ x, y }] = file.asteroids;
+    const moved = JSON.stringify({ ...file, asteroids: [{ ...file.asteroids[0], x: x + 90, y }, ...file.asteroids.slice(1)] });
+    const request = { rules: {}, accuracy: 'precise', width: 400, theme: 'dark' } as const;
+    const standing = (of: string) => {
+      const reading = readLevel(of);
+      if (!reading.ok) throw new Error('a level');
+      const judged = assessLevel(reading.level, { accuracy: ACCURACIES.precise, maxTime: DEFAULT_MAX_TIME, slack: true });
+      return { judged, words: standingInWords(judged, reading.level.range) };
+    };
+    const { result } = doJob('compare', { ...request, before: text, after: moved });
+    const [was, is] = [standing(text), standing(moved)];
+    expect(result).toMatchObject({ before: was.words, after: is.words, svg: expect.stringContaining('data-kind="arrow"') });
+    expect(was.words).toContain('completable in');
+    expect(result.effects).toEqual(effectsInWords(was.judged, is.judged, level.range));
+    expect(result.effects).not.toEqual([]);
+    // names do not matter to what is true
+    const renamed = JSON.stringify({
+      ...file,
+      runs: file.runs.map((run: object, i: number) => ({ ...run, name: `other ${i}` })),
+    });
+    expect(doJob('compare', { ...request, before: text, after: renamed }).result).toMatchObject({
+      after: was.words,
+      effects: [],
+    });
+    const conflicts = [{ what: 'the name', key: 'name', base: 'a', ours: 'b', theirs: 'c' }];
+    const undecided = JSON.stringify({ ...file, conflicts });
+    expect(doJob('compare', { ...request, before: undecided, after: text }).result).toMatchObject({
+      before: 'not judged: a merge has left conflicts in it',
+      after: was.words,
+      effects: [],
+    });
+    expect(doJob('compare', { ...request, before: '{', after: text }).result).toMatchObject({
+      svg: null,
+      before: 'not a valid level',
     });
   });
 

@@ -11,7 +11,7 @@ import {
 import { storageError } from '../../editor/files/level-storage.ts';
 import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
 import { formatLevel, type LevelEntry, type LevelFile, type Problem } from '../../schema/index.ts';
-import { breathe, createChannels, createKeyValues, createLine, LockKeeper, TurnedClock } from './stage.ts';
+import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 
 const fileOf = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
 
@@ -31,7 +31,7 @@ async function page(journal = createJournal(store, () => 0)) {
     return read.call(line, id);
   };
   const workspace = createWorkspace({
-    ...{ storage: line, journal, timers: clock, channel, locks: locks.of(`page ${pages++}`) },
+    ...{ storage: line, journal, versions: passingVersions(), timers: clock, channel, locks: locks.of(`page ${pages++}`) },
   });
   await workspace.start();
   return { line, workspace, reads: () => reads, journal };
@@ -204,7 +204,14 @@ describe('the open level', () => {
     const request = (...all: [never, never, never]) => gate.then(() => mine.request(...all));
     const line = createLine(disk);
     const workspace = createWorkspace({
-      ...{ storage: line, journal: createJournal(store, () => 0), timers: clock, channel, locks: { request: request as never } },
+      ...{
+        storage: line,
+        journal: createJournal(store, () => 0),
+        versions: passingVersions(),
+        timers: clock,
+        channel,
+        locks: { request: request as never },
+      },
     });
     await workspace.start();
     const opening = workspace.open('a');

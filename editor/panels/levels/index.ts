@@ -4,6 +4,7 @@ export { LevelsPanel } from './LevelsPanel.tsx';
 export {
   addLevels,
   addSamples,
+  copyOf,
   deleteLevel,
   duplicateLevel,
   nextNumber,

@@ -64,6 +64,16 @@ export function copyName(levels: readonly { readonly name: string | null }[], na
   return copy;
 }
 
+/** The file and the name of a copy of a level in the same folder. */
+export const copyOf = (
+  levels: readonly LevelEntry[],
+  id: string,
+  name: string,
+): { readonly stem: string; readonly name: string } => ({
+  stem: stemOf(copyId(levels, id)),
+  name: copyName(levels, name),
+});
+
 /** Shows a notice about a failure. */
 export function tellError({ notices }: Editor, error: StorageError): void {
   notices.show('warning', errorInWords(error), { topic: 'level-files' });

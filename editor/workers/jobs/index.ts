@@ -2,6 +2,7 @@ import type { JobKind } from '../protocol.ts';
 import type { Start } from '../work.ts';
 import { accuracy } from './accuracy.ts';
 import { check } from './check.ts';
+import { compare } from './compare.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
@@ -25,6 +26,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   check,
   fix,
   thumbnail,
+  compare,
   generate,
   plays,
   lost,

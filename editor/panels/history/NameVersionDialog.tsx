@@ -1,0 +1,81 @@
+import { useId, useState } from 'react';
+import { useStore } from 'zustand';
+import { type OpenLevel, useEditor, useSession } from '../../context/index.ts';
+import { Button, Dialog } from '../../ui/index.ts';
+import { whyNot } from './restore.ts';
+import { LONGEST_NAME } from './VersionName.tsx';
+
+/** The dialog that gives the level as it is now a name. */
+export function NameVersionDialog() {
+  const editor = useEditor();
+  const level = useStore(editor.open);
+  const open = useSession((state) => state.overlay === 'nameVersion');
+  const close = () => editor.session.setState({ overlay: null });
+  return (
+    <Dialog
+      open={open}
+      title="Name this version"
+      about="The level as it is now is kept in its history under this name, in this browser only."
+      onClose={close}
+    >
+      {level === null ? <p>Open a level first.</p> : <NameVersion level={level} onClose={close} />}
+    </Dialog>
+  );
+}
+
+function NameVersion({ level, onClose }: { readonly level: OpenLevel; readonly onClose: () => void }) {
+  const { notices } = useEditor();
+  const field = useId();
+  const [typed, setTyped] = useState('');
+  const [why, setWhy] = useState('');
+  const [busy, setBusy] = useState(false);
+  const name = typed.trim();
+  const keep = async () => {
+    const refusal = whyNot(level);
+    if (name === '' || busy || refusal !== null) {
+      setWhy(refusal ?? '');
+      return;
+    }
+    setBusy(true);
+    const isKept = await level.opened.versions.nameNow(name);
+    setBusy(false);
+    if (!isKept) {
+      setWhy("The version can't be kept: the browser's database does not answer or is full.");
+      return;
+    }
+    notices.show('info', `This version is kept as "${name}".`, { topic: 'history' });
+    onClose();
+  };
+  return (
+    <form
+      className="form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        void keep();
+      }}
+    >
+      <label htmlFor={field}>Name</label>
+      <input
+        id={field}
+        className="field"
+        type="text"
+        maxLength={LONGEST_NAME}
+        value={typed}
+        onChange={({ currentTarget }) => setTyped(currentTarget.value)}
+      />
+      {why !== '' && (
+        <p className="form__problem" role="alert">
+          {why}
+        </p>
+      )}
+      <div className="form__buttons">
+        <Button hint="Close without a name" onClick={onClose}>
+          Cancel
+        </Button>
+        <Button type="submit" hint="Keep this version under this name" look="main" disabled={name === '' || busy}>
+          Name it
+        </Button>
+      </div>
+    </form>
+  );
+}

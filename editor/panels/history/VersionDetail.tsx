@@ -1,0 +1,113 @@
+import { ArrowLeft, Copy, RotateCcw } from 'lucide-react';
+import { useMemo, useState } from 'react';
+import { useEditor, useLevel } from '../../context/index.ts';
+import { Button } from '../../ui/index.ts';
+import type { Version } from '../../versions/index.ts';
+import { Segments } from '../parts/index.ts';
+import { ComparisonPicture } from './ComparisonPicture.tsx';
+import { DifferenceList } from './DifferenceList.tsx';
+import { openAsCopy } from './open-as-copy.ts';
+import { type Restored, restoreVersion, takeBackParts } from './restore.ts';
+import { type ComparedWith, useComparison } from './use-comparison.ts';
+import { VersionName } from './VersionName.tsx';
+import { stepsInWords, whoInWords } from './version-words.ts';
+import { momentInWords } from './when.ts';
+
+interface VersionDetailProps {
+  readonly version: Version;
+  /** All versions, oldest first. */
+  readonly versions: readonly Version[];
+  /** Goes back to the list, where there is no room beside it. */
+  readonly onBack: () => void;
+  readonly onClose: () => void;
+}
+
+/** A version: what it is, what differs, and what can be brought back. */
+export function VersionDetail({ version, versions, onBack, onClose }: VersionDetailProps) {
+  const editor = useEditor();
+  const level = useLevel();
+  const [compared, setCompared] = useState<ComparedWith>('now');
+  const [told, setTold] = useState<{ readonly text: string; readonly isRefusal: boolean } | null>(null);
+  const previous = useMemo(() => versions.findLast(({ number }) => number < version.number) ?? null, [versions, version.number]);
+  const comparison = useComparison(version, previous, compared);
+  const { differences, before, after, drawn } = comparison;
+  const file = typeof comparison.version === 'string' ? null : comparison.version;
+  const when = momentInWords(version.time, Date.now());
+  const tell = (result: Restored, done: string) =>
+    setTold(result.ok ? { text: done, isRefusal: false } : { text: result.why, isRefusal: true });
+  const restore = () => {
+    if (file === null) return;
+    const result = restoreVersion(level, file, when);
+    if (result.ok) onClose();
+    else tell(result, '');
+  };
+  return (
+    <section className="history__detail" aria-label={`Version of ${when}`}>
+      <div className="history__head">
+        <Button className="history__back" hint="Back to the list" icon={<ArrowLeft size={16} />} onClick={onBack} />
+        <div className="history__about">
+          <h3 className="history__title">{when}</h3>
+          <p className="history__by">
+            {version.labels.length > 0 && `${stepsInWords(version)}. `}
+            {whoInWords(version)}
+          </p>
+        </div>
+      </div>
+      <VersionName version={version} />
+      <div className="history__actions">
+        <Button
+          hint="Replace the level by this version, as one step that can be undone"
+          look="main"
+          icon={<RotateCcw size={14} />}
+          disabled={file === null || (compared === 'now' && differences?.length === 0)}
+          onClick={restore}
+        >
+          Restore
+        </Button>
+        <Button
+          hint="Make a new level of this version and open it"
+          look="outlined"
+          icon={<Copy size={14} />}
+          disabled={file === null}
+          onClick={() => file !== null && void openAsCopy(editor, level.opened.id(), file).then((isMade) => isMade && onClose())}
+        >
+          Open as a copy
+        </Button>
+      </div>
+      {comparison.version === 'damaged' && (
+        <p role="alert">This version can't be read: the browser's database has lost a part of it. The others are not affected.</p>
+      )}
+      <Segments
+        label="Compare"
+        value={compared}
+        options={[
+          { value: 'now', title: 'With now', about: 'What has changed since this version' },
+          { value: 'previous', title: 'With the one before', about: 'What this version has changed' },
+        ]}
+        onChange={setCompared}
+      />
+      {compared === 'previous' && previous === null ? (
+        <p className="history__empty">This is the first version that is kept.</p>
+      ) : (
+        <>
+          <DifferenceList
+            differences={differences}
+            title={compared === 'now' ? 'Changed since then' : 'Changed by this version'}
+            same={compared === 'now' ? 'Nothing has changed since: this is the level as it is now.' : 'Nothing differs.'}
+            onTakeBack={
+              compared === 'now' && before !== null && after !== null
+                ? (parts) => {
+                    const result = takeBackParts(level, before, after, parts);
+                    tell(result, parts.length === 1 ? 'Taken back. Undo brings it again.' : 'Taken back as one step.');
+                    return result.ok;
+                  }
+                : null
+            }
+          />
+          <output className={told?.isRefusal ? 'history__told history__told--refusal' : 'history__told'}>{told?.text}</output>
+          {differences !== null && differences.length > 0 && <ComparisonPicture drawn={drawn} />}
+        </>
+      )}
+    </section>
+  );
+}

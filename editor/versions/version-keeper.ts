@@ -1,0 +1,89 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { EditedLevel } from '../document/index.ts';
+import { isQuota } from '../journal/index.ts';
+import { type LevelVersions, RecordedVersions } from './level-versions.ts';
+import { createMemoryVersions } from './memory-versions.ts';
+import type { Move, VersionStore } from './version-store.ts';
+
+/** Whether histories are kept, as the user sees it; null: they are. */
+export type VersionTrouble = { readonly kind: 'missing' | 'failing'; readonly message: string } | null;
+
+/** The histories of the levels that this page opens. */
+export interface VersionKeeper {
+  readonly trouble: StoreApi<VersionTrouble>;
+  /** Follows the history of a level under a place: a name of the level in its folder. */
+  follow(place: string, level: EditedLevel): LevelVersions;
+  /** Levels got other places: they were renamed, deleted or restored. */
+  moved(moves: readonly Move[]): void;
+  /** Records at once what waits for an idle moment. */
+  flush(): void;
+  /** The browser's database answers after all: from now on histories are kept there. */
+  adopt(store: VersionStore): void;
+}
+
+export interface VersionKeeperOptions {
+  /** Where histories are kept; null if the browser has no database. */
+  readonly store: VersionStore | null;
+  /** ms since 1970 */
+  readonly now: () => number;
+  /** Calls back once the page is idle. @returns cancels it */
+  readonly whenIdle: (call: () => void) => () => void;
+}
+
+const MISSING = {
+  kind: 'missing',
+  message: 'This browser stores no data for this page (a private window?), so the history lasts as long as this page.',
+} as const;
+
+/** What failed, and what to do. */
+function troubleOf(error: unknown): NonNullable<VersionTrouble> {
+  if (isQuota(error)) {
+    const message = 'The browser has no room left: new versions are not added to the history. Free some space on the disk.';
+    return { kind: 'failing', message };
+  }
+  const why = error instanceof Error ? error.message : String(error);
+  return {
+    kind: 'failing',
+    message: `The browser could not read or keep the history: ${why}. It is tried again with each save.`,
+  };
+}
+
+/** Keeps the histories of levels: each version that was on disk, and those with names. */
+export function createVersionKeeper({ store, now, whenIdle }: VersionKeeperOptions): VersionKeeper {
+  let kept = store ?? createMemoryVersions();
+  let isLasting = store !== null;
+  const trouble = createStore<VersionTrouble>(() => (isLasting ? null : MISSING));
+  /** Moves are made one after the other. */
+  let moving: Promise<void> = Promise.resolve();
+  const followed = new Set<LevelVersions>();
+  const onStored = (error: unknown) => {
+    const next = error === null ? (isLasting ? null : MISSING) : troubleOf(error);
+    if (next?.message !== trouble.getState()?.message) trouble.setState(next, true);
+  };
+  return {
+    trouble,
+    follow(place, level) {
+      const onClose = () => void followed.delete(versions);
+      const parts = { store: () => kept, now, whenIdle, onStored, onClose };
+      const versions: LevelVersions = new RecordedVersions(place, level, parts);
+      followed.add(versions);
+      return versions;
+    },
+    moved(moves) {
+      moving = moving.then(async () => {
+        // what was noted belongs to the place that a level had
+        await Promise.all([...followed].map((versions) => versions.settled()));
+        await kept.move(moves).then(() => onStored(null), onStored);
+      });
+    },
+    flush() {
+      for (const versions of followed) void versions.settled();
+    },
+    adopt(found) {
+      if (isLasting) return;
+      isLasting = true;
+      kept = found;
+      onStored(null);
+    },
+  };
+}

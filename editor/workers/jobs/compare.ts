@@ -1,0 +1,77 @@
+import {
+  ACCURACIES,
+  type AccuracyName,
+  compile,
+  DEFAULT_MAX_TIME,
+  type Run,
+  simulate,
+  WorkBudget,
+} from '../../../engine/index.ts';
+import { renderComparison } from '../../../picture/comparison/index.ts';
+import {
+  assessLevel,
+  diffLevels,
+  effectsInWords,
+  marksOf,
+  playAlike,
+  renamedStanding,
+  type Standing,
+  standingInWords,
+} from '../../../review/index.ts';
+import { type Level, type LevelFile, type OwnRules, readLevel } from '../../../schema/index.ts';
+import type { Start } from '../work.ts';
+
+/** A version as it is played. */
+interface Version {
+  readonly file: LevelFile;
+  readonly level: Level;
+}
+
+function readVersion(text: string, rules: OwnRules): Version | null {
+  const reading = readLevel(text, { byteOrderMark: 'skip', rules });
+  return reading.ok ? { file: reading.document.file, level: reading.level } : null;
+}
+
+/** Whether a merge left conflicts in it. */
+const isUndecided = ({ file }: Version): boolean => (file.conflicts ?? []).length > 0;
+
+const standingOf = (version: Version, accuracy: AccuracyName): Standing | null =>
+  isUndecided(version)
+    ? null
+    : assessLevel(version.level, { accuracy: ACCURACIES[accuracy], maxTime: DEFAULT_MAX_TIME, slack: true });
+
+const inWords = (standing: Standing | null, { level }: Version): string =>
+  standing === null ? 'not judged: a merge has left conflicts in it' : standingInWords(standing, level.range);
+
+/** The run by which a version is judged; null if it takes too much work. */
+function runOf(standing: Standing | null, { level }: Version, accuracy: AccuracyName): Run | null {
+  if (standing?.run == null) return null;
+  const run = simulate(compile(level, accuracy), standing.run.holds, { budget: new WorkBudget() });
+  return run.stopped === null ? run : null;
+}
+
+/** Compares two versions of a level as `gq diff` does. */
+export const compare: Start<'compare'> = function* ({ before, after, rules, accuracy, width, theme }) {
+  const [old, now] = [readVersion(before, rules), readVersion(after, rules)];
+  if (old === null || now === null) {
+    const word = (version: Version | null) => (version === null ? 'not a valid level' : 'a valid level');
+    return { svg: null, before: word(old), after: word(now), effects: [] };
+  }
+  const was = standingOf(old, accuracy);
+  yield null;
+  const isAlike = was !== null && !isUndecided(now) && playAlike(old.level, now.level);
+  const is = isAlike ? renamedStanding(was, old.level, now.level) : standingOf(now, accuracy);
+  yield null;
+  const runs = [
+    { run: runOf(was, old, accuracy), label: 'before' },
+    { run: runOf(is, now, accuracy), label: 'after' },
+  ].flatMap(({ run, label }) => (run === null ? [] : [{ run, label }]));
+  const marks = marksOf(diffLevels(old.file, now.file), old.level, now.level);
+  const { svg } = renderComparison(old.level, now.level, marks, { runs, width, theme, title: now.level.name });
+  return {
+    svg,
+    before: inWords(was, old),
+    after: inWords(is, now),
+    effects: was === null || is === null ? [] : effectsInWords(was, is, now.level.range),
+  };
+};
