@@ -46,6 +46,31 @@ export function moveEntries(pack: PackFile, ids: readonly string[], moved: reado
   );
 }
 
+/**
+ * Moves a level between two others of its folder, whatever stands between them in the pack: down, to right after the one that it then
+ * follows; up, to right before the one that then follows it.
+ *
+ * @param pack - the pack
+ * @param ids - all levels, as in {@link shownEntries}
+ * @param id - the level
+ * @param after - the level of its folder that it follows; null: it is the first
+ * @param before - the level of its folder that follows it; null: it is the last
+ */
+export function moveLevel(
+  pack: PackFile,
+  ids: readonly string[],
+  id: string,
+  after: string | null,
+  before: string | null,
+): PackFile {
+  const shown = shownEntries(pack, ids);
+  const placeOf = (wanted: string | null): number =>
+    shown.findIndex(({ entry }) => wanted !== null && levelOfEntry(entry) === wanted);
+  const [from, next, previous] = [placeOf(id), placeOf(before), placeOf(after)];
+  const place = previous > from ? previous + 1 : next;
+  return from < 0 || place < 0 ? pack : moveEntries(pack, ids, [from], place);
+}
+
 /** Lists levels after another one, or at the end; those that are listed already stay where they are. */
 export function addLevels(pack: PackFile, ids: readonly string[], after: string | null = null): PackFile {
   const taken = new Set(pack.levels.flatMap((entry) => levelOfEntry(entry) ?? []));

@@ -2,6 +2,7 @@ export {
   addChapter,
   addLevels,
   moveEntries,
+  moveLevel,
   removeLevels,
   renameLevel,
   type ShownEntry,

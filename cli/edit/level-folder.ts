@@ -4,6 +4,8 @@ import {
   LEVEL_ID_PART,
   type LevelEntry,
   type OrderResponse,
+  PACK_NAME,
+  type PackResponse,
   type ReadResponse,
   type TrashResponse,
 } from '../../schema/index.ts';
@@ -13,6 +15,7 @@ import { collectLeftovers } from './leftovers.ts';
 import { findLevel, findLevels, findLike, hasFolder, joinId, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { moveAll } from './move-all.ts';
 import { oneAtATime } from './one-at-a-time.ts';
+import { readPackOnDisk, writePackOnDisk } from './pack-on-disk.ts';
 import { createEntryReader, type EntryReader, entryOf, etagOf } from './read-entry.ts';
 import { Refusal, refusalOf } from './refusal.ts';
 import {
@@ -51,6 +54,8 @@ export interface LevelFolder {
   restore(trash: string, to: string | undefined, client: string): Promise<LevelEntry>;
   /** Renames the files of one folder so that they sort as wanted. @param ids all ids of the folder, in the wanted order */
   order(folder: string, ids: readonly string[], client: string): Promise<OrderResponse>;
+  /** Stores the text of `pack.json` unchanged, if it is valid; null removes the file. */
+  writePack(text: string | null, base: Base, client: string): Promise<PackResponse>;
   /** Stops reading and cleaning up. */
   end(): void;
 }
@@ -172,6 +177,21 @@ class FolderOnDisk implements LevelFolder {
       moveAll(root, renamed, (id) => this.nameOf(id));
     });
     return { renamed, levels: (await known.refresh()).levels };
+  }
+
+  async writePack(text: string | null, base: Base, client: string): Promise<PackResponse> {
+    const { root, shown, known } = this;
+    try {
+      return await oneAtATime(root, () => {
+        // what another program has changed is announced as its own
+        known.refreshPack(null);
+        writePackOnDisk(root, shown, text, base);
+        known.refreshPack(client);
+        return { pack: readPackOnDisk(root, shown) };
+      });
+    } catch (error) {
+      throw refusalOf(error, join(shown, PACK_NAME));
+    }
   }
 
   readonly end = (): void => {
