@@ -19,18 +19,6 @@ interface PackCardProps {
   readonly canMove: boolean;
 }
 
-/** All that a card shows, in one sentence. */
-export function cardInWords({ number, id, entry, facts, grade, introduces, jump }: Card, verdict: string): string {
-  const parts = [`${number}, ${entry?.name ?? id}`, entry === null ? 'no such level' : verdict];
-  if (grade !== null && grade.value !== null)
-    parts.push(`grade ${grade.value.toFixed(1)}, ${grade.word}${grade.isOld ? ', before the last change' : ''}`);
-  if (jump !== null) parts.push(`a jump of ${jump.toFixed(1)}`);
-  if (facts != null && facts.seconds !== null) parts.push(seconds(facts.seconds));
-  if (facts != null && facts.mineralCount > 0) parts.push(`${facts.minerals} of ${facts.mineralCount} minerals`);
-  if (introduces.length > 0) parts.push(`introduces ${introduces.join(', ')}`);
-  return parts.join(', ');
-}
-
 /** A level of the pack: picture, number, verdict, grade, length, minerals, what it introduces. */
 export const PackCard = memo(function PackCard(props: PackCardProps) {
   const { card, by, verdict, isSelected, isActive, isHeld, drop, canMove } = props;
@@ -45,13 +33,13 @@ export const PackCard = memo(function PackCard(props: PackCardProps) {
     <div
       role="option"
       aria-selected={isSelected}
-      aria-label={cardInWords(card, verdict)}
       tabIndex={isActive ? 0 : -1}
       className={classes.filter((name) => name !== '').join(' ')}
       data-key={card.key}
       data-place={place}
     >
-      <div className="pack__picture">
+      {/* what it shows is said in words below */}
+      <div className="pack__picture" aria-hidden>
         {entry === null ? <FileX size={22} aria-hidden /> : <Picture card={card} by={by} />}
         {grade !== null && grade.value !== null && (
           <span className={`pack__grade numbers${grade.isOld ? ' pack__grade--old' : ''}`}>
@@ -60,7 +48,7 @@ export const PackCard = memo(function PackCard(props: PackCardProps) {
           </span>
         )}
         {canMove && (
-          <span className="pack__grip" data-grip aria-hidden>
+          <span className="pack__grip" data-grip>
             <GripVertical size={16} />
           </span>
         )}
@@ -73,10 +61,11 @@ export const PackCard = memo(function PackCard(props: PackCardProps) {
       </div>
       <div className="pack__facts">
         {entry === null ? <span className="verdict verdict--invalid">no such level</span> : <VerdictSign verdict={verdict} />}
+        <GradeInWords card={card} />
         {facts != null && facts.seconds !== null && <span className="numbers">{seconds(facts.seconds)}</span>}
         {facts != null && facts.mineralCount > 0 && (
           <span className="numbers">
-            {facts.minerals}/{facts.mineralCount} minerals
+            {facts.minerals} of {facts.mineralCount} minerals
           </span>
         )}
       </div>
@@ -99,6 +88,17 @@ export const PackCard = memo(function PackCard(props: PackCardProps) {
     </div>
   );
 });
+
+function GradeInWords({ card: { grade } }: Pick<PackCardProps, 'card'>) {
+  if (grade === null) return null;
+  if (grade.value === null) return <span>{grade.word}</span>;
+  return (
+    <span className="unseen">
+      grade {grade.value.toFixed(1)} {grade.word}
+      {grade.isOld && ', before the last change'}
+    </span>
+  );
+}
 
 function Picture({ card: { entry }, by }: Pick<PackCardProps, 'card' | 'by'>) {
   const editor = useEditor();
