@@ -87,6 +87,13 @@ export const removeLevels = (pack: PackFile, ids: readonly string[]): PackFile =
     pack.levels.filter((entry) => !ids.includes(levelOfEntry(entry) ?? '')),
   );
 
+/** Takes entries out of the list. @param places their places; levels that are not listed have none */
+export const removeEntries = (pack: PackFile, places: readonly number[]): PackFile =>
+  withEntries(
+    pack,
+    pack.levels.filter((_, i) => !places.includes(i)),
+  );
+
 /** Gives a level another id where it stands; what else its entry says stays. */
 export const renameLevel = (pack: PackFile, from: string, to: string): PackFile =>
   withEntries(

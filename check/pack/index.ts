@@ -3,6 +3,7 @@ export {
   addLevels,
   moveEntries,
   moveLevel,
+  removeEntries,
   removeLevels,
   renameLevel,
   type ShownEntry,

@@ -10,6 +10,7 @@ import {
   type TrashResponse,
 } from '../../schema/index.ts';
 import { createFile, moveFile, replaceFile } from '../disk.ts';
+import type { Base } from './base.ts';
 import { createKnownLevels, type KnownLevels } from './known-levels.ts';
 import { collectLeftovers } from './leftovers.ts';
 import { findLevel, findLevels, findLike, hasFolder, joinId, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
@@ -31,9 +32,6 @@ import {
 import { namesInOrder } from './reorder.ts';
 import type { RulesOnDisk } from './rules-on-disk.ts';
 import { findTrash, moveToTrash } from './trash.ts';
-
-/** What a change is based on: the etag of the content that the client knows, or that there is no such file. */
-export type Base = { readonly etag: string } | 'no-file';
 
 /**
  * The levels of one folder on the disk. Every call looks at the disk again. A change affects only the file that is named by an

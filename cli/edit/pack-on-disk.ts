@@ -5,7 +5,7 @@ import { createFile, replaceFile } from '../disk.ts';
 import { systemReason } from '../failure.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { whyNotWritable } from '../writable.ts';
-import type { Base } from './level-folder.ts';
+import type { Base } from './base.ts';
 import { etagOf } from './read-entry.ts';
 import { Refusal } from './refusal.ts';
 import { refuseWayOut } from './refusals.ts';

@@ -14,6 +14,7 @@ import {
   type MetLevel,
   moveEntries,
   packProblems,
+  removeEntries,
   removeLevels,
   renameLevel,
   setChapter,
@@ -198,6 +199,7 @@ describe('changes of a pack', () => {
     expect(addLevels(value, ['d']).levels.at(-1)).toBe('d');
     expect(renameLevel(value, 'b', 'e').levels[2]).toEqual({ level: 'e', introduces: ['novae'] });
     expect(removeLevels(value, ['b', 'a']).levels).toEqual([{ chapter: 'C' }, 'c']);
+    expect(removeEntries(value, [1, 3]).levels).toEqual(['a', value.levels[2]]);
     expect(addChapter(value, 3, 'D').levels[3]).toEqual({ chapter: 'D' });
     expect(setChapter(value, 1, 'D').levels[1]).toEqual({ chapter: 'D' });
     expect(setChapter(value, 1, null).levels).toHaveLength(3);

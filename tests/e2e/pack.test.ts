@@ -223,10 +223,16 @@ inChromium('the pack in Chromium', ({ on }) => {
         await page.keyboard.press('Enter');
         await until(() => expect(readFileSync(join(folder, 'pack.json'), 'utf8')).toContain('"name": "Our game"'));
 
+        // what is not there is taken out
+        await card(view, 'gone').click();
+        await view.getByRole('button', { name: 'Take the selected levels out of the list; their files stay' }).click();
+        await onDisk(folder, 'a', 'e', 'b', 'c');
+        await problems.getByText('there is no level "gone"').waitFor({ state: 'hidden' });
+
         // a level that is not listed is moved into the list
         await card(view, 'Dog').click();
         await page.keyboard.press('Alt+Home');
-        await onDisk(folder, 'd', 'a', 'e', 'gone', 'b', 'c');
+        await onDisk(folder, 'd', 'a', 'e', 'b', 'c');
       },
       { others: { 'pack.json': pack('a', 'e', 'gone', 'b', 'c') } },
     ),

@@ -29,7 +29,7 @@ export function PackProblems({ file, problems, onGo }: PackProblemsProps) {
                 </p>
               </div>
               {onGo !== null && (
-                <Button hint={`Go to: ${message}`} look="outlined" onClick={() => onGo(problem)}>
+                <Button hint="Show it" aria-label={`Go to: ${message}`} look="outlined" onClick={() => onGo(problem)}>
                   Go to
                 </Button>
               )}

@@ -1,6 +1,6 @@
-import { ArrowDown, ArrowUp, FolderOpen, Heading } from 'lucide-react';
+import { ArrowDown, ArrowUp, FolderOpen, Heading, ListX } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useRef, useState } from 'react';
-import { addChapter, moveEntries, setChapter } from '../../../check/pack/index.ts';
+import { addChapter, moveEntries, removeEntries, setChapter } from '../../../check/pack/index.ts';
 import type { LevelEntry, PackFile, Problem } from '../../../schema/index.ts';
 import { useEditor, useSession, useTouch } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
@@ -110,6 +110,11 @@ function Pack() {
       field?.select();
     });
   };
+  const takeOut = async () => {
+    const places = chosen.filter(({ isListed }) => isListed).map(({ place }) => place);
+    const label = moveInWords(model.cards, places).replace(/^Move/, 'Take out');
+    if (await edit(label, (now) => removeEntries(now, places))) setSaid(label.replace(/^Take/, 'Took'));
+  };
   const onKeyDown = (event: KeyboardEvent<HTMLDivElement>) => {
     if (event.defaultPrevented) return;
     const mod = event.ctrlKey || event.metaKey;
@@ -180,6 +185,12 @@ function Pack() {
             >
               Chapter
             </Button>
+            <Button
+              hint="Take the selected levels out of the list; their files stay"
+              icon={<ListX size={15} />}
+              disabled={!canEdit || !chosen.some(({ isListed }) => isListed)}
+              onClick={() => void takeOut()}
+            />
           </div>
         </div>
         <p className="unseen" role="status">
