@@ -1,6 +1,7 @@
 import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
+import { type FoundPack, isPackFile, NOT_A_LEVEL, packFileOf } from './found-pack.ts';
 import type { Ignore } from './ignore.ts';
 import { entryName, packFormat } from './packs/index.ts';
 import { namedPath, shellPath } from './shown-path.ts';
@@ -8,8 +9,10 @@ import { namedPath, shellPath } from './shown-path.ts';
 const LEVEL_FILE = /\.level\.json$/;
 
 export interface FoundFiles {
-  /** Each file once, in the order of the given paths; the files of a directory are sorted by path. */
+  /** Each file once, in the order of the given paths; the files of a directory are sorted by path, or as its pack says. */
   readonly files: readonly string[];
+  /** The pack files of the directories that are given. */
+  readonly packs: readonly FoundPack[];
   /** Directories that could not be read. */
   readonly unreadable: readonly { readonly path: string; readonly reason: string }[];
 }
@@ -34,8 +37,9 @@ export async function findLevelFiles(paths: readonly string[], leftOut: LeftOut 
   const files: string[] = [];
   const unreadable: { path: string; reason: string }[] = [];
   const unmatched: string[] = [];
+  const packs: FoundPack[] = [];
   for (const path of paths) {
-    const found = await expand(path, unreadable, leftOut);
+    const found = await expand(path, unreadable, packs, leftOut);
     if (typeof found === 'string') unmatched.push(`${namedPath(path)}: ${found}`);
     else for (const file of found) files.push(file);
   }
@@ -45,21 +49,22 @@ export async function findLevelFiles(paths: readonly string[], leftOut: LeftOut 
       `nothing was done: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no level file\n${unmatched.map((u) => `  ${u}\n`).join('')}${hint}`,
     );
   }
-  return { files: once(files), unreadable };
+  return { files: once(files), packs, unreadable };
 }
 
 /** The files that a path names, or why there are none. */
 async function expand(
   path: string,
   unreadable: { path: string; reason: string }[],
+  packs: FoundPack[],
   leftOut: LeftOut | null,
 ): Promise<string[] | string> {
   const before = unreadable.length;
   const stats = statOrError(path);
   if (!(stats instanceof Error)) {
-    if (!stats.isDirectory()) return [path];
+    if (!stats.isDirectory()) return isPackFile(path) ? NOT_A_LEVEL : [path];
     const found = walk(path, (name) => LEVEL_FILE.test(name), unreadable);
-    if (found.length > 0 || unreadable.length > before) return without(found, leftOut);
+    if (found.length > 0 || unreadable.length > before) return without(await inOrder(path, found, packs), leftOut);
     // as below, the schema comes with it
     const { isNearlyLevelName, nearLevelsHint } = await import('./near-levels.ts');
     const near = nearLevelsHint(walk(path, isNearlyLevelName, []));
@@ -77,8 +82,18 @@ async function expand(
   const root = fixed.includes('/') ? fixed.slice(0, fixed.lastIndexOf('/') + 1) : '.';
   if (statOrError(root) instanceof Error) return `there is no directory ${root}`;
   const matches = globToRegExp(pattern);
-  const found = walk(root, () => true, unreadable).filter((file) => matches.test(file));
+  const found = walk(root, (file) => !isPackFile(file), unreadable).filter((file) => matches.test(file));
   return found.length > 0 || unreadable.length > before ? without(found, leftOut) : 'no file matches this pattern';
+}
+
+/** The files of a directory in the order of its pack, if it has one. */
+async function inOrder(folder: string, files: string[], packs: FoundPack[]): Promise<string[]> {
+  const file = packFileOf(folder);
+  if (file === null) return files;
+  if (!packs.some((pack) => resolve(pack.file) === resolve(file))) packs.push({ file, folder, levels: files });
+  // as above, the schema comes with it
+  const { orderFiles } = await import('./pack-file/index.ts');
+  return orderFiles(files, folder, file);
 }
 
 /** The files that are not left out, or why there are none. */

@@ -5,6 +5,8 @@ import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
 import type { Configuration } from './configuration.ts';
+import { Failure } from './failure.ts';
+import { isPackFile, NOT_A_LEVEL } from './found-pack.ts';
 import { notice } from './notices.ts';
 import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
@@ -28,6 +30,7 @@ export interface OpenedFile extends OpenedLevel {
  * @throws Failure if the file can't be read
  */
 export function openLevel(file: string, { rules }: Pick<Configuration, 'rules'>): OpenedFile | CommandResult {
+  if (isPackFile(file)) throw new Failure(`${file}: ${NOT_A_LEVEL}`);
   const bytes = readBytes(file);
   const read = readLevel(bytes, { rules });
   if (read.ok) {

@@ -20,6 +20,8 @@ import { rulesSchema } from './rules-schema.ts';
  * | GET  TRASH                   |                                  |                    | 200 `TrashResponse`           |
  * | POST RESTORE                 |                                  | `RestoreRequest`   | 201 `WriteResponse`           |
  * | POST ORDER                   |                                  | `OrderRequest`     | 200 `OrderResponse`           |
+ * | PUT  PACK                    | If-Match: ETAG                   | `PackRequest`      | 200 `PackResponse`            |
+ * | PUT  PACK                    | If-None-Match: * (a new file)    | `PackRequest`      | 200 `PackResponse`            |
  * | POST PUBLISH                 |                                  | `PublishRequest`   | 200 `PublishResponse`         |
  * | GET  EVENTS                  |                                  |                    | 200 text/event-stream         |
  *
@@ -39,6 +41,7 @@ export const EDIT_API = {
   TRASH: '/api/trash',
   RESTORE: '/api/restore',
   ORDER: '/api/order',
+  PACK: '/api/pack',
   PUBLISH: '/api/publish',
   EVENTS: '/api/events',
   TOKEN_HEADER: 'x-gq-token',
@@ -93,6 +96,16 @@ export const levelEntrySchema = z.strictObject({
 /** A level in the folder. */
 export type LevelEntry = z.infer<typeof levelEntrySchema>;
 
+/** The zod schema of the folder's `pack.json`, the order in which its levels are played. */
+export const packOnDiskSchema = z.strictObject({
+  file: z.string().describe('Path of the file, for people.'),
+  etag: etag.nullable().describe('null when the file could not be read.'),
+  text: z.string().nullable().describe('The file as it is, valid or not; null when it could not be read.'),
+  readOnly: z.string().nullable().describe('Why the editor may not write to it, for people; null when it may.'),
+});
+/** The folder's `pack.json`, the order in which its levels are played. */
+export type PackOnDisk = z.infer<typeof packOnDiskSchema>;
+
 /**
  * The zod schema of the folder's rules, which apply to levels without their own: `rules` of the `gq.config.json` that `gq
  * check` would use, too.
@@ -115,7 +128,10 @@ export const listResponseSchema = z.strictObject({
     $schema: z.string().nullable().describe('What a new level directly in the folder says in `$schema`; null: nothing.'),
   }),
   folders: z.array(z.string()).describe("'' and every folder below it that levels can be put into, with slashes."),
-  levels: z.array(levelEntrySchema).describe('In the order of play: by path, numbers by their value.'),
+  levels: z
+    .array(levelEntrySchema)
+    .describe('By path, numbers by their value: the order of play, where no pack.json says another one.'),
+  pack: packOnDiskSchema.optional().describe('The pack.json of the folder; left out if there is none.'),
   rules: folderRulesSchema,
   troubles: z.array(z.string()).describe('What is wrong with the folder as a whole, for people; mostly nothing.'),
   unread: z.int().min(0).describe('Levels that are still to come, as events `read`; 0: these are all.'),
@@ -197,6 +213,19 @@ export const orderResponseSchema = z.strictObject({
 export type OrderResponse = z.infer<typeof orderResponseSchema>;
 
 /**
+ * The zod schema of the body of `PUT PACK`: the whole new text of `pack.json`, which is stored unchanged, and only if it is valid;
+ * null: the file is removed.
+ */
+export const packRequestSchema = z.strictObject({ text: z.string().nullable(), client });
+/** The body of `PUT PACK`. */
+export type PackRequest = z.infer<typeof packRequestSchema>;
+
+/** The zod schema of the response to `PUT PACK`: the file as it is now; null: there is none. */
+export const packResponseSchema = z.strictObject({ pack: packOnDiskSchema.nullable() });
+/** The response to `PUT PACK`. */
+export type PackResponse = z.infer<typeof packResponseSchema>;
+
+/**
  * The zod schema of the body of `POST PUBLISH`: a static page with the levels, as `gq build` makes it, in a folder beside that of
  * the levels. `site` matches `LEVEL_ID_PART`; the folder is new, empty, or of an earlier build.
  */
@@ -242,6 +271,9 @@ export const editEventSchema = z.discriminatedUnion('type', [
   z.strictObject({ type: z.literal('removed'), id, by }),
   z.strictObject({ type: z.literal('rules'), rules: folderRulesSchema }).describe('The configuration has changed.'),
   z.strictObject({ type: z.literal('renamed'), from: id, entry: levelEntrySchema, by }),
+  z
+    .strictObject({ type: z.literal('pack'), pack: packOnDiskSchema.nullable(), by })
+    .describe('The pack.json of the folder has changed; null: it is gone.'),
 ]);
 /** An event that the server sends unasked. */
 export type EditEvent = z.infer<typeof editEventSchema>;
@@ -265,6 +297,7 @@ export const EDIT_ERRORS = {
   'base-missing': 428,
   conflict: 412,
   'invalid-level': 422,
+  'invalid-pack': 422,
   'not-completable': 409,
   'not-published': 409,
   'not-writable': 403,

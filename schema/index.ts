@@ -56,6 +56,18 @@ export { conflictProblems } from './merge-conflicts.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
 export * from './other-reports.ts';
+export {
+  formatPack,
+  formatPackJsonSchema,
+  levelOfEntry,
+  levelsOfPack,
+  PACK_NAME,
+  PACK_VERSION,
+  type PackEntry,
+  type PackFile,
+  packJsonSchema,
+  packSchema,
+} from './pack.ts';
 export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
 export { formatLevelShape } from './plain-shape.ts';
 export type { Problem } from './problem.ts';
@@ -63,6 +75,7 @@ export { type ConfigReading, readConfig } from './read-config.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
 export { type LockReading, readLock } from './read-lock.ts';
+export { type PackReading, readPack } from './read-pack.ts';
 export * from './report.ts';
 export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
 export { resolveLevel } from './resolve.ts';

@@ -168,6 +168,7 @@ export const buildReportSchema = z.strictObject({
       }),
     )
     .describe('In the order of play.'),
+  leftOut: z.array(z.string()).optional().describe('The ids of levels that pack.json does not list; left out if there are none.'),
   files: z.array(
     z.strictObject({
       file: z.string(),

@@ -38,10 +38,12 @@ function wholeFile(code: Finding['code'], message: string, hint: string): JsonRe
   return { ok: false, problems: [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }], text: '' };
 }
 
-type Content = 'level' | 'configuration';
+type Content = 'level' | 'configuration' | 'pack';
+
+const EMPTY: Readonly<Record<Content, string>> = { level: 'a level', configuration: '{ }', pack: 'the order of the levels' };
 
 function hintFor(kind: string, content: Content): string {
-  if (content === 'configuration') return 'Write a JSON text that begins with {, or name another file.';
+  if (content !== 'level') return 'Write a JSON text that begins with {, or name another file.';
   return kind.endsWith('archive')
     ? 'Unpack it and take the level files that are in it.'
     : 'Level files end in .level.json and begin with {. Choose one of those.';
@@ -137,7 +139,7 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
         {
           code: 'empty-file',
           message: 'the file is empty',
-          hint: `Write ${content === 'level' ? 'a level' : '{ }'} into it, or delete it.`,
+          hint: `Write ${EMPTY[content]} into it, or delete it.`,
           path: [],
           part: 'value',
           offset: 0,

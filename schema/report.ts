@@ -104,6 +104,16 @@ const levelReport = z.strictObject({
 export const checkReportSchema = z.strictObject({
   version,
   levels: z.array(levelReport),
+  packs: z
+    .array(
+      z.strictObject({
+        file: z.string(),
+        name: z.string().nullable().describe('Its name; null if it is not valid.'),
+        problems: z.array(problem),
+      }),
+    )
+    .optional()
+    .describe('The pack.json of each folder that was checked; left out if there is none.'),
   summary: z.partialRecord(z.enum(VERDICTS), z.int().min(0)),
   interrupted: z.boolean().describe('Whether a signal ended the check early.'),
   unchecked: z.array(z.string()).describe('The files that were not checked because of that.'),
@@ -297,6 +307,25 @@ export const difficultyReportSchema = z.strictObject({
       players: playersReportSchema.optional(),
     }),
   ),
+  packs: z
+    .array(
+      z.strictObject({
+        file: z.string(),
+        name: z.string(),
+        levels: z.array(z.string()).describe('The files of the listed levels, in the order in which they are played.'),
+        jumps: z
+          .array(
+            z.strictObject({
+              file: z.string(),
+              after: z.string().describe('The file of the hardest level before it.'),
+              by: z.number().describe('By how much its grade is above the highest grade before it.'),
+            }),
+          )
+          .describe('Levels that are much harder than all before them.'),
+      }),
+    )
+    .optional()
+    .describe('The curve of difficulty of each folder with a pack.json; left out if there is none.'),
   plays: playsReportSchema.optional(),
 });
 
@@ -351,6 +380,10 @@ export const generateReportSchema = z.strictObject({
     })
     .nullable()
     .describe('How much the levels differ; null for fewer than two.'),
+  pack: z
+    .strictObject({ file: z.string(), status: z.enum(['written', 'unchanged', 'in the way']) })
+    .optional()
+    .describe('The pack.json with the order of the levels; only with --pack.'),
 });
 
 /** What `gq generate` prints as JSON. */

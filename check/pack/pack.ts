@@ -9,6 +9,8 @@ export interface Pack {
   readonly levels: readonly {
     /** The name under which progress is kept: the path of its file below the folder, without `.level.json`. */
     readonly id: string;
+    /** The heading that it stands below, if there is one. */
+    readonly chapter?: string;
     /** The content of a level file. */
     readonly level: unknown;
   }[];

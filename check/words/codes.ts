@@ -121,6 +121,38 @@ const MEANINGS = {
       'The problem was fixed, or its code is not the one that was meant. If it stays, it hides the next problem of this kind, which ' +
       'nobody has looked at.',
   },
+  'pack-missing-level': {
+    severity: 'error',
+    title: 'pack.json lists a level that is not there',
+    why: () =>
+      'A pack is played in the order of its list. A level that was renamed or deleted without the list leaves a hole in the game, and ' +
+      '`gq build` refuses to make a page with one.',
+  },
+  'pack-repeated-level': {
+    severity: 'error',
+    title: 'pack.json lists a level twice',
+    why: () => 'A game keeps the progress of a level under its id, and cannot tell two places of the same level apart.',
+  },
+  'pack-unlisted-level': {
+    severity: 'warning',
+    title: 'pack.json does not list a level of its folder',
+    why: () =>
+      'Reports show it after the listed ones, and `gq build` leaves it out. It may be a draft, or one that somebody forgot to list.',
+  },
+  'pack-introduction': {
+    severity: 'warning',
+    title: 'a level introduces several things at once, or not what it is meant to',
+    why: () =>
+      'Players learn an effect best in a level where it is the only new thing: when they fail, they know why. The level introduces an ' +
+      'effect if no level before it in pack.json calls for it. Effects that every level has, such as the gun, do not count. Where two ' +
+      'belong together, "introduces" says so; if it names something that the level does not introduce, that is reported as well. ' +
+      'Nothing is said of what follows a level that is not valid.',
+  },
+  'pack-empty-chapter': {
+    severity: 'warning',
+    title: 'a chapter of pack.json has no level',
+    why: () => 'The heading stands above nothing: its levels were moved or removed, and it was left behind.',
+  },
   'unreadable-file': {
     severity: 'error',
     title: 'a file or directory cannot be read',

@@ -86,7 +86,18 @@ function bytesOrNull(file: string): Uint8Array | null {
 /** The pack of levels that were checked and are valid. */
 export function packOf(
   { accuracy, levels, bytes }: BuiltPack,
-  { title, rules, withRuns }: { readonly title: string; readonly rules: OwnRules; readonly withRuns: boolean },
+  {
+    title,
+    rules,
+    withRuns,
+    chapters,
+  }: {
+    readonly title: string;
+    readonly rules: OwnRules;
+    readonly withRuns: boolean;
+    /** The chapter of each level that stands below a heading, by its id. */
+    readonly chapters: ReadonlyMap<string, string>;
+  },
 ): Pack {
   return {
     title,
@@ -94,7 +105,9 @@ export function packOf(
     levels: levels.map(({ id, file, found }) => {
       const read = readLevel(bytes.get(file)!);
       if (!read.ok) throw new Error(`${file}: was valid and now is not`);
-      return { id, level: packedLevel(read.document.file, { rules, withRuns, found }) };
+      const level = packedLevel(read.document.file, { rules, withRuns, found });
+      const chapter = chapters.get(id);
+      return chapter === undefined ? { id, level } : { id, chapter, level };
     }),
   };
 }

@@ -69,6 +69,23 @@ const ADVICE: Readonly<Record<CheckCode, Advice>> = {
     fix: 'Remove the code from "allow" in the level.',
     example: '"allow": { "unused-asteroid": "a landmark" }',
   },
+  'pack-missing-level': {
+    fix: 'Correct the id in pack.json, or remove the entry. An id is the path of the file below the folder, without .level.json.',
+    example: '"levels/07-slingshot.level.json"  ->  "07-slingshot"',
+  },
+  'pack-repeated-level': {
+    fix: 'Remove one of the two entries from pack.json.',
+  },
+  'pack-unlisted-level': {
+    fix: 'List it in pack.json where it belongs. Leave drafts out of the check with "ignore" in gq.config.json.',
+  },
+  'pack-introduction': {
+    fix: 'Put a level before it that has only one of the new effects, or move the level. If they belong together, say so in pack.json.',
+    example: '"18-storm"  ->  { "level": "18-storm", "introduces": ["novae", "recoil"] }',
+  },
+  'pack-empty-chapter': {
+    fix: 'Put a level below the heading in pack.json, or remove it.',
+  },
   'unreadable-file': {
     fix: 'Make the file readable, or leave it out of the paths that are checked.',
   },

@@ -8,14 +8,14 @@ export function tooManyWarnings({ warnings }: Pick<Totals, 'warnings'>, maxWarni
 }
 
 /**
- * 2: nothing was checked, a file could not be read or gq failed; else 1: a level is not completable or has errors, or there are
- * too many warnings; else 0
+ * 2: nothing was checked, a file could not be read or gq failed; else 1: a level is not completable or has errors, the order of a
+ * pack has errors, or there are too many warnings; else 0
  * @param maxWarnings null: any number is allowed
  */
 export function exitCodeFor(totals: Totals, maxWarnings: number | null): 0 | 1 | 2 {
-  const { levels, good, failed } = totals;
+  const { levels, good, failed, packErrors } = totals;
   if (levels === 0 || failed > 0) return 2;
-  return good === levels && tooManyWarnings(totals, maxWarnings) === null ? 0 : 1;
+  return good === levels && packErrors === 0 && tooManyWarnings(totals, maxWarnings) === null ? 0 : 1;
 }
 
 /** The exit code of a check of these levels. */

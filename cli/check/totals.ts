@@ -1,4 +1,5 @@
 import type { Verdict } from '../../schema/index.ts';
+import type { CheckedPack } from '../pack-file/index.ts';
 import type { CheckedLevel } from './checked-level.ts';
 
 /** What reports say about all levels of a check together. */
@@ -17,6 +18,8 @@ export interface Totals {
   tight: number;
   /** Levels that are not as agreed on in the lock. */
   differing: number;
+  /** Errors in the order of a pack. */
+  packErrors: number;
 }
 
 const noLevels = (): Totals => ({
@@ -28,6 +31,7 @@ const noLevels = (): Totals => ({
   allowed: 0,
   tight: 0,
   differing: 0,
+  packErrors: 0,
 });
 
 const isOfLock = (code: string): boolean => code === 'result-changed' || code === 'not-in-lock';
@@ -36,8 +40,15 @@ const isOfLock = (code: string): boolean => code === 'result-changed' || code ==
 export const isGood = ({ verdict, problems }: Pick<CheckedLevel, 'verdict' | 'problems'>): boolean =>
   verdict === 'completable' && problems.every(({ severity }) => severity === 'warning');
 
-export function totalsOf(levels: Iterable<CheckedLevel>): Totals {
+/** @param packs the pack files that were checked with the levels */
+export function totalsOf(levels: Iterable<CheckedLevel>, packs: readonly CheckedPack[] = []): Totals {
   const totals = noLevels();
+  for (const { problems, unreadable } of packs) {
+    const errors = problems.filter(({ severity }) => severity === 'error').length;
+    totals.packErrors += errors;
+    totals.warnings += problems.length - errors;
+    if (unreadable) totals.failed++;
+  }
   for (const level of levels) {
     const { verdict, problems, unreadable, allowed = 0 } = level;
     totals.levels++;

@@ -3,6 +3,7 @@ import {
   formatConfigJsonSchema,
   formatLevelJsonSchema,
   formatLockJsonSchema,
+  formatPackJsonSchema,
   formatReportJsonSchema,
   REPORT_SCHEMAS,
   type ReportName,
@@ -23,6 +24,7 @@ const REPORTS = Object.keys(REPORT_SCHEMAS) as ReportName[];
 const SCHEMAS: Readonly<Record<string, PrintedSchema>> = {
   level: { about: 'a level file', print: formatLevelJsonSchema },
   config: { about: 'gq.config.json', print: formatConfigJsonSchema },
+  pack: { about: 'pack.json, the order of the levels of a folder', print: formatPackJsonSchema },
   lock: { about: 'the file of gq check --lock', print: formatLockJsonSchema },
   ...Object.fromEntries(
     REPORTS.map((name) => [

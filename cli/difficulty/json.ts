@@ -2,12 +2,18 @@ import type { DifficultyReport, RunFoundReport } from '../../schema/index.ts';
 import type { Candidate } from '../../solver/index.ts';
 import { problemJson, robustnessJson } from '../report-parts/index.ts';
 import type { MeasuredLevel } from './measured-level.ts';
+import type { PackCurve } from './pack-curve.ts';
 import { forecastJson, playersJson, playsJson } from './players-json.ts';
 import type { CollectedPlays } from './plays/index.ts';
 
 /** The difficulty of levels as JSON. */
-export function difficultyJson(levels: readonly MeasuredLevel[], plays: CollectedPlays | null): string {
-  const own = { version: 1 as const, levels: levels.map(measuredJson) };
+export function difficultyJson(
+  levels: readonly MeasuredLevel[],
+  plays: CollectedPlays | null,
+  curves: readonly PackCurve[] = [],
+): string {
+  const packs = curves.map(({ file, name, levels: files, jumps }) => ({ file, name, levels: [...files], jumps: [...jumps] }));
+  const own = { version: 1 as const, levels: levels.map(measuredJson), ...(packs.length > 0 && { packs }) };
   const report: DifficultyReport = plays === null ? own : { ...own, plays: playsJson(plays) };
   return `${JSON.stringify(report)}\n`;
 }

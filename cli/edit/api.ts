@@ -4,6 +4,7 @@ import {
   deleteRequestSchema,
   EDIT_API,
   orderRequestSchema,
+  packRequestSchema,
   publishRequestSchema,
   renameRequestSchema,
   restoreRequestSchema,
@@ -23,7 +24,7 @@ export type Answer = (c: EditContext, query: URLSearchParams) => Response | Prom
 /** The answer function of each `METHOD /address` of `EDIT_API`. */
 export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<string, Answer> {
   const streams = createEventStreams(levels.known);
-  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, PUBLISH, EVENTS } = EDIT_API;
+  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, PACK, PUBLISH, EVENTS } = EDIT_API;
 
   const list: Answer = async (c) => c.json(await levels.known.refresh());
 
@@ -36,9 +37,7 @@ export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<st
     const id = idOf(query);
     const base = baseOf(c.env.incoming);
     const { text, client } = await readBody(c.env.incoming, writeRequestSchema);
-    // an unpaired surrogate would be stored as a different character
-    if (/\p{Surrogate}/u.test(text))
-      throw new Refusal('bad-request', 'the text contains half of a character (a lone surrogate)', 'Send complete characters.');
+    refuseHalves(text);
     const { entry, created } = await levels.write(id, text, base, client);
     return c.json({ entry }, created ? 201 : 200, tagged(entry.etag));
   };
@@ -73,6 +72,13 @@ export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<st
     return c.json(await levels.order(folder, ids, client));
   };
 
+  const pack: Answer = async (c) => {
+    const base = baseOf(c.env.incoming);
+    const { text, client } = await readBody(c.env.incoming, packRequestSchema);
+    if (text !== null) refuseHalves(text);
+    return c.json(await levels.writePack(text, base, client));
+  };
+
   const makePage: Answer = async (c) => c.json(await publish(await readBody(c.env.incoming, publishRequestSchema)));
 
   const events: Answer = (c) => c.body(streams.open(), 200, { 'Content-Type': 'text/event-stream' });
@@ -87,9 +93,16 @@ export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<st
     [`GET ${TRASH}`, trash],
     [`POST ${RESTORE}`, restore],
     [`POST ${ORDER}`, order],
+    [`PUT ${PACK}`, pack],
     [`POST ${PUBLISH}`, makePage],
     [`GET ${EVENTS}`, events],
   ]);
+}
+
+/** An unpaired surrogate would be stored as a different character. */
+function refuseHalves(text: string): void {
+  if (/\p{Surrogate}/u.test(text))
+    throw new Refusal('bad-request', 'the text contains half of a character (a lone surrogate)', 'Send complete characters.');
 }
 
 const tagged = (etag: string | null): Record<string, string> => (etag === null ? {} : { ETag: etag });

@@ -1,10 +1,11 @@
 import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
-import type { EditEvent, FolderRules, LevelEntry, ListResponse } from '../../schema/index.ts';
+import type { EditEvent, FolderRules, LevelEntry, ListResponse, PackOnDisk } from '../../schema/index.ts';
 import { systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { changesBetween } from './changes.ts';
 import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';
+import { readPackOnDisk } from './pack-on-disk.ts';
 import type { EntryReader } from './read-entry.ts';
 import { NO_CONFIG, type RulesOnDisk } from './rules-on-disk.ts';
 import { SortedEntries } from './sorted-entries.ts';
@@ -20,6 +21,8 @@ export interface KnownLevels {
   refresh(): Promise<ListResponse>;
   /** Reads the configuration again and announces the rules if they have changed. */
   refreshRules(): void;
+  /** Reads `pack.json` again and announces it if it has changed. @param by the client that changed it; null: another program */
+  refreshPack(by: string | null): void;
   /** Reads only these files again and announces their changes. @param by the client that made them; null: another program */
   announce(ids: readonly string[], by: string | null): void;
   /** Reports events from now on. @returns a function that stops it */
@@ -61,6 +64,7 @@ class FolderReports implements KnownLevels {
   private readonly levels: SortedEntries;
   private folders: readonly string[];
   private rules: FolderRules;
+  private pack: PackOnDisk | null;
   /** The folders that could not be read the last time. */
   private lookTroubles: readonly string[];
   /** The number of files that have not been read yet. */
@@ -74,7 +78,7 @@ class FolderReports implements KnownLevels {
 
   constructor(
     private readonly root: string,
-    shown: string,
+    private readonly shown: string,
     private readonly reader: EntryReader,
     private readonly rulesNow: RulesOnDisk,
   ) {
@@ -84,6 +88,7 @@ class FolderReports implements KnownLevels {
     const files = [...found.values()];
     this.folders = folders;
     this.rules = rulesNow();
+    this.pack = readPackOnDisk(root, shown);
     this.lookTroubles = troubles;
     this.levels = new SortedEntries(files.slice(0, READ_AT_ONCE).map((file) => reader.entry(file)));
     this.unread = files.length - this.levels.all.length;
@@ -94,13 +99,22 @@ class FolderReports implements KnownLevels {
   }
 
   list(): ListResponse {
-    const { folder, folders, levels, rules, troubles, lookTroubles, unread } = this;
-    return { folder, folders: [...folders], levels: [...levels.all], rules, troubles: [...troubles, ...lookTroubles], unread };
+    const { folder, folders, levels, pack, rules, troubles, lookTroubles, unread } = this;
+    return {
+      folder,
+      folders: [...folders],
+      levels: [...levels.all],
+      ...(pack !== null && { pack }),
+      rules,
+      troubles: [...troubles, ...lookTroubles],
+      unread,
+    };
   }
 
   // a call during a refresh gets the next refresh, which begins after the call
   async refresh(): Promise<ListResponse> {
     this.refreshRules();
+    this.refreshPack(null);
     this.next ??= this.current.then(() => {
       this.next = null;
       const look = this.lookAtAll();
@@ -117,6 +131,13 @@ class FolderReports implements KnownLevels {
     if (JSON.stringify(rules) === JSON.stringify(this.rules)) return;
     this.rules = rules;
     this.report({ type: 'rules', rules });
+  }
+
+  refreshPack(by: string | null): void {
+    const pack = readPackOnDisk(this.root, this.shown);
+    if (JSON.stringify(pack) === JSON.stringify(this.pack)) return;
+    this.pack = pack;
+    this.report({ type: 'pack', pack, by });
   }
 
   announce(ids: readonly string[], by: string | null): void {

@@ -4,15 +4,19 @@ import {
   LEVEL_ID_PART,
   type LevelEntry,
   type OrderResponse,
+  PACK_NAME,
+  type PackResponse,
   type ReadResponse,
   type TrashResponse,
 } from '../../schema/index.ts';
 import { createFile, moveFile, replaceFile } from '../disk.ts';
+import type { Base } from './base.ts';
 import { createKnownLevels, type KnownLevels } from './known-levels.ts';
 import { collectLeftovers } from './leftovers.ts';
 import { findLevel, findLevels, findLike, hasFolder, joinId, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { moveAll } from './move-all.ts';
 import { oneAtATime } from './one-at-a-time.ts';
+import { readPackOnDisk, writePackOnDisk } from './pack-on-disk.ts';
 import { createEntryReader, type EntryReader, entryOf, etagOf } from './read-entry.ts';
 import { Refusal, refusalOf } from './refusal.ts';
 import {
@@ -28,9 +32,6 @@ import {
 import { namesInOrder } from './reorder.ts';
 import type { RulesOnDisk } from './rules-on-disk.ts';
 import { findTrash, moveToTrash } from './trash.ts';
-
-/** What a change is based on: the etag of the content that the client knows, or that there is no such file. */
-export type Base = { readonly etag: string } | 'no-file';
 
 /**
  * The levels of one folder on the disk. Every call looks at the disk again. A change affects only the file that is named by an
@@ -51,6 +52,8 @@ export interface LevelFolder {
   restore(trash: string, to: string | undefined, client: string): Promise<LevelEntry>;
   /** Renames the files of one folder so that they sort as wanted. @param ids all ids of the folder, in the wanted order */
   order(folder: string, ids: readonly string[], client: string): Promise<OrderResponse>;
+  /** Stores the text of `pack.json` unchanged, if it is valid; null removes the file. */
+  writePack(text: string | null, base: Base, client: string): Promise<PackResponse>;
   /** Stops reading and cleaning up. */
   end(): void;
 }
@@ -172,6 +175,21 @@ class FolderOnDisk implements LevelFolder {
       moveAll(root, renamed, (id) => this.nameOf(id));
     });
     return { renamed, levels: (await known.refresh()).levels };
+  }
+
+  async writePack(text: string | null, base: Base, client: string): Promise<PackResponse> {
+    const { root, shown, known } = this;
+    try {
+      return await oneAtATime(root, () => {
+        // what another program has changed is announced as its own
+        known.refreshPack(null);
+        writePackOnDisk(root, shown, text, base);
+        known.refreshPack(client);
+        return { pack: readPackOnDisk(root, shown) };
+      });
+    } catch (error) {
+      throw refusalOf(error, join(shown, PACK_NAME));
+    }
   }
 
   readonly end = (): void => {

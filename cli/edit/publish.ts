@@ -65,7 +65,8 @@ async function publish(
   try {
     planSite(site, new Map(), false, words);
     const configuration = readConfiguration({ config }, configFrom);
-    const files = level === null ? await findPack([shown], configuration) : [fileOf(root, shown, level)];
+    const found = level === null ? await findPack([shown], configuration) : null;
+    const files = found?.files ?? [fileOf(root, shown, level ?? '')];
     const pack = await checkPack(files, configuration, {
       // slack is not asked for, which would take long
       asked: { seed: 0, maxTime: DEFAULT_MAX_TIME, maxWork: DEFAULT_MAX_WORK, requireSlack: false },
@@ -75,7 +76,8 @@ async function publish(
       onProgress: () => {},
     });
     refuseLevels(pack, force);
-    const content = siteFiles(readGame(game), packOf(pack, { title, rules: configuration.rules, withRuns }));
+    const chapters = found?.order?.chapters ?? new Map<string, string>();
+    const content = siteFiles(readGame(game), packOf(pack, { title, rules: configuration.rules, withRuns, chapters }));
     const written = await writeSite(planSite(site, content, false, words));
     return { site: words.shown, levels: pack.levels.length, bytes: written.reduce((sum, { bytes }) => sum + bytes, 0) };
   } catch (error) {

@@ -1,6 +1,7 @@
 import { type FSWatcher, lstatSync, watch } from 'node:fs';
 import { basename, join, sep } from 'node:path';
 import process from 'node:process';
+import { PACK_NAME } from '../../schema/index.ts';
 import { systemReason } from '../failure.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
@@ -20,15 +21,19 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
   const watchers = new Map<string, { readonly watcher: FSWatcher; readonly inode: number }>();
   let touched = new Set<string>();
   let lookAtAll = false;
+  let lookAtPack = false;
   let timer: NodeJS.Timeout | null = null;
   let isOver = false;
 
   const look = async (): Promise<void> => {
     const ids = touched;
     const all = lookAtAll;
+    const pack = lookAtPack;
     timer = null;
     touched = new Set();
     lookAtAll = false;
+    lookAtPack = false;
+    if (pack && !all) known.refreshPack(null);
     if (!all) return known.announce([...ids], null);
     await known.refresh();
     if (!isOver) followFolders();
@@ -37,10 +42,11 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
   const heard = (folder: string, name: string | null): void => {
     const below = name === null ? null : join(folder, name).split(sep).join('/');
     if (below === null) lookAtAll = true;
+    else if (below === PACK_NAME) lookAtPack = true;
     else if (below.endsWith(SUFFIX)) touched.add(below.slice(0, -SUFFIX.length));
     // it may be a folder; hidden ones do not matter
     else if (!below.split('/').some((part) => part.startsWith('.') || part === 'node_modules')) lookAtAll = true;
-    if (lookAtAll || touched.size > 0) timer ??= setTimeout(() => look().catch(fail), PATIENCE);
+    if (lookAtAll || lookAtPack || touched.size > 0) timer ??= setTimeout(() => look().catch(fail), PATIENCE);
   };
 
   const fail = (error: unknown): void =>

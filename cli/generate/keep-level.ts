@@ -1,8 +1,9 @@
-import { join } from 'node:path';
-import { formatLevel, MAX_FILE_SIZE } from '../../schema/index.ts';
+import { basename, join, resolve } from 'node:path';
+import { formatLevel, formatPack, MAX_FILE_SIZE, PACK_NAME, PACK_VERSION } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
 import { createFile, tryFolder } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
+import { levelIdOf } from '../found-pack.ts';
 import { makeFolders } from '../make-folders.ts';
 import { NotAFile, readRegularFile } from '../regular-file.ts';
 import { schemaReference } from '../schema-reference.ts';
@@ -31,7 +32,10 @@ export const packPath = (directory: string, name: string, number: number, count:
  */
 export function keepLevel(directory: string, path: string, { level }: Generated): Kept {
   const $schema = schemaReference(directory) ?? undefined;
-  const text = formatLevel({ $schema, ...level });
+  return keep(path, formatLevel({ $schema, ...level }));
+}
+
+function keep(path: string, text: string): Kept {
   try {
     if (createFile(path, Buffer.from(text))) return 'written';
     return Buffer.from(text).equals(readRegularFile(path, MAX_FILE_SIZE)) ? 'unchanged' : 'in the way';
@@ -39,6 +43,28 @@ export function keepLevel(directory: string, path: string, { level }: Generated)
     if (error instanceof NotAFile) return 'in the way';
     throw new Failure(`${path}: can't be written: ${systemReason(error)}`);
   }
+}
+
+/** The pack file of generated levels, and what happened to it. */
+export interface KeptPack {
+  readonly file: string;
+  readonly status: Kept;
+}
+
+/**
+ * Writes the order of a pack to a new file: completely or not at all.
+ * @param levels the paths of its level files, in order
+ * @throws Failure if it can't be written
+ */
+export function keepPack(directory: string, levels: readonly string[]): KeptPack {
+  const file = join(directory, PACK_NAME);
+  const $schema = schemaReference(directory, 'pack') ?? undefined;
+  const name = basename(resolve(directory)) || 'Generated levels';
+  const ids = levels.map((level) => levelIdOf(directory, level));
+  return {
+    file,
+    status: keep(file, formatPack({ ...($schema !== undefined && { $schema }), version: PACK_VERSION, name, levels: ids })),
+  };
 }
 
 /** Creates the directory if it is missing, and tries to write into it. @throws Failure if that fails */

@@ -18,6 +18,19 @@ export function checkGithub(results: Results, { places, linkTo, quiet = false }:
       return { severity, file, line, column, title: code, message: lines.filter((text) => text !== '').join('\n') };
     });
   });
+  for (const { file, problems } of results.packs ?? []) {
+    for (const { severity, code, message, hint, line, column } of problems) {
+      if (quiet && severity === 'warning') continue;
+      annotations.push({
+        severity,
+        file: pathInWorkspace(file, places),
+        line,
+        column,
+        title: code,
+        message: hint === '' ? message : `${message}\n${hint}`,
+      });
+    }
+  }
   const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
   const summary = `${plural(totals.levels, 'level')}${words === '' ? '' : `: ${words}`}`;

@@ -11,10 +11,17 @@ export const checkJson = (results: Results, { linkTo }: ReportContext): string =
 /** The same in pieces, for any number of levels. */
 export function checkJsonOf(
   levels: Iterable<CheckedLevel>,
-  { totals, unchecked, interrupted }: Pick<Results, 'totals' | 'unchecked' | 'interrupted'>,
+  { totals, unchecked, interrupted, packs = [] }: Pick<Results, 'totals' | 'unchecked' | 'interrupted' | 'packs'>,
   linkTo: ReportContext['linkTo'],
 ): Iterable<string> {
-  const rest: Omit<CheckReport, 'version' | 'levels'> = { summary: totals.summary, interrupted, unchecked: [...unchecked] };
+  const rest: Omit<CheckReport, 'version' | 'levels'> = {
+    ...(packs.length > 0 && {
+      packs: packs.map(({ file, name, problems }) => ({ file, name, problems: problems.map(problemJson) })),
+    }),
+    summary: totals.summary,
+    interrupted,
+    unchecked: [...unchecked],
+  };
   return jsonWithLevels(levels, (level) => levelJson(level, linkTo), rest);
 }
 

@@ -1,4 +1,5 @@
 import type { CheckedLevel } from '../check/index.ts';
+import type { CheckedPack } from '../pack-file/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import { visibleLine } from '../visible.ts';
@@ -18,9 +19,13 @@ interface TestCase {
 }
 
 /** The results of `check` as JUnit XML: a test case for each level, a suite for each folder. */
-export function checkJunit({ levels, unchecked, interrupted, excess }: Results, context: ReportContext): string {
+export function checkJunit({ levels, packs = [], unchecked, interrupted, excess }: Results, context: ReportContext): string {
   const why = interrupted ? 'not checked: a signal ended the check early' : 'not checked: the check ended early';
-  const cases = [...levels.map((level) => caseOf(level, context)), ...unchecked.map((file) => skippedCase(file, why, context))];
+  const cases = [
+    ...levels.map((level) => caseOf(level, context)),
+    ...packs.map((pack) => packCase(pack, context)),
+    ...unchecked.map((file) => skippedCase(file, why, context)),
+  ];
   const folders = [...new Set(cases.map(({ folder }) => folder))];
   const suites = folders.map((folder) =>
     suiteOf(
@@ -84,6 +89,22 @@ function caseOf(level: CheckedLevel, context: ReportContext): TestCase {
   return { folder, state, time, xml: `    <testcase${head}>\n${body}    </testcase>\n` };
 }
 
+/** The order of a pack: a case beside those of its levels. */
+function packCase(pack: CheckedPack, context: ReportContext): TestCase {
+  const { folder, ...identity } = identityOf(pack.file, context);
+  const errors = pack.problems.filter(({ severity }) => severity === 'error');
+  const state = errors.length === 0 ? 'passed' : pack.unreadable ? 'error' : 'failure';
+  const head = xmlAttributes({ message: visibleLine(errors[0]?.message ?? ''), type: errors[0]?.code ?? '' });
+  const all = pack.problems.map((problem) => problemText(pack, problem)).join('\n');
+  const failed =
+    state === 'passed'
+      ? ''
+      : `      <${state}${head}>${xmlText(errors.map((problem) => problemText(pack, problem)).join('\n'))}</${state}>\n`;
+  const output = `      <system-out>${xmlText(`${visibleLine(pack.name ?? 'not valid')}\n${all}`.trimEnd())}\n</system-out>\n`;
+  const xml = `    <testcase${xmlAttributes({ ...identity, time: '0.000' })}>\n${failed}${output}    </testcase>\n`;
+  return { folder, state, time: 0, xml };
+}
+
 function skippedCase(file: string, why: string, context: ReportContext): TestCase {
   const { folder, ...identity } = identityOf(file, context);
   const head = xmlAttributes({ ...identity, time: '0.000' });
@@ -107,7 +128,10 @@ function failure(state: State, level: CheckedLevel, linkTo: EditorLink | null): 
   return `      <${state}${head}>${xmlText(text)}</${state}>\n`;
 }
 
-function problemText({ file }: CheckedLevel, { severity, code, message, hint, line, column, frame }: ShownProblem): string {
+function problemText(
+  { file }: Pick<CheckedLevel, 'file'>,
+  { severity, code, message, hint, line, column, frame }: ShownProblem,
+): string {
   const place = line === null ? file : `${file}:${line}:${column ?? 1}`;
   const rest = [frame?.trimEnd() ?? '', hint].filter((text) => text !== '').map((text) => `\n${text.replace(/^/gm, '    ')}`);
   return `${place}: ${severity} ${code}: ${message}${rest.join('')}`;

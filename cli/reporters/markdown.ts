@@ -36,7 +36,7 @@ export function markdownWithin(
   mostBytes: number,
   shown: (file: string) => string = (file) => file,
 ): string {
-  const { levels } = results;
+  const { levels, packs = [] } = results;
   const failing = levels.filter(isFailing);
   const passing = levels.filter((level) => !isFailing(level));
   const warned = passing.filter(({ problems }) => problems.length > 0);
@@ -48,7 +48,8 @@ export function markdownWithin(
     failing.map((level) => part(row(level, shown))),
     TABLE,
   );
-  const problems = space.take([...failing, ...warned].map((level) => part(details(level, linkTo, shown))));
+  const orders = space.take(packs.filter(({ problems }) => problems.length > 0).map((pack) => part(details(pack, '', shown))));
+  const problems = space.take([...failing, ...warned].map((level) => part(details(level, placeText(level, linkTo), shown))));
   const fine = space.take(
     passing.map((level) => part(row(level, shown))),
     PASSING,
@@ -66,6 +67,7 @@ export function markdownWithin(
   const text = [
     head.join(''),
     rows.length === 0 ? '' : `${TABLE}${rows.join('')}`,
+    orders.length === 0 ? '' : `\n${orders.join('')}`,
     problems.length === 0 ? '' : `\n${problems.join('')}`,
     fine.length === 0 ? '' : `${PASSING}${fine.join('')}\n</details>\n`,
     early.join(''),
@@ -103,7 +105,7 @@ const PASSING = `\n<details><summary>Completable levels</summary>\n\n${HEADER}`;
 const GOOD = 'Every level is good';
 
 function heading({ totals, unchecked, interrupted, excess }: Results): string {
-  const { levels } = totals;
+  const { levels, packErrors } = totals;
   const failing = levels - totals.good;
   const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
@@ -111,11 +113,13 @@ function heading({ totals, unchecked, interrupted, excess }: Results): string {
     levels === 0
       ? 'No level was checked'
       : failing === 0
-        ? excess
-          ? 'Too many warnings'
-          : interrupted || unchecked.length > 0
-            ? 'The check is not complete'
-            : GOOD
+        ? packErrors > 0
+          ? 'The order of a pack has errors'
+          : excess
+            ? 'Too many warnings'
+            : interrupted || unchecked.length > 0
+              ? 'The check is not complete'
+              : GOOD
         : `${failing} of ${plural(levels, 'level')} ${failing === 1 ? 'fails' : 'fail'}`;
   const isGood = title === GOOD;
   return `### ${isGood ? '✅' : '❌'} ${title}\n\n${plural(levels, 'level')}${words === '' ? '' : `: ${words}`}\n${excess ? `\n**${excess}**\n` : ''}`;
@@ -131,15 +135,18 @@ function row(level: CheckedLevel, shownFile: (file: string) => string): string {
   return `| ${isFailing(level) ? '❌ ' : ''}${verdict} | ${markdownCode(shownFile(file))} | ${markdownText(name)} | ${markdownText(last)} |\n`;
 }
 
-/** The problems of a level, and where to look, folded. */
-function details(level: CheckedLevel, linkTo: EditorLink | null, shownFile: (file: string) => string): string {
-  const { file, problems } = level;
+/** The problems of a level or a pack, and where to look, folded. */
+function details(
+  { file, problems }: Pick<CheckedLevel, 'file' | 'problems'>,
+  where: string,
+  shownFile: (file: string) => string,
+): string {
   const count = (severity: string): number => problems.filter((problem) => problem.severity === severity).length;
   const counts = [plural(count('error'), 'error'), plural(count('warning'), 'warning')].filter((text) => !text.startsWith('0'));
   const shown = problems.slice(0, MAX_SHOWN).map(problemText);
   const more = problems.length > MAX_SHOWN ? `- and ${problems.length - MAX_SHOWN} more\n` : '';
   const summary = `${markdownCode(shownFile(file))}: ${counts.join(', ')}`;
-  return `<details><summary>${summaryHtml(summary)}</summary>\n\n${shown.join('')}${more}\n${placeText(level, linkTo)}</details>\n`;
+  return `<details><summary>${summaryHtml(summary)}</summary>\n\n${shown.join('')}${more}\n${where}</details>\n`;
 }
 
 /** A summary is HTML, in which nothing of Markdown is read. */

@@ -36,26 +36,34 @@ export function checkPretty(results: Results, { colors, width, linkTo, quiet = f
     const failure = failureOf(level, linkTo);
     if (failure !== null) text += `    ${colors.dim(`look at it: ${visibleLine(placeInWords(failure))}`)}\n`;
   }
+  const packs = (quiet ? results.packs?.map(withoutWarnings) : results.packs) ?? [];
+  for (const { file, problems } of packs) text += showFileProblems(file, problems, colors);
   const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ');
   const count = `${colors.bold(plural(totals.levels, 'level'))}${words === '' ? '' : `: ${words}`}${besides(totals, quiet)}`;
-  text += `${quiet && listed.length === 0 ? '' : '\n'}${count}\n${earlyEndInWords(results)}`;
+  text += `${quiet && listed.length === 0 && packs.every(({ problems }) => problems.length === 0) ? '' : '\n'}${count}\n${earlyEndInWords(results)}`;
   if (results.excess) text += `${colors.red(results.excess)}\n`;
-  const { tight, differing } = totals;
+  const { tight, differing, packErrors } = totals;
+  if (packErrors > 0) text += `${colors.red(`${plural(packErrors, 'error')} in the order of a pack`)}\n`;
   if (tight > 0)
     text += `${colors.red(`${plural(tight, 'level')} ${tight === 1 ? 'forgives' : 'forgive'} less than --require-slack requires`)}\n`;
   if (differing > 0) text += `${colors.red(`${plural(differing, 'level')} not as agreed on in the lock`)}\n`;
   for (const [verdict] of counts as [Verdict, number][]) {
     if (verdict !== 'completable') text += `${verdict}: ${VERDICT_MEANS[verdict]}: ${WHAT_TO_DO[verdict]}\n`;
   }
-  if (listed.some((report) => report.problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
+  if ([...listed, ...packs].some(({ problems }) => problems.length > 0)) text += 'gq explain CODE says more about a problem\n';
   return text;
 }
 
+const withoutWarnings = <T extends Pick<CheckedLevel, 'problems'>>(checked: T): T => ({
+  ...checked,
+  problems: checked.problems.filter(({ severity }) => severity === 'error'),
+});
+
 /** A level that has errors, with those alone; nothing for another. */
 function onlyErrors(report: CheckedLevel): CheckedLevel[] {
-  const problems = report.problems.filter(({ severity }) => severity === 'error');
-  return problems.length === 0 && report.verdict === 'completable' ? [] : [{ ...report, problems }];
+  const level = withoutWarnings(report);
+  return level.problems.length === 0 && report.verdict === 'completable' ? [] : [level];
 }
 
 /** What the summary says besides verdicts: allowed problems, and warnings where they are not listed. */

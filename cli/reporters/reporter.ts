@@ -1,5 +1,6 @@
 import type { CheckedLevel, Totals } from '../check/index.ts';
 import type { Colors } from '../colors.ts';
+import type { CheckedPack } from '../pack-file/index.ts';
 import type { EditorLink } from '../show-failure/index.ts';
 
 /** The names of all reporters. */
@@ -11,6 +12,8 @@ export type ReporterName = (typeof REPORTER_NAMES)[number];
 export interface Results {
   /** The levels that are listed: all, or of a large set those that fail. */
   readonly levels: readonly CheckedLevel[];
+  /** The pack files that were checked with them; missing if there are none. */
+  readonly packs?: readonly CheckedPack[];
   /** Of all levels. */
   readonly totals: Totals;
   /** How many levels that fail are not listed; missing if none. */

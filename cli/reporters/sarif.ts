@@ -18,8 +18,8 @@ const ROOT = '%SRCROOT%';
 
 /** The results of `check` as SARIF 2.1.0: a result for each problem, a rule for each code that occurs. */
 export function checkSarif(results: Results, context: ReportContext): string {
-  const { levels } = results;
-  const codes = [...new Set(levels.flatMap(({ problems }) => problems.map(({ code }) => code)))].sort();
+  const { levels, packs = [] } = results;
+  const codes = [...new Set([...levels, ...packs].flatMap(({ problems }) => problems.map(({ code }) => code)))].sort();
   const fingerprints = new Fingerprints();
   const { exitCode, places, version } = context;
   const run = {
@@ -37,7 +37,12 @@ export function checkSarif(results: Results, context: ReportContext): string {
     ],
     originalUriBaseIds: { [ROOT]: { uri: folderUri(rootOf(places)) } },
     columnKind: 'utf16CodeUnits',
-    results: levels.flatMap((level) => level.problems.map((problem) => resultOf(level, problem, codes, fingerprints, context))),
+    results: [
+      ...levels.flatMap((level) =>
+        level.problems.map((problem) => resultOf(level, failureOf(level, context.linkTo), problem, codes, fingerprints, context)),
+      ),
+      ...packs.flatMap((pack) => pack.problems.map((problem) => resultOf(pack, null, problem, codes, fingerprints, context))),
+    ],
   };
   return `${JSON.stringify({ $schema: SCHEMA, version: '2.1.0', runs: [run] }, null, 2)}\n`;
 }
@@ -61,16 +66,17 @@ function helpOf({ why, fix, example }: CodeExplanation) {
 }
 
 function resultOf(
-  level: CheckedLevel,
+  checked: Pick<CheckedLevel, 'file' | 'unreadable'>,
+  place: ReturnType<typeof failureOf>,
   problem: ShownProblem,
   codes: readonly string[],
   fingerprints: Fingerprints,
   context: ReportContext,
 ) {
   const { code, severity, message, hint, line, column } = problem;
-  const failure = severity === 'error' ? failureOf(level, context.linkTo) : null;
+  const failure = severity === 'error' ? place : null;
   const lines = [message, hint, failure === null ? '' : `look at it: ${failure.command}`].filter((text) => text !== '');
-  const artifactLocation = locationOf(level.file, context);
+  const artifactLocation = locationOf(checked.file, context);
   const fingerprint = fingerprints.next(code, artifactLocation.uri, problem.key ?? keyOf(problem.pointer, null));
   // a problem of the whole file is shown at its first line; of a file that can't be read, nothing is known
   const region = line === null ? { startLine: 1 } : { startLine: line, startColumn: column ?? 1 };
@@ -79,7 +85,7 @@ function resultOf(
     ruleIndex: codes.indexOf(code),
     level: severity,
     message: { text: wellFormed(visible(lines.join('\n'))) },
-    locations: [{ physicalLocation: level.unreadable ? { artifactLocation } : { artifactLocation, region } }],
+    locations: [{ physicalLocation: checked.unreadable ? { artifactLocation } : { artifactLocation, region } }],
     // GitHub reads only the second
     partialFingerprints: { 'gqProblem/v1': fingerprint, primaryLocationLineHash: fingerprint },
     ...(failure?.link ? { hostedViewerUri: failure.link } : {}),

@@ -33,6 +33,7 @@ export const GROUPS = [
     text: 'Levels',
     pages: [
       { file: 'docs/level-format.md', name: 'level-format', text: 'Level format' },
+      { file: 'docs/pack.md', name: 'pack', text: 'The order of a game' },
       { file: 'docs/tune.md', name: 'tune', text: 'Rules and tuning' },
       { file: 'docs/fix.md', name: 'fix', text: 'Repair a level' },
       { file: 'docs/softlocks.md', name: 'softlocks', text: 'Where it is already lost' },

@@ -8,6 +8,7 @@ import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
 import { AttemptsWatch } from '../panels/attempts/index.ts';
 import { openListed, SamplesButton } from '../panels/levels/index.ts';
+import { PackView, packCommands } from '../panels/pack/index.ts';
 import { HeatLegend, SolverWatch, solverSessionOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands, ReplayView } from '../play/index.ts';
 import { playsCommands } from '../plays/index.ts';
@@ -188,6 +189,7 @@ function Screen() {
   const editor = useEditor();
   const level = useStore(editor.open);
   const room = useRoom();
+  const isCovered = useSession(({ view }) => view === 'pack');
   useTheme();
   useEffect(() => {
     const { commands, session } = editor;
@@ -195,6 +197,7 @@ function Screen() {
       ...appCommands(editor),
       ...playCommands(editor),
       ...playsCommands(editor),
+      ...packCommands(editor),
       ...panelCommands(editor),
       ...ruleCommands(editor),
     ]);
@@ -207,13 +210,17 @@ function Screen() {
   }, [editor]);
   return (
     <div className={`app app--${room}`}>
-      {level === null ? (
-        <EmptyScreen />
-      ) : (
-        <LevelContext.Provider value={level}>
-          <LevelScreen />
-        </LevelContext.Provider>
-      )}
+      {/* what the view of all levels covers can't be used meanwhile */}
+      <div className="app__screen" inert={isCovered}>
+        {level === null ? (
+          <EmptyScreen />
+        ) : (
+          <LevelContext.Provider value={level}>
+            <LevelScreen />
+          </LevelContext.Provider>
+        )}
+      </div>
+      <PackView />
       <CommandPalette />
       <CheatSheet />
       <SettingsDialog />

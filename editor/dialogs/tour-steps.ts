@@ -43,7 +43,7 @@ export const TOUR: readonly TourStep[] = [
   },
   {
     title: 'Levels, objects, numbers',
-    text: 'Here are all levels with their verdicts, all objects, the numbers of what is selected, the problems, and a solver that searches for runs.',
+    text: 'Here are all levels with their verdicts, also as cards in order, all objects, the numbers of what is selected, the problems, and a solver that searches for runs.',
     at: ['aside[aria-label="Levels and objects"]', '.narrow__tabs'],
   },
   {

@@ -9,6 +9,7 @@ import {
   restoreLevel,
   type ShelfChange,
   writeLevel,
+  writePack,
 } from './shelf-changes.ts';
 import type { Channel } from './writer-lock.ts';
 
@@ -81,6 +82,7 @@ export function createBrowserStorage(
     trash: () => look(({ trash }) => trash.map(({ text: _, ...entry }) => entry)),
     restore: (name, to) => change((shelf) => restoreLevel(shelf, name, to)),
     order: (_, ids) => change((shelf) => orderLevels(shelf, ids)),
+    writePack: (text, base) => change((shelf) => writePack(shelf, text, base)),
     publish: null,
     watch(onEvent, onLink) {
       let isOver = false;

@@ -6,6 +6,7 @@ import type {
   LevelEntry,
   ListResponse,
   OrderResponse,
+  PackOnDisk,
   PublishRequest,
   PublishResponse,
   ReadResponse,
@@ -48,6 +49,12 @@ export interface LevelStorage {
   trash(): Promise<Answer<readonly TrashEntry[]>>;
   restore(trash: string, to?: string): Promise<Answer<LevelEntry>>;
   order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>>;
+  /**
+   * Writes the `pack.json` of the folder, or removes it (`text` null).
+   * @param base etag of the version that the text is based on; null: there is no such file
+   * @returns the file as it is now; null: there is none
+   */
+  writePack(text: string | null, base: string | null): Promise<Answer<PackOnDisk | null>>;
   /** Makes a page of levels in a folder beside them; null where there are no folders. */
   readonly publish: ((wanted: Publishing) => Promise<Answer<PublishResponse>>) | null;
   /**

@@ -10,7 +10,9 @@ import {
   listResponseSchema,
   type OrderRequest,
   orderResponseSchema,
+  type PackRequest,
   type PublishRequest,
+  packResponseSchema,
   publishResponseSchema,
   type RenameRequest,
   type RestoreRequest,
@@ -141,6 +143,11 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     order(folder, ids) {
       const body: OrderRequest = { folder, ids: [...ids], client };
       return post(EDIT_API.ORDER, orderResponseSchema, body);
+    },
+    writePack(text, base) {
+      const headers: Fields = base === null ? { 'If-None-Match': '*' } : { 'If-Match': base };
+      const body: PackRequest = { text, client };
+      return picked(ask('PUT', EDIT_API.PACK, packResponseSchema, headers, body), ({ pack }) => pack);
     },
     publish(wanted) {
       const body: PublishRequest = { ...wanted, client };

@@ -1,7 +1,15 @@
-import type { DeleteResponse, EditEvent, LevelEntry, OrderResponse, TrashEntry } from '../../schema/index.ts';
+import {
+  type DeleteResponse,
+  type EditEvent,
+  type LevelEntry,
+  type OrderResponse,
+  type PackOnDisk,
+  readPack,
+  type TrashEntry,
+} from '../../schema/index.ts';
 import { readText } from './disk-text.ts';
 import { storageError } from './level-storage.ts';
-import { entryOf, listOf, mustBeFree, mustExist, mustFit, Refused, type Shelf, withLevel, without } from './shelf.ts';
+import { entryOf, listOf, mustBeFree, mustExist, mustFit, packOf, Refused, type Shelf, withLevel, without } from './shelf.ts';
 
 /**
  * The result of a change: the new shelf, the answer, and the event for other pages. Changes throw `Refused` if they are not
@@ -41,7 +49,7 @@ export function removeLevel(shelf: Shelf, id: string, base: string, now: number)
   const version = shelf.version + 1;
   const trashed: TrashEntry = { trash: `${id}~${version}`, id, deleted: new Date(now).toISOString() };
   const trash = [{ ...trashed, text }, ...shelf.trash];
-  const next = { levels: without(shelf, id), trash, version };
+  const next = { ...shelf, levels: without(shelf, id), trash, version };
   return { shelf: next, value: { trashed }, event: { type: 'removed', id, by: null } };
 }
 
@@ -64,6 +72,23 @@ export function orderLevels(shelf: Shelf, ids: readonly string[]): ShelfChange<O
   const ordered = { ...shelf, levels: new Map(ids.map((id) => [id, mustExist(shelf, id)])) };
   const list = listOf(ordered);
   return { shelf: ordered, value: { renamed: [], levels: list.levels }, event: { type: 'list', list } };
+}
+
+/** @param text null: it is removed @param base etag of the version to replace; null: there is none */
+export function writePack(shelf: Shelf, text: string | null, base: string | null): ShelfChange<PackOnDisk | null> {
+  if ((packOf(shelf)?.etag ?? null) !== base)
+    throw new Refused(
+      storageError('conflict', 'pack.json has changed since it was read', 'it is read again; then do it once more'),
+    );
+  const reading = text === null ? null : readPack(text);
+  if (reading?.ok === false) {
+    const { problems } = reading;
+    throw new Refused(storageError('invalid-pack', problems[0].message, problems[0].hint, { problems }));
+  }
+  const version = shelf.version + 1;
+  const next = { ...shelf, version, pack: text === null ? null : { text, version } };
+  const pack = packOf(next);
+  return { shelf: next, value: pack, event: { type: 'pack', pack, by: null } };
 }
 
 function changed(shelf: Shelf, id: string): ShelfChange<LevelEntry> {

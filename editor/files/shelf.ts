@@ -1,9 +1,17 @@
-import { LEVEL_ID_PART, type LevelEntry, type ListResponse, type ReadResponse, type TrashEntry } from '../../schema/index.ts';
+import {
+  LEVEL_ID_PART,
+  type LevelEntry,
+  type ListResponse,
+  PACK_NAME,
+  type PackOnDisk,
+  type ReadResponse,
+  type TrashEntry,
+} from '../../schema/index.ts';
 import { readText } from './disk-text.ts';
 import { NO_FOLDER_RULES } from './folder-rules.ts';
 import { type StorageError, storageError } from './level-storage.ts';
 
-/** A level in the browser's storage. */
+/** A level, or the order of the levels, in the browser's storage. */
 export interface StoredLevel {
   readonly text: string;
   /** The etag; it grows with every write. */
@@ -15,6 +23,8 @@ export interface Shelf {
   /** In order of play; a Map, as an object would put numeric names first. */
   readonly levels: ReadonlyMap<string, StoredLevel>;
   readonly trash: readonly (TrashEntry & { readonly text: string })[];
+  /** The text of `pack.json`; null or missing: there is none. */
+  readonly pack?: StoredLevel | null;
   /** The last version number in use. */
   readonly version: number;
 }
@@ -45,15 +55,25 @@ export function entryOf(id: string, level: StoredLevel): LevelEntry {
   };
 }
 
+/** The order of the levels, as a storage lists it; null if there is none. */
+export const packOf = ({ pack }: Shelf): PackOnDisk | null =>
+  pack == null ? null : { file: PACK_NAME, etag: etagOf(pack), text: pack.text, readOnly: null };
+
 /** All levels, as a storage lists them. */
-export const listOf = ({ levels }: Shelf): ListResponse => ({
+export const listOf = (shelf: Shelf): ListResponse => ({
   folder: { id: 'this-browser', path: 'this browser', $schema: null },
   folders: [''],
   rules: NO_FOLDER_RULES,
-  levels: [...levels].map(([id, level]) => entryOf(id, level)),
+  levels: [...shelf.levels].map(([id, level]) => entryOf(id, level)),
+  ...packed(shelf),
   troubles: [],
   unread: 0,
 });
+
+function packed(shelf: Shelf): Pick<ListResponse, 'pack'> {
+  const pack = packOf(shelf);
+  return pack === null ? {} : { pack };
+}
 
 /** @throws Refused if there is no such level */
 export function mustExist(shelf: Shelf, id: string): StoredLevel {

@@ -1,6 +1,15 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { DeleteResponse, EditEvent, LevelEntry, ListResponse, OrderResponse } from '../../schema/index.ts';
+import {
+  type DeleteResponse,
+  type EditEvent,
+  type LevelEntry,
+  type ListResponse,
+  levelsOfPack,
+  type OrderResponse,
+  type PackOnDisk,
+} from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
+import { folderPackIn, inOrderOfPack, withKeptPack } from './folder-pack.ts';
 import { withKeptRules } from './folder-rules.ts';
 import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
@@ -42,6 +51,11 @@ export interface Workspace {
    * places, and deleted ones are left out.
    */
   order(folder: string, ids: readonly string[]): Promise<Answer<OrderResponse>>;
+  /**
+   * Writes the `pack.json` of the folder, or removes it (null); the list follows at once. It is refused if the file is not the one
+   * that the page knows; then the list has the other one.
+   */
+  writePack(text: string | null): Promise<Answer<PackOnDisk | null>>;
   /** Closes the open level. */
   leave(): Promise<void>;
   close(): Promise<void>;
@@ -158,6 +172,15 @@ class StorageWorkspace implements Workspace {
     return answer;
   }
 
+  async writePack(text: string | null): Promise<Answer<PackOnDisk | null>> {
+    const base = this.store.getState().list?.pack?.etag ?? null;
+    const answer = await this.storage.writePack(text, base);
+    if (answer.ok) this.setPack(answer.value);
+    // levels that it does not list have places of their own, which the storage knows
+    if (answer.ok ? !this.isWholeListed() : answer.error.code === 'conflict') await this.refresh();
+    return answer;
+  }
+
   leave(): Promise<void> {
     return this.inTurn(() => this.closeOpened());
   }
@@ -194,6 +217,11 @@ class StorageWorkspace implements Workspace {
       case 'rules':
         if (list !== null) this.setList({ ...list, rules: event.rules });
         break;
+      case 'pack':
+        this.setPack(event.pack);
+        // levels that it no longer lists have places of their own
+        void this.refresh();
+        break;
       case 'renamed':
         this.follow([event]);
         this.setLevels((levels) => withEntry(levels, event.entry, event.from));
@@ -217,12 +245,27 @@ class StorageWorkspace implements Workspace {
   }
 
   private setList(list: ListResponse, more: Partial<WorkspaceState> = {}): void {
-    this.store.setState({ list: withKeptRules(list, this.store.getState().list), ...more });
+    const before = this.store.getState().list;
+    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptRules(list, before), before)), ...more });
+  }
+
+  private isWholeListed(): boolean {
+    const { list } = this.store.getState();
+    const pack = folderPackIn({ list });
+    const listed = new Set(pack.kind === 'valid' ? levelsOfPack(pack.reading.pack) : []);
+    return list?.levels.every(({ id }) => listed.has(id)) === true;
+  }
+
+  private setPack(pack: PackOnDisk | null): void {
+    const { list } = this.store.getState();
+    if (list === null) return;
+    const { pack: _, ...rest } = list;
+    this.setList(pack === null ? rest : { ...rest, pack });
   }
 
   private setLevels(change: (levels: readonly LevelEntry[]) => LevelEntry[]): void {
     const { list } = this.store.getState();
-    if (list !== null) this.store.setState({ list: { ...list, levels: change(list.levels) } });
+    if (list !== null) this.store.setState({ list: inOrderOfPack({ ...list, levels: change(list.levels) }) });
   }
 
   /** Moves what this browser keeps of the versions of levels. @param of tells this move from others between the same places */

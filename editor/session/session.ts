@@ -46,6 +46,8 @@ export interface Replay {
 
 /** The transient state of the page, neither saved nor undone; the level is in the document. */
 export interface Session {
+  /** What fills the page: the open level, or all levels as cards. */
+  readonly view: 'level' | 'pack';
   readonly mode: 'edit' | 'play';
   /** Where a playtest begins: at the start, or at the current tick of the shown run. A replay is shown instead of a playtest. */
   readonly playFrom: 'start' | 'scrubbed' | Replay;
@@ -77,6 +79,7 @@ export type SessionStore = StoreApi<Session>;
 /** The initial session. */
 export function createSession(accuracy: AccuracyName): SessionStore {
   return createStore<Session>(() => ({
+    view: 'level',
     mode: 'edit',
     playFrom: 'start',
     tool: 'select',

@@ -5,6 +5,7 @@ export {
   type FanWay,
   type Fixing,
   type JobKind,
+  type LevelFacts,
   type Losing,
   type Loss,
   type Losses,

@@ -11,6 +11,7 @@ import type {
   Explored,
   GeneratorOptions,
   Goal,
+  Grade,
   Objective,
   Proof,
   Proposal,
@@ -44,6 +45,8 @@ export interface Requests {
   fan: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
   /** How hard the level is, measured with the best run found within the budget (ms) if none is given. */
   difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
+  /** The grade of a level file by its own runs, as `gq difficulty` measures one of many levels, but without a search. */
+  grade: { readonly text: string; readonly rules: OwnRules; readonly accuracy: AccuracyName };
   /**
    * Proves, if possible, that no run reaches the black hole or a mineral. Minerals that some run collects are left out:
    * `collected` lists them; null: the level's runs are simulated to find out. `finer`: how long to go on with ever finer sets, ms;
@@ -215,6 +218,17 @@ export interface Compared {
   readonly effects: readonly string[];
 }
 
+/** What a level has for players. */
+export interface LevelFacts {
+  /** The effects that players may meet here for the first time. */
+  readonly effects: readonly string[];
+  /** How long the run lasts that completes it, s; null if none does. */
+  readonly seconds: number | null;
+  /** Minerals that this run collects, or, if none completes it, the first run. */
+  readonly minerals: number;
+  readonly mineralCount: number;
+}
+
 /** The results of jobs. */
 export interface Results {
   solve: Solving;
@@ -231,8 +245,12 @@ export interface Results {
     readonly svg: string;
     readonly verdict: LevelVerdict | 'invalid';
     readonly minerals: number;
+    /** What the level has for players; null if it is not valid. */
+    readonly facts: LevelFacts | null;
   };
   compare: Compared;
+  /** null: none of its runs completes the level */
+  grade: Grade | null;
   /** `grade`: 1 to 10 */
   generate: { readonly file: LevelFile; readonly grade: number };
   plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
@@ -248,6 +266,7 @@ export interface Progresses {
   robustness: { readonly slack: readonly EdgeSlack[]; readonly p40: Success };
   fan: { readonly slack: readonly EdgeSlack[] };
   difficulty: Solving;
+  grade: never;
   proofs: Results['proofs'];
   fix: Fixing;
   check: never;

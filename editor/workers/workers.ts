@@ -38,7 +38,7 @@ export interface WorkersOptions {
 }
 
 /** Searches have a worker of their own, so that they do not delay what is shown during editing. */
-const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'fix', 'generate', 'accuracy']);
+const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'grade', 'fix', 'generate', 'accuracy']);
 
 /**
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
@@ -65,6 +65,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   fan: 20_000,
   robustness: 120_000,
   accuracy: 60_000,
+  grade: 120_000,
   path: 20_000,
   // these have a time limit of their own or run until they are cancelled
   solve: null,

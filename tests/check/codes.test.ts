@@ -65,8 +65,11 @@ const SOFTLOCKS: NonNullable<Findings['softlocks']> = {
 };
 const EFFORT = { runs: 3, ticks: 400 };
 
-/** Codes of files that are no levels, and of what a lock says about levels. */
-const OF_FILES = ['unreadable-file', 'crashed', 'result-changed', 'not-in-lock'] as const;
+/** Codes of files that are no levels, and of what a lock or the order of a pack says about levels. */
+const OF_FILES = [
+  ...(['unreadable-file', 'crashed', 'result-changed', 'not-in-lock', 'pack-missing-level', 'pack-repeated-level'] as const),
+  ...(['pack-unlisted-level', 'pack-introduction', 'pack-empty-chapter'] as const),
+] as const;
 
 /** For each code that a check of a level can report, what must be found for it. */
 const FOUND: Readonly<Record<Exclude<CheckCode, (typeof OF_FILES)[number]>, Partial<Findings>>> = {

@@ -32,7 +32,10 @@ interface LevelSource {
 }
 
 const levelsIn = (folder: string): LevelSource[] =>
-  readdirSync(join(root, folder)).map((name) => ({ name: `${folder}/${name}`, source: readFileSync(join(root, folder, name)) }));
+  readdirSync(join(root, folder))
+    // the order of the levels is none
+    .filter((name) => name !== 'pack.json')
+    .map((name) => ({ name: `${folder}/${name}`, source: readFileSync(join(root, folder, name)) }));
 
 const SOURCES: readonly LevelSource[] = [
   ...levelsIn('levels'),

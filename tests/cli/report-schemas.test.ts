@@ -83,7 +83,9 @@ describe('gq schema', () => {
     expect((await gq(['schema'])).stdout).toBe(level);
     expect(await gq(['schema', 'chekc'])).toMatchObject({
       code: 2,
-      stderr: expect.stringContaining('there is no schema "chekc" (did you mean check?): expected level, config, lock, check'),
+      stderr: expect.stringContaining(
+        'there is no schema "chekc" (did you mean check?): expected level, config, pack, lock, check',
+      ),
     });
   });
 });

@@ -29,7 +29,7 @@ describe('the API of gq edit', () => {
       'Precondition Failed': ['conflict'],
       'Payload Too Large': ['body-too-large'],
       'Unsupported Media Type': ['wrong-content-type'],
-      'Unprocessable Entity': ['invalid-level'],
+      'Unprocessable Entity': ['invalid-level', 'invalid-pack'],
       'Precondition Required': ['base-missing'],
       'Internal Server Error': ['failed'],
       'Service Unavailable': ['busy'],

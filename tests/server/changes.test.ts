@@ -31,8 +31,8 @@ const folder = fc
 function hear(known: Map<string, LevelEntry>, event: EditEvent): Map<string, LevelEntry> {
   const next = new Map(known);
   if (event.type === 'list') return new Map(event.list.levels.map((level) => [level.id, level]));
-  if (event.type === 'read' || event.type === 'rules')
-    throw new Error('of a folder all is read by then, and its rules are no level');
+  if (event.type === 'read' || event.type === 'rules' || event.type === 'pack')
+    throw new Error('of a folder all is read by then, and neither its rules nor its order are a level');
   if (event.type === 'removed') {
     expect(next.delete(event.id)).toBe(true);
     return next;

@@ -175,3 +175,17 @@ it('closed pages are forgotten: many may connect one after the other, but not to
   const listeners = await Promise.all(Array.from({ length: 20 }, listen));
   for (const listener of listeners) listener.end();
 });
+
+it('pack.json: by a page, by another program, and when it is gone', async () => {
+  const events = await listen();
+  await events.until(({ type }) => type === 'list');
+  const text = (...levels: string[]) => JSON.stringify({ version: 1, name: 'Test', levels });
+  const of = (wanted: string | null) => (event: EditEvent) => event.type === 'pack' && (event.pack?.text ?? null) === wanted;
+  await server.page.send('PUT', EDIT_API.PACK, { text: text('a'), client: 'me' }, { 'If-None-Match': '*' });
+  expect(await events.until(of(text('a')))).toMatchObject({ by: 'me' });
+  put(made.folder, 'pack.json', text('sub/b', 'a'));
+  expect(await events.until(of(text('sub/b', 'a')))).toMatchObject({ by: null });
+  rmSync(join(made.folder, 'pack.json'));
+  expect(await events.until(of(null))).toMatchObject({ by: null });
+  events.end();
+});

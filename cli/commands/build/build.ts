@@ -45,7 +45,11 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .description('Make a static page on which levels can be played one after the other, for any web server or none.')
     .argument('[path...]', PATHS)
     .requiredOption('--out <site>', 'folder for the page; it is created when missing')
-    .option('--title <text>', 'title of the page (default: the name of the only level, else "Gravity Quest")', parseTitle)
+    .option(
+      '--title <text>',
+      'title of the page (default: the name in pack.json, else that of the only level, else "Gravity Quest")',
+      parseTitle,
+    )
     .option('--force', 'build although levels are not known to be completable')
     .option('--overwrite', 'write over files in the folder that the last build has not written')
     .option('--no-runs', 'leave out the runs of the levels, which give their solutions away')
@@ -65,7 +69,8 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       `
 Checks every level as gq check does, with gq.config.json and the cache, and builds nothing when one is not completable or has an
 error. --force builds all the same; an invalid level is never built. Locks and the number of warnings do not count here.
-Levels are played in the order of the paths, and below each path by name, numbers by their value. The rules of gq.config.json
+Levels are played in the order of the paths, and below each path by name, numbers by their value. Where a folder has a pack.json,
+its levels are played as that lists them, with its chapters, and those that it does not list are left out. The rules of gq.config.json
 become rules of each level, so that it plays the same.
 
 The page needs no server: open index.html, or put the folder anywhere on any web server. It asks no other host for anything.
@@ -91,7 +96,7 @@ async function build(paths: readonly string[], options: Options): Promise<Comman
   refuseLimitsWithoutSearch(options);
   const { out, title, force = false, overwrite = false, runs, jobs, format, accuracy } = options;
   const configuration = readConfiguration(options);
-  const files = await findPack(paths, configuration);
+  const { files, order, leftOut } = await findPack(paths, configuration);
   const game = readGame(GAME);
   // what is wrong with the folder is known before the check, which may take long
   planSite(out, new Map(), overwrite);
@@ -106,15 +111,18 @@ async function build(paths: readonly string[], options: Options): Promise<Comman
   progress.clear();
   const { levels, signal } = pack;
   if (signal !== null) return { messages: 'nothing was written: the check was interrupted\n', exitCode: exitCodeAfter(signal) };
-  const shown = title ?? (levels.length === 1 ? levels[0].name : 'Gravity Quest');
+  const shown = title ?? order?.name ?? (levels.length === 1 ? levels[0].name : 'Gravity Quest');
   const refused = refusedOf(pack, force);
-  const result: BuildResult = { site: out, title: shown, levels, refused, files: [], gzipped: 0 };
+  const result: BuildResult = { site: out, title: shown, levels, leftOut, refused, files: [], gzipped: 0 };
   if (refused.length > 0) {
     const messages = refusedInWords(pack, refused, { force, colors: colorsFor(process.stderr) });
     const isCrash = refused.some(({ verdict, unreadable }) => verdict === 'crashed' || unreadable);
     return { output: format === 'json' ? buildJson(result) : '', messages, exitCode: isCrash ? 2 : 1 };
   }
-  const content = siteFiles(game, packOf(pack, { title: shown, rules: configuration.rules, withRuns: runs }));
+  const content = siteFiles(
+    game,
+    packOf(pack, { title: shown, rules: configuration.rules, withRuns: runs, chapters: order?.chapters ?? new Map() }),
+  );
   const written = await writeSite(planSite(out, content, overwrite));
   const gzipped = [...content.values()].reduce((sum, bytes) => sum + gzipSync(bytes).length, 0);
   const done = { ...result, files: written, gzipped };

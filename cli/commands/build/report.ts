@@ -13,6 +13,8 @@ export interface BuildResult {
   readonly site: string;
   readonly title: string;
   readonly levels: Levels;
+  /** The ids of levels that a pack.json does not list. */
+  readonly leftOut: readonly string[];
   /** The levels because of which nothing was written. */
   readonly refused: Levels;
   readonly files: readonly SiteFile[];
@@ -23,7 +25,7 @@ export interface BuildResult {
 const sizeOf = (files: readonly SiteFile[]): number => files.reduce((sum, { bytes }) => sum + bytes, 0);
 
 /** The results of `build` as JSON. */
-export function buildJson({ site, title, levels, refused, files, gzipped }: BuildResult): string {
+export function buildJson({ site, title, levels, leftOut, refused, files, gzipped }: BuildResult): string {
   const report: BuildReport = {
     version: 1,
     written: refused.length === 0,
@@ -37,6 +39,7 @@ export function buildJson({ site, title, levels, refused, files, gzipped }: Buil
       refused: refused.some((one) => one.id === id),
       problems: problems.map(problemJson),
     })),
+    ...(leftOut.length > 0 && { leftOut: [...leftOut] }),
     files: files.map(({ file, status, bytes }) => ({ file, status, bytes })),
     bytes: sizeOf(files),
     gzipped,
@@ -47,10 +50,11 @@ export function buildJson({ site, title, levels, refused, files, gzipped }: Buil
 const kilobytes = (bytes: number): string => `${Math.max(1, Math.round(bytes / 1000)).toLocaleString('en')} kB`;
 
 /** The results of `build` for people. */
-export function buildPretty({ site, title, levels, files, gzipped }: BuildResult): string {
+export function buildPretty({ site, title, levels, leftOut, files, gzipped }: BuildResult): string {
   const changed = files.filter(({ status }) => status !== 'unchanged');
   const lines = changed.map(({ file, status }) => `${status} ${visibleLine(file)}`);
   if (changed.length < files.length) lines.push(`unchanged: ${plural(files.length - changed.length, 'other file')}`);
+  if (leftOut.length > 0) lines.push(`left out, as pack.json does not list them: ${leftOut.map(visibleLine).join(', ')}`);
   const folder = shellPath(site);
   return `${lines.join('\n')}
 “${visibleLine(title)}”: ${plural(levels.length, 'level')}, ${kilobytes(sizeOf(files))} (${kilobytes(gzipped)} compressed)

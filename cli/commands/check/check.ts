@@ -24,8 +24,10 @@ import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config
 import { type Configuration, noConfiguration } from '../../configuration.ts';
 import { Failure } from '../../failure.ts';
 import { unreadableFolders } from '../../files.ts';
+import type { FoundPack } from '../../found-pack.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import type { CheckedPack } from '../../pack-file/index.ts';
 import { firstPack } from '../../packs/index.ts';
 import { createProgress } from '../../progress.ts';
 import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
@@ -98,6 +100,7 @@ A directory stands for every *.level.json below it, except in hidden directories
 name is. Verdicts: completable; broken (it has runs, and none completes it); unproven (no run shows that it can be completed);
 impossible (it is proved that nobody can complete it); invalid; crashed. A level that costs more work than --max-work allows is
 unproven. Work is counted, so it is the same on every machine; with the default, the check of any file ends within seconds.
+A pack.json in a directory says in which order its levels are played: the report has them in that order, and problems of the list.
 gq.config.json sets defaults of these options and the severity of problems, and a level can allow a problem: see
 docs/configuration.md. --budget, --effort and --seed are for --solve. Proofs that nobody can collect a mineral are attempted with --solve, or when at
 most ${FEW_FILES} files are checked. When a signal ends a check with --solve or --require-slack, what is checked until then is reported.
@@ -177,7 +180,14 @@ async function check(
   const asked = chooseReports({ ...options, configured });
   const named = firstPack(paths);
   if (named !== undefined) refuseForPacks(named, { ...options, lock: null });
-  const { files, unreadable, input, message } = await chooseFiles(
+  const {
+    files,
+    all,
+    packs: found,
+    unreadable,
+    input,
+    message,
+  } = await chooseFiles(
     paths,
     { ...options, lock: options.lock || undefined, comparedLock: (options.lock ?? configuration.lock) || null },
     configuration,
@@ -236,9 +246,11 @@ async function check(
     reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
   // severity, what levels allow and the lock do not change what was checked and kept
   const levels = await judgeLevels(compare(reports), configuration);
-  const totals = totalsOf(levels);
+  const packs = await checkedPacks(found, all, configuration);
+  const totals = totalsOf(levels, packs);
   const results = {
     levels,
+    packs,
     totals,
     unchecked,
     interrupted: signal !== null,
@@ -246,8 +258,10 @@ async function check(
     excess: tooManyWarnings(totals, maxWarnings),
   };
   const isNothing = levels.length === 0 && options.changed !== undefined;
-  const exitCode = signal !== null ? exitCodeAfter(signal) : isNothing ? 0 : exitCodeFor(totals, maxWarnings);
-  const reported = isNothing ? asked.filter(({ name }) => name !== 'pretty') : asked;
+  const exitCode =
+    signal !== null ? exitCodeAfter(signal) : isNothing ? exitCodeOfPacks(packs) : exitCodeFor(totals, maxWarnings);
+  const hasNews = !isNothing || packs.some(({ problems }) => problems.length > 0);
+  const reported = hasNews ? asked : asked.filter(({ name }) => name !== 'pretty');
   const report = await reportCheck(results, reported, {
     exitCode,
     accuracy: accuracy.name,
@@ -256,6 +270,24 @@ async function check(
   });
   return { ...report, messages: `${message}${report.messages ?? ''}${messages ?? ''}` };
 }
+
+/** Checks the pack files of a check. They are read even if no level has changed: a list says something about all levels. */
+async function checkedPacks(
+  found: readonly FoundPack[],
+  files: readonly string[],
+  { rules, severity }: Configuration,
+): Promise<readonly CheckedPack[]> {
+  if (found.length === 0) return [];
+  const { checkPackFile } = await import('../../pack-file/index.ts');
+  const kept = new Set(files);
+  return found.map((pack) => checkPackFile(pack, kept, { rules, severity }));
+}
+
+/** The exit code where nothing but packs is checked. */
+const exitCodeOfPacks = (packs: readonly CheckedPack[]): 0 | 1 | 2 => {
+  if (packs.some(({ unreadable }) => unreadable)) return 2;
+  return packs.some(({ problems }) => problems.some(({ severity }) => severity === 'error')) ? 1 : 0;
+};
 
 /** Whether a level alone makes a check fail. */
 async function failsFor(

@@ -17,6 +17,8 @@ export interface ChoiceOptions {
 
 /** The files to check. */
 export interface ChosenFiles extends FoundFiles {
+  /** All files that the paths name, also those that are not checked because they have not changed. */
+  readonly all: readonly string[];
   /** The content of the only level, if it comes from standard input. */
   readonly input: Uint8Array | null;
   /** Which files these are, for people; '' for all that the paths name. */
@@ -33,16 +35,16 @@ export async function chooseFiles(
   const stdin = stdinName(paths, options.stdinPath);
   if (stdin !== null) {
     refuseForStdin(stdin, options);
-    return { files: [stdin], unreadable: [], input: readStdin('check'), message: '' };
+    return { files: [stdin], all: [stdin], packs: [], unreadable: [], input: readStdin('check'), message: '' };
   }
   const found = await findConfigured(paths, configuration);
-  if (changed === undefined) return { ...found, input: null, message: '' };
+  if (changed === undefined) return { ...found, all: found.files, input: null, message: '' };
   const { changedFiles } = await import('../../changed/index.ts');
   const { files, inWords } = await changedFiles(found.files, changed === true ? null : changed, {
     config: configuration.file,
     lock: options.comparedLock,
   });
-  return { files, unreadable: found.unreadable, input: null, message: `${inWords}\n` };
+  return { ...found, files, all: found.files, input: null, message: `${inWords}\n` };
 }
 
 function refuseForStdin(stdin: string, { changed, lock, updateLock }: ChoiceOptions): void {

@@ -11,6 +11,8 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import {
   type CollectedPlays,
   collectPlays,
+  curvesInWords,
+  curvesOf,
   difficultyJson,
   difficultyPretty,
   type MeasuredLevel,
@@ -92,6 +94,9 @@ that run, miss, and learn from attempt to attempt. Neither it nor the grade is f
 about people without plays of people. For a single level the report also says what collecting all minerals costs, and whether the
 level can be completed without pressing, with one press, and without each asteroid that the run uses.
 
+Where a folder has a pack.json, the report also has the grades in its order and says where they jump: a level is a jump when its
+grade is 2 and more above that of the hardest level before it.
+
 --plays simulates recorded plays again and says how often players succeed, by attempt number, too, where and why they fail, after
 which press or release, and how much timing noise would explain it. It fits the model of players to their presses and releases: how
 much they miss by, how fast they learn, how much they differ. A folder below a directory of plays stands for a player, whose
@@ -124,7 +129,7 @@ async function measure(paths: readonly string[], options: Options, command: Comm
   const configuration = readConfiguration(options);
   const asked = measureSettings(options, configuration);
   const { accuracy } = asked;
-  const { files, unreadable } = await findConfigured(paths, configuration);
+  const { files, packs, unreadable } = await findConfigured(paths, configuration);
   if (picture !== undefined && files.length !== 1) {
     throw new Failure(`--picture draws one level: expected the path of one level file, found ${files.length}`);
   }
@@ -156,10 +161,11 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     const drawing = drawPlayers(levels[0], accuracy, settings.rules, theme === 'light' ? 'light' : 'dark');
     await draw(picture, drawing, 'no play of the level counts');
   }
+  const curves = curvesOf(packs, levels);
   const output =
     format === 'json'
-      ? difficultyJson(levels, plays)
-      : difficultyPretty(levels, plays, colorsFor(process.stdout), widthOf(process.stdout));
+      ? difficultyJson(levels, plays, curves)
+      : difficultyPretty(levels, plays, colorsFor(process.stdout), widthOf(process.stdout)) + curvesInWords(curves);
   return { output, messages: messages.join(''), exitCode: code };
 }
 

@@ -1,11 +1,13 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { formatLevel, readLevel, withIds } from '../../../schema/index.ts';
+import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds } from '../../../schema/index.ts';
 import { showProblems } from '../../code-frames.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
+import { type FoundFiles, once } from '../../files.ts';
+import { isPackFile } from '../../found-pack.ts';
 import { findConfigured, PATHS, pathsOr } from '../../level-paths.ts';
 import { formatOption } from '../../options.ts';
 import { packFormat } from '../../packs/index.ts';
@@ -30,7 +32,7 @@ interface FmtOptions extends ConfigOptions {
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(command)
     .description(
-      'Format level files, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
+      'Format level files and the pack.json of directories, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
     )
     .argument('[path...]', PATHS)
     .option('--check', 'only report which files would change')
@@ -53,11 +55,18 @@ Examples:
     .action(async (paths: string[], options: FmtOptions) => finish(await fmt(paths, options)));
 }
 
+/** What is found where only pack files are named. */
+const NOTHING: FoundFiles = { files: [], packs: [], unreadable: [] };
+
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
   const stdin = stdinName(paths, options.stdinPath);
   if (stdin !== null) return fmtStdin(stdin, options);
   const configuration = readConfiguration(options);
-  const { files, unreadable } = await findConfigured(paths, configuration);
+  const named = paths.filter(isPackFile);
+  const rest = paths.filter((path) => !isPackFile(path));
+  const found = named.length > 0 && rest.length === 0 ? NOTHING : await findConfigured(rest, configuration);
+  const files = once([...found.files, ...found.packs.map(({ file }) => file), ...named]);
+  const { unreadable } = found;
   const done: FormattedFile[] = [];
   const failures = unreadable.map(({ path, reason }) => `error: ${visibleLine(path)}: the directory can't be read: ${reason}\n`);
   for (const file of files) {
@@ -86,15 +95,29 @@ function report(files: readonly FormattedFile[], paths: readonly string[], forma
   return fmtPretty(files, paths, colorsFor(process.stdout));
 }
 
+/** The text of a level, or of the order of a pack, in its canonical layout; or what is wrong with it. */
+type Canonical =
+  | { readonly ok: true; readonly text: string }
+  | { readonly ok: false; readonly problems: readonly Problem[]; readonly text: string };
+
+function canonicalText(file: string, bytes: Uint8Array): Canonical {
+  if (isPackFile(file)) {
+    const read = readPack(bytes);
+    return read.ok ? { ok: true, text: formatPack(read.pack) } : read;
+  }
+  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  return read.ok ? { ok: true, text: formatLevel(withIds(read.document.file)) } : read;
+}
+
 /** A level from standard input: its formatted text, or what is wrong with it. */
 function fmtStdin(name: string, { check, format }: FmtOptions): CommandResult {
   if (format !== 'pretty')
     throw new Failure(`--format ${format}: standard output gets the formatted text of standard input: leave it out`);
   const bytes = readStdin('fmt');
-  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  const read = canonicalText(name, bytes);
   if (!read.ok)
     return { messages: showFileProblems(name, showProblems(read.problems, read.text), colorsFor(process.stderr)), exitCode: 1 };
-  const text = formatLevel(withIds(read.document.file));
+  const { text } = read;
   if (!check) return { output: text, exitCode: 0 };
   if (Buffer.from(text).equals(bytes)) return { exitCode: 0 };
   return { messages: `${visibleLine(name)}: would change\n`, exitCode: 1 };
@@ -105,9 +128,9 @@ async function formatFile(file: string, onlyCheck: boolean): Promise<FormattedFi
   if (packFormat(file) !== null)
     throw new Failure(`${namedPath(file)}: it is a pack: expected level files; leave it out, or unpack it`);
   const bytes = readBytes(file);
-  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  const read = canonicalText(file, bytes);
   if (!read.ok) return { file, status: 'invalid', problems: showProblems(read.problems, read.text) };
-  const text = formatLevel(withIds(read.document.file));
+  const { text } = read;
   if (Buffer.from(text).equals(bytes)) return { file, status: 'unchanged', problems: [] };
   if (!onlyCheck) {
     const why = whyNotWritable(file);

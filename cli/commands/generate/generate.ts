@@ -20,8 +20,8 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import type { GenerateTask, MadeLevel } from '../../generate/index.ts';
-import { generatedPath, keepLevel, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
+import type { GenerateTask, KeptPack, MadeLevel } from '../../generate/index.ts';
+import { generatedPath, keepLevel, keepPack, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
 import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
@@ -54,7 +54,10 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
     )
     .option('--out <dir>', 'directory for the level files; it is created when missing')
-    .option('--pack <dir>', 'make a pack instead: numbered files, grades that rise to --difficulty, no two levels alike')
+    .option(
+      '--pack <dir>',
+      'make a pack instead: numbered files and a pack.json, grades that rise to --difficulty, no two levels alike',
+    )
     .option(
       '--count <n>',
       'how many levels to make, each from a seed of its own',
@@ -178,6 +181,7 @@ function say(
   asked: number,
   moreReasons: GenerateReport['reasons'],
   format: Options['format'],
+  pack: KeptPack | null = null,
 ): CommandResult {
   const alike = Object.values(moreReasons).reduce((sum, n) => sum + n, 0);
   const report: GenerateReport = {
@@ -187,9 +191,11 @@ function say(
     rejected: alike + done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
     reasons: { ...reasonsOf(made), ...moreReasons },
     variety: variety(made),
+    ...(pack !== null && { pack: { ...pack } }),
   };
   const output = format === 'json' ? generateJson(report) : generatePretty(report, colorsFor(process.stdout));
-  const taken = done.filter(({ status }) => status === 'in the way');
+  const taken: { readonly file: string | null }[] = done.filter(({ status }) => status === 'in the way');
+  if (pack?.status === 'in the way') taken.push(pack);
   const messages = taken
     .map(
       ({ file }) =>
@@ -217,7 +223,9 @@ async function generatePack(
       const name = one.made?.level.name ?? '';
       await uncut(() => void done.push(keep(out, one, packPath(out, name, index + 1, pack.count))));
     });
-    return say(done, made, pack.count, alike > 0 ? { alike } : {}, format);
+    const levels = done.flatMap(({ file, status }) => (file === null || status === 'in the way' ? [] : [file]));
+    const order = await uncut(() => keepPack(out, levels));
+    return say(done, made, pack.count, alike > 0 ? { alike } : {}, format, order);
   } finally {
     progress.clear();
   }

@@ -9,7 +9,7 @@ import { visibleLine } from '../../visible.ts';
 export const generateJson = (report: GenerateReport): string => `${JSON.stringify(report)}\n`;
 
 /** The results of `generate` for people. */
-export function generatePretty({ levels, rejected, reasons, variety }: GenerateReport, colors: Colors): string {
+export function generatePretty({ levels, rejected, reasons, variety, pack }: GenerateReport, colors: Colors): string {
   const isThemed = levels.some(({ theme }) => theme !== null);
   const rows = levels.map(
     ({ file, seed, status, grade, p40, certifiedTicks, length, presses, attempts, theme, symmetry, aside }) => [
@@ -38,6 +38,7 @@ export function generatePretty({ levels, rejected, reasons, variety }: GenerateR
     variety === null
       ? ''
       : `variety ${variety.mean.toFixed(2)} (0 alike, 1 nothing in common); the most similar are seeds ${variety.closest.seeds.join(' and ')}, ${variety.closest.distance.toFixed(2)} apart\n`;
+  if (pack !== undefined) lines.push(`${paint(pack.status)(pack.status)} ${visibleLine(pack.file)}\n`);
   return `${lines.join('')}${plural(written, 'level')} written${thrown}\n${differ}`;
 }
 

@@ -1,4 +1,4 @@
-import { FilePlus2, Trash2 } from 'lucide-react';
+import { FilePlus2, LayoutGrid, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
@@ -78,6 +78,12 @@ export function LevelsPanel() {
           shortcut="Alt N"
           icon={<FilePlus2 size={15} />}
           onClick={() => session.setState({ overlay: 'newLevel' })}
+        />
+        <Button
+          hint="All levels as cards"
+          shortcut="Shift P"
+          icon={<LayoutGrid size={15} />}
+          onClick={() => session.setState({ view: 'pack' })}
         />
         <Button hint="Deleted levels" icon={<Trash2 size={15} />} onClick={() => session.setState({ overlay: 'trash' })} />
       </div>

@@ -1,10 +1,12 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
+import { renameLevel as renameInPack } from '../../../check/pack/index.ts';
 import { useEditor } from '../../context/index.ts';
 import { folderOf } from '../../files/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 import { inFolder, renameTitle, stemOf } from './level-files.ts';
+import { changePack } from './pack-steps.ts';
 
 /** Renames a level, its file, or both. */
 export function RenameDialog({ id, onClose }: { readonly id: string; readonly onClose: () => void }) {
@@ -36,6 +38,10 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
         setBusy(false);
         return;
       }
+      await changePack(editor, {
+        forward: (pack) => renameInPack(pack, id, to),
+        backward: (pack) => renameInPack(pack, to, id),
+      });
     }
     const now = workspace.store.getState().list?.levels.find((other) => other.id === to) ?? { ...entry, id: to };
     if (oldName !== null && name.trim() !== oldName) await renameTitle(editor, now, name.trim());

@@ -15,6 +15,8 @@ export {
   stemOf,
 } from './level-files.ts';
 export { listHistoryOf } from './list-history.ts';
+export { editPack } from './pack-steps.ts';
 export { SamplesButton } from './SamplesButton.tsx';
 export { TextDialog } from './TextDialog.tsx';
-export { VerdictSign } from './VerdictSign.tsx';
+export { factsKey, factsOf, type PlayedBy, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
+export { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';

@@ -1,8 +1,11 @@
-import { formatLevel, type LevelEntry, type LevelFile, readLevel } from '../../../schema/index.ts';
+import { addLevels as listLevels, removeLevels as unlistLevels } from '../../../check/pack/index.ts';
+import { formatLevel, type LevelEntry, type LevelFile, levelsOfPack, readLevel } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
-import { type Answer, errorInWords, folderOf, idsIn, type StorageError } from '../../files/index.ts';
+import { folderOf, folderPackIn, idsIn } from '../../files/index.ts';
 import { loadSamples } from '../../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
+import { changePack } from './pack-steps.ts';
+import { tellError, valueOrNotice } from './tell-error.ts';
 
 /** The name of a level's file, without folder and extension. */
 export const stemOf = (id: string): string => id.slice(id.lastIndexOf('/') + 1);
@@ -74,19 +77,7 @@ export const copyOf = (
   name: copyName(levels, name),
 });
 
-/** Shows a notice about a failure. */
-export function tellError({ notices }: Editor, error: StorageError): void {
-  notices.show('warning', errorInWords(error), { topic: 'level-files' });
-}
-
 const levelsOf = ({ workspace }: Editor): readonly LevelEntry[] => workspace.store.getState().list?.levels ?? [];
-
-/** The value of an answer; for a refusal null, and a notice says why. */
-function valueOrNotice<T>(editor: Editor, answer: Answer<T>): T | null {
-  if (answer.ok) return answer.value;
-  tellError(editor, answer.error);
-  return null;
-}
 
 /** Whether the page stopped while it was opening this level. */
 function isHeldBack({ workspace, marks }: Editor, id: string): boolean {
@@ -145,8 +136,22 @@ export async function addLevels(
     else tellError(editor, answer.error);
   }
   await editor.workspace.refresh();
+  if (added.length > 0) await listInPack(editor, added);
   if (added.length > 0) await openAfter(editor, added[0], since);
   return added;
+}
+
+/** Lists new levels in the order of the pack, if there is one. @param after the level that they follow; null: they are the last */
+const listInPack = (editor: Editor, ids: readonly string[], after: string | null = null) =>
+  changePack(editor, {
+    forward: (pack) => listLevels(pack, ids, after),
+    backward: (pack) => unlistLevels(pack, ids),
+  });
+
+/** Whether the pack, if there is one, lists a level. */
+function isListed({ workspace }: Editor, id: string): boolean {
+  const pack = folderPackIn(workspace.store.getState());
+  return pack.kind === 'valid' && levelsOfPack(pack.reading.pack).includes(id);
 }
 
 /** Adds the levels that come with the toolkit and opens the first. */
@@ -168,6 +173,8 @@ export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise
   const since = editor.workspace.openings();
   const levels = levelsOf(editor);
   const copy = valueOrNotice(editor, await editor.workspace.duplicate(entry, copyId(levels, entry.id)));
+  // the copy of a draft is one, too
+  if (copy !== null && isListed(editor, entry.id)) await listInPack(editor, [copy.id], entry.id);
   if (copy?.status !== 'valid' || copy.name === null) return;
   await renameTitle(editor, copy, copyName(levels, copy.name));
   await openAfter(editor, copy.id, since);
@@ -177,18 +184,23 @@ export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise
 export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<void> {
   let trash = await putIntoTrash(editor, entry);
   if (trash === null) return;
+  let unlisted = await unlistInPack(editor, entry.id);
   const wasOpen = trash.wasOpen;
   let { id } = entry;
   const step: ListStep = {
     label: `Delete "${entry.name ?? id}"`,
     async undo() {
-      const restored = trash === null ? null : await restoreLevel(editor, trash.trash, wasOpen);
-      if (restored !== null) ({ id } = restored);
-      return restored !== null;
+      const restored = trash === null ? null : await takeFromTrash(editor, trash.trash, wasOpen);
+      if (restored === null) return false;
+      if (restored.id === id) await unlisted?.undo();
+      else await listInPack(editor, [restored.id]);
+      ({ id } = restored);
+      return true;
     },
     async redo() {
       const again = levelsOf(editor).find((level) => level.id === id);
       trash = again === undefined ? null : await putIntoTrash(editor, again);
+      if (trash !== null) unlisted = await unlistInPack(editor, id);
       return trash !== null;
     },
   };
@@ -205,6 +217,17 @@ export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<vo
         },
       },
     ],
+  });
+}
+
+/** Takes a level that is gone out of the order of the pack. */
+function unlistInPack(editor: Editor, id: string) {
+  const pack = folderPackIn(editor.workspace.store.getState());
+  const listed = pack.kind === 'valid' ? levelsOfPack(pack.reading.pack) : [];
+  const before = listed[listed.indexOf(id) - 1] ?? null;
+  return changePack(editor, {
+    forward: (now) => unlistLevels(now, [id]),
+    backward: (now) => listLevels(now, [id], before),
   });
 }
 
@@ -228,8 +251,14 @@ async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash:
   return { trash: done.trashed.trash, wasOpen: isOpen };
 }
 
-/** Restores a level from the trash, under another name if its own is taken. */
+/** Restores a level from the trash, under another name if its own is taken. A pack gets it as its last level. */
 export async function restoreLevel(editor: Editor, trash: string, open: boolean): Promise<LevelEntry | null> {
+  const restored = await takeFromTrash(editor, trash, open);
+  if (restored !== null) await listInPack(editor, [restored.id]);
+  return restored;
+}
+
+async function takeFromTrash(editor: Editor, trash: string, open: boolean): Promise<LevelEntry | null> {
   const { workspace } = editor;
   const since = workspace.openings();
   let answer = await workspace.restore(trash);

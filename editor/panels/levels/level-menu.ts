@@ -1,9 +1,11 @@
+import { moveLevel } from '../../../check/pack/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
-import { folderOf, idsIn } from '../../files/index.ts';
+import { folderOf, folderPackIn, idsIn } from '../../files/index.ts';
 import type { MenuEntry } from '../tree/index.ts';
 import { deleteLevel, duplicateLevel, orderLevels } from './level-files.ts';
 import type { LevelRow } from './level-rows.ts';
+import { editPack } from './pack-steps.ts';
 
 interface MenuParts {
   /** The id of the open level. */
@@ -42,7 +44,7 @@ export function levelMenu(
   ];
 }
 
-/** Moves a level to another place in its folder. */
+/** Moves a level to another place in its folder: in the order of the pack, or, without one, by the numbers of the files. */
 export function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: LevelEntry | null, place: number): void {
   if (entry === null) return;
   const folder = folderOf(entry.id);
@@ -50,7 +52,14 @@ export function moveTo(editor: Editor, levels: readonly LevelEntry[], entry: Lev
   const from = ids.indexOf(entry.id);
   ids.splice(from, 1);
   ids.splice(place, 0, entry.id);
-  if (ids.indexOf(entry.id) !== from) void orderLevels(editor, folder, ids);
+  if (ids.indexOf(entry.id) === from) return;
+  if (folderPackIn(editor.workspace.store.getState()).kind === 'none') void orderLevels(editor, folder, ids);
+  else {
+    const all = levels.map(({ id }) => id);
+    void editPack(editor, 'Reorder levels', (pack) =>
+      moveLevel(pack, all, entry.id, ids[place - 1] ?? null, ids[place + 1] ?? null),
+    );
+  }
 }
 
 /** Copies the path of a file to the clipboard. */

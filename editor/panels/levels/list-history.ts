@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import { isSame } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import type { EditedLevel } from '../../document/index.ts';
 import { keptWith } from '../../kept/index.ts';
@@ -15,6 +16,9 @@ export interface HistoryState {
   /** The labels of the steps that undo and redo would apply next; null if there is none. */
   readonly undoLabel: string | null;
   readonly redoLabel: string | null;
+  /** Whether these are steps of the list, not of the open level. */
+  readonly undoesList: boolean;
+  readonly redoesList: boolean;
 }
 
 /** Undo and redo in order of time, over both the steps of the open level and the steps of the list. */
@@ -69,12 +73,14 @@ function createListHistory({ open }: Editor): ListHistory {
     return {
       undoLabel: next('undo')?.step.label ?? state?.undoLabel ?? null,
       redoLabel: next('redo')?.step.label ?? state?.redoLabel ?? null,
+      undoesList: next('undo') !== null,
+      redoesList: next('redo') !== null,
     };
   };
   const store = createStore<HistoryState>(look);
   const show = () => {
     const [now, before] = [look(), store.getState()];
-    if (now.undoLabel !== before.undoLabel || now.redoLabel !== before.redoLabel) store.setState(now, true);
+    if (!isSame(now, before)) store.setState(now, true);
   };
   const follow = () => {
     stop();

@@ -3,7 +3,7 @@ import type { AccuracyName } from '../../../engine/index.ts';
 import { type LevelEntry, type OwnRules, RULE_NAMES } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
-import type { Results } from '../../workers/index.ts';
+import type { LevelFacts, Results } from '../../workers/index.ts';
 
 const THEMES = ['dark', 'light'] as const;
 type Theme = (typeof THEMES)[number];
@@ -20,6 +20,8 @@ interface Thumbnail {
 export interface MadeThumbnails {
   /** By `thumbnailKey`. */
   readonly byKey: ReadonlyMap<string, Thumbnail>;
+  /** What the levels have for players, by `factsKey`; null for a file that is no valid level. It is small, so all of it is kept. */
+  readonly facts: ReadonlyMap<string, LevelFacts | null>;
   /** The key of the last thumbnail of each level. */
   readonly lastKey: ReadonlyMap<LevelEntry['id'], string>;
 }
@@ -48,6 +50,14 @@ export interface PlayedBy {
 export const thumbnailKey = ({ etag }: LevelEntry, theme: Theme, { accuracy, rules }: PlayedBy): string | null =>
   etag === null ? null : `${etag} ${theme} ${accuracy} ${RULE_NAMES.map((name) => rules[name])}`;
 
+/** Everything that the facts of a level depend on, as a key; null if the file can't be read. */
+export const factsKey = ({ etag }: Pick<LevelEntry, 'etag'>, { accuracy, rules }: PlayedBy): string | null =>
+  etag === null ? null : `${etag} ${accuracy} ${RULE_NAMES.map((name) => rules[name])}`;
+
+/** What a level has for players; undefined until it is known, null for a file that is no valid level. */
+export const factsOf = ({ facts }: MadeThumbnails, entry: LevelEntry, by: PlayedBy): LevelFacts | null | undefined =>
+  entry.status === 'valid' ? facts.get(factsKey(entry, by) ?? '') : null;
+
 /** The picture of a level: that of the current file or, until it is made, the previous one; null if there is none. */
 export function pictureOf({ byKey, lastKey }: MadeThumbnails, entry: LevelEntry, theme: Theme, by: PlayedBy): string | null {
   const key = thumbnailKey(entry, theme, by);
@@ -75,29 +85,33 @@ interface Wanted {
 export const thumbnailsOf = keptWith(createThumbnails);
 
 function createThumbnails({ workspace, workers }: Editor): Thumbnails {
-  const store = createStore<MadeThumbnails>(() => ({ byKey: new Map(), lastKey: new Map() }));
+  const store = createStore<MadeThumbnails>(() => ({ byKey: new Map(), facts: new Map(), lastKey: new Map() }));
   const waiting = new Map<string, Wanted>();
   let isBusy = false;
 
-  const keep = (key: string, id: string, thumbnail: Thumbnail) => {
-    const { byKey, lastKey } = store.getState();
+  const keep = (key: string, { id, by }: Wanted, thumbnail: Thumbnail, found: LevelFacts | null) => {
+    const { byKey, facts, lastKey } = store.getState();
+    const [etag] = key.split(' ');
     const all = new Map(byKey).set(key, thumbnail);
     for (const [old, { url }] of all) {
       if (all.size <= KEPT) break;
       all.delete(old);
       if (url !== null) URL.revokeObjectURL(url);
     }
-    store.setState({ byKey: all, lastKey: new Map(lastKey).set(id, key) });
+    const known = new Map(facts).set(factsKey({ etag }, by) ?? '', found);
+    store.setState({ byKey: all, facts: known, lastKey: new Map(lastKey).set(id, key) });
   };
-  const make = async (key: string, { id, theme, by }: Wanted) => {
+  const make = async (key: string, wanted: Wanted) => {
+    const { id, theme, by } = wanted;
     const answer = await workspace.storage.read(id);
     // a file that has changed in the meantime is requested again under its new key
     if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
     const end = await workers.start('thumbnail', { text: answer.value.text, ...by, width: WIDTH, theme }).end;
-    if (end.kind === 'gaveUp') keep(key, id, { url: null, verdict: 'unproven' });
+    if (end.kind === 'gaveUp') keep(key, wanted, { url: null, verdict: 'unproven' }, null);
     if (end.kind !== 'done') return;
-    const { svg, verdict } = end.result;
-    keep(key, id, { url: svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' })), verdict });
+    const { svg, verdict, facts } = end.result;
+    const url = svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+    keep(key, wanted, { url, verdict }, facts);
   };
   const go = async () => {
     if (isBusy) return;

@@ -12,6 +12,11 @@ type PageCode = Exclude<
   | 'slack-below-required'
   | 'result-changed'
   | 'not-in-lock'
+  | 'pack-missing-level'
+  | 'pack-repeated-level'
+  | 'pack-unlisted-level'
+  | 'pack-introduction'
+  | 'pack-empty-chapter'
   | 'unreadable-file'
   | 'crashed'
 >;

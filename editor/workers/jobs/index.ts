@@ -7,6 +7,7 @@ import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
 import { generate } from './generate.ts';
+import { grade } from './grade.ts';
 import { losses, lost } from './lost.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
@@ -21,6 +22,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   robustness,
   fan,
   difficulty,
+  grade,
   proofs,
   accuracy,
   check,

@@ -1,4 +1,5 @@
 import { proveGoalImpossible, verdictOf, withinWork } from '../../../check/index.ts';
+import { effectsToMeet } from '../../../check/pack/index.ts';
 import { countMinerals } from '../../../check/words/index.ts';
 import {
   ACCURACIES,
@@ -19,7 +20,7 @@ const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 /** Draws a small picture of a level file, with a run that completes it if there is one, and gives the verdict of `gq check`. */
 export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy, width, theme }) {
   const reading = readLevel(text, { byteOrderMark: 'skip', rules });
-  if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0 };
+  if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0, facts: null };
   const { level, document } = reading;
   const isUndecided = (document.file.conflicts ?? []).length > 0;
   const scene = compile(level, accuracy);
@@ -48,5 +49,12 @@ export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy,
   // the path of a run that cost too much is not drawn
   const svg =
     shown === undefined || shown.stopped !== null ? null : withinWork(budget, () => renderSvg(level, { run: shown, ...looks }));
-  return { svg: svg ?? renderSvg(level, looks), verdict, minerals: shown === undefined ? 0 : countMinerals(shown) };
+  const minerals = shown === undefined ? 0 : countMinerals(shown);
+  const facts = {
+    effects: effectsToMeet(level),
+    seconds: completing?.time ?? null,
+    minerals,
+    mineralCount: level.minerals.length,
+  };
+  return { svg: svg ?? renderSvg(level, looks), verdict, minerals, facts };
 };

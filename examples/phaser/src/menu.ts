@@ -120,7 +120,15 @@ export function createMenu(pack: PackReading, progress: Progress, settings: Sett
   const refresh = (focus: string | null): void => {
     drawings.disconnect();
     drawings = lazily();
-    list.replaceChildren(...pack.entries.map((entry) => element('li', {}, card(entry))));
+    list.replaceChildren(
+      ...pack.entries.flatMap((entry, i) => {
+        const item = element('li', {}, card(entry));
+        const isNew = entry.chapter !== null && entry.chapter !== pack.entries[i - 1]?.chapter;
+        return isNew
+          ? [element('li', { class: 'chapter' }, element('h2', { class: 'chapter-name' }, entry.chapter)), item]
+          : [item];
+      }),
+    );
     const completed = playable.filter(({ id }) => progress.best(id) !== null);
     const stars = completed.reduce((sum, { id }) => sum + (progress.best(id)?.minerals ?? 0), 0);
     total.textContent = `${completed.length} of ${count(playable.length, 'level')}${allStars > 0 ? ` · ★ ${stars} of ${allStars}` : ''}`;

@@ -8,6 +8,8 @@ export type Entry = PlayableEntry | BrokenEntry;
 
 export interface PlayableEntry {
   readonly id: string;
+  /** The heading that it stands below; null: none. */
+  readonly chapter: string | null;
   /** Its place in the pack, from 1. */
   readonly number: number;
   readonly level: Level;
@@ -15,6 +17,7 @@ export interface PlayableEntry {
 
 export interface BrokenEntry {
   readonly id: string;
+  readonly chapter: string | null;
   readonly number: number;
   /** The file, as far as the pack tells. */
   readonly file: string;
@@ -50,13 +53,14 @@ export function readLevelText(text: string): { level: Level } | { problem: strin
 function readEntry(found: unknown, number: number, taken: ReadonlySet<string>): Entry {
   const given = isRecord(found) && typeof found.id === 'string' && found.id !== '' ? found.id : null;
   const id = given ?? `level-${number}`;
-  const broken = (problem: string): BrokenEntry => ({ id, number, file: `${id}.level.json`, problem });
+  const chapter = isRecord(found) && typeof found.chapter === 'string' ? found.chapter : null;
+  const broken = (problem: string): BrokenEntry => ({ id, chapter, number, file: `${id}.level.json`, problem });
   if (!isRecord(found)) return broken(`expected { id, level }, found ${kindOf(found)}`);
   if (given === null) return broken(`expected a text as "id", found ${kindOf(found.id)}`);
   if (taken.has(id)) return broken(`the id “${id}” is taken by an earlier level of the pack`);
   if (!isRecord(found.level)) return broken(`expected the content of a level file as "level", found ${kindOf(found.level)}`);
   const reading = readLevelText(JSON.stringify(found.level));
-  return 'level' in reading ? { id, number, level: reading.level } : broken(reading.problem);
+  return 'level' in reading ? { id, chapter, number, level: reading.level } : broken(reading.problem);
 }
 
 /**

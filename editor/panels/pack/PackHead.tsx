@@ -1,0 +1,129 @@
+import { FilePlus2, Gauge, Redo2, Square, Undo2, X } from 'lucide-react';
+import { useEffect, useState } from 'react';
+import { useStore } from 'zustand';
+import { useEditor } from '../../context/index.ts';
+import type { FolderPack } from '../../files/index.ts';
+import { Button } from '../../ui/index.ts';
+import { editPack, listHistoryOf, type PlayedBy } from '../levels/index.ts';
+import { gradesOf } from './grades.ts';
+import type { PackModel } from './pack-model.ts';
+
+interface PackHeadProps {
+  readonly model: PackModel;
+  readonly pack: FolderPack;
+  readonly by: PlayedBy;
+  readonly canEdit: boolean;
+  readonly onClose: () => void;
+}
+
+/** The name of the pack, and what can be done with all of it. */
+export function PackHead({ model, pack, by, canEdit, onClose }: PackHeadProps) {
+  const editor = useEditor();
+  const history = listHistoryOf(editor);
+  const { undoLabel, redoLabel, undoesList, redoesList } = useStore(history.store);
+  return (
+    <header className="pack__head">
+      <h2 className="unseen" id="pack-title">
+        Pack
+      </h2>
+      {model.name !== null && canEdit ? (
+        <PackName key={model.name} name={model.name} />
+      ) : (
+        <p className="pack__title">{model.name ?? 'All levels'}</p>
+      )}
+      <span className="pack__space" />
+      <Button
+        hint={undoesList ? `Undo: ${undoLabel}` : 'Undo: nothing of the list of levels'}
+        shortcut="Ctrl Z"
+        icon={<Undo2 size={15} />}
+        disabled={!undoesList}
+        onClick={history.undo}
+      />
+      <Button
+        hint={redoesList ? `Redo: ${redoLabel}` : 'Redo: nothing of the list of levels'}
+        shortcut="Ctrl Shift Z"
+        icon={<Redo2 size={15} />}
+        disabled={!redoesList}
+        onClick={history.redo}
+      />
+      <Measure model={model} by={by} />
+      {pack.kind === 'none' && (
+        <Button
+          hint="Write this order into a file pack.json, which then gives the order whatever the files are called"
+          look="outlined"
+          icon={<FilePlus2 size={15} />}
+          onClick={() => void editPack(editor, 'Make pack.json', (made) => made)}
+        >
+          Make pack.json
+        </Button>
+      )}
+      <Button hint="Close" shortcut="Esc" icon={<X size={16} />} onClick={onClose} />
+    </header>
+  );
+}
+
+function PackName({ name }: { readonly name: string }) {
+  const editor = useEditor();
+  const [text, setText] = useState(name);
+  useEffect(() => setText(name), [name]);
+  const done = () => {
+    const next = text.trim();
+    if (next === '') setText(name);
+    else if (next !== name) void editPack(editor, 'Rename the pack', (pack) => ({ ...pack, name: next }));
+  };
+  return (
+    <input
+      className="field pack__title"
+      aria-label="Name of the pack"
+      value={text}
+      maxLength={120}
+      onChange={(event) => setText(event.target.value)}
+      onBlur={done}
+      onKeyDown={(event) => {
+        if (event.key === 'Enter') event.currentTarget.blur();
+        if (event.key === 'Escape' && text !== name) {
+          event.stopPropagation();
+          setText(name);
+        }
+      }}
+    />
+  );
+}
+
+/** Measures the grades that are missing, and can be stopped. */
+function Measure({ model, by }: Pick<PackHeadProps, 'model' | 'by'>) {
+  const editor = useEditor();
+  const grades = gradesOf(editor);
+  const running = useStore(grades.store, (state) => state.running);
+  const entries = model.cards.flatMap(({ entry }) => (entry === null ? [] : [entry]));
+  const missing = model.cards.filter(({ entry, grade }) => entry?.status === 'valid' && (grade === null || grade.isOld)).length;
+  if (running !== null) {
+    const name = model.cards.find(({ id }) => id === running.id)?.entry?.name ?? running.id;
+    return (
+      <span className="pack__measure">
+        <progress max={running.of} value={running.done} aria-label="Levels measured" />
+        <span className="pack__note pack__running">
+          {running.done + 1} of {running.of}: {name}
+        </span>
+        <Button hint="Stop measuring; what is measured stays" look="outlined" icon={<Square size={13} />} onClick={grades.stop}>
+          Stop
+        </Button>
+      </span>
+    );
+  }
+  return (
+    <Button
+      hint={
+        missing === 0
+          ? 'All grades are measured'
+          : 'Measure how hard each level is by its own runs, one after the other. gq difficulty searches for more runs and can find a lower grade'
+      }
+      look="outlined"
+      icon={<Gauge size={15} />}
+      disabled={missing === 0}
+      onClick={() => grades.measure(entries, by)}
+    >
+      {missing === 0 ? 'Measured' : 'Measure'}
+    </Button>
+  );
+}

@@ -1,0 +1,2 @@
+export { PackView } from './PackView.tsx';
+export { packCommands } from './pack-commands.ts';

@@ -1,0 +1,58 @@
+import { useEffect, useMemo } from 'react';
+import { useStore } from 'zustand';
+import type { LevelEntry } from '../../../schema/index.ts';
+import { useEditor, useFolderRules, usePageTheme } from '../../context/index.ts';
+import { type FolderPack, folderPackIn } from '../../files/index.ts';
+import { factsOf, type PlayedBy, thumbnailKey, thumbnailsOf } from '../levels/index.ts';
+import { gradeOf, gradesOf } from './grades.ts';
+import { modelOf, type PackModel } from './pack-model.ts';
+
+const NO_LEVELS: readonly LevelEntry[] = [];
+
+/** What the view of the pack is made of. */
+export interface ShownPack {
+  readonly model: PackModel;
+  readonly pack: FolderPack;
+  readonly levels: readonly LevelEntry[];
+  readonly by: PlayedBy;
+}
+
+/** The pack of the folder; its levels are looked at while this is mounted. */
+export function usePack(): ShownPack {
+  const editor = useEditor();
+  const { workspace } = editor;
+  const theme = usePageTheme();
+  const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
+  const rules = useFolderRules().own;
+  const by = useMemo(() => ({ accuracy, rules }), [accuracy, rules]);
+  const levels = useStore(workspace.store, ({ list }) => list?.levels) ?? NO_LEVELS;
+  const folder = useStore(workspace.store, ({ list }) => list?.folder.id) ?? '';
+  const pack = useStore(workspace.store, folderPackIn);
+  const thumbnails = thumbnailsOf(editor);
+  const grades = gradesOf(editor);
+  const facts = useStore(thumbnails.store, (made) => made.facts);
+  const graded = useStore(grades.store, (state) => state.byKey);
+
+  useEffect(() => {
+    const valid = levels.filter(({ status }) => status === 'valid');
+    // the last one that is wanted is made first
+    for (const entry of valid.toReversed()) thumbnails.want(entry, theme, by);
+    return () => {
+      for (const entry of valid) thumbnails.drop(thumbnailKey(entry, theme, by) ?? '');
+    };
+  }, [thumbnails, levels, theme, by]);
+  // while nobody looks, nothing is measured
+  useEffect(() => grades.stop, [grades]);
+
+  const model = useMemo(() => {
+    void facts;
+    void graded;
+    return modelOf({
+      levels,
+      pack,
+      factsOf: (entry) => factsOf(thumbnails.store.getState(), entry, by),
+      gradeOf: (entry) => gradeOf(grades.store.getState(), folder, entry, by),
+    });
+  }, [levels, pack, facts, graded, folder, by, thumbnails, grades]);
+  return { model, pack, levels, by };
+}

@@ -1,0 +1,18 @@
+import { compile } from '../../../engine/index.ts';
+import { readLevel } from '../../../schema/index.ts';
+import { measureDifficulty } from '../../../solver/index.ts';
+import type { Start } from '../work.ts';
+
+/** Every how many ticks a single press is tried, as `gq difficulty` does for one of many levels. */
+const ONE_PRESS_STRIDE = 4;
+
+/** Grades a level file by its own runs. What costs much and does not change the grade is left out. */
+export const grade: Start<'grade'> = function* ({ text, rules, accuracy }) {
+  const reading = readLevel(text, { byteOrderMark: 'skip', rules });
+  if (!reading.ok) return null;
+  yield null;
+  const { level } = reading;
+  const runs = level.runs.map(({ holds }) => holds);
+  const nothingElse = { effort: 0, asteroidEffort: 0, playerEffort: 0, onePressStride: ONE_PRESS_STRIDE };
+  return measureDifficulty(compile(level, accuracy), null, { runs, ...nothingElse })?.grade ?? null;
+};

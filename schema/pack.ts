@@ -1,0 +1,152 @@
+import * as z from 'zod';
+
+/** The version of the pack file that this toolkit reads and writes. */
+export const PACK_VERSION = 1;
+
+/** The name of the file that says in which order the levels of its folder are played. */
+export const PACK_NAME = 'pack.json';
+
+/** Limits of a pack file. */
+export const PACK_LIMITS = {
+  /** characters of the name of a pack or a chapter */
+  name: 120,
+  /** characters of the id of a level */
+  id: 4096,
+  /** entries of the list */
+  entries: 20_000,
+  /** things that a level introduces */
+  introduces: 50,
+} as const;
+
+/** Some visible characters on one line. */
+const name = z
+  .string()
+  .max(PACK_LIMITS.name)
+  .regex(/^(?=.*\S)[^\p{Cc}\p{Zl}\p{Zp}]*$/su);
+
+const id = z
+  .string()
+  .min(1)
+  .max(PACK_LIMITS.id)
+  .describe('Path of a level below the folder, with slashes, without .level.json: "07-slingshot", "world-2/01-start".');
+
+const levelEntrySchema = z
+  .strictObject({
+    level: id,
+    introduces: z
+      .array(z.string().min(1).max(PACK_LIMITS.id))
+      .min(1)
+      .max(PACK_LIMITS.introduces)
+      .optional()
+      .describe('The effects that players are meant to meet here for the first time, by the names that gq inspect gives.'),
+  })
+  .describe('A level, and what it is for.');
+
+const chapterEntrySchema = z
+  .strictObject({ chapter: name.describe('The heading of the levels that follow, up to the next chapter.') })
+  .describe('The beginning of a chapter.');
+
+/** The zod schema of a pack file. */
+export const packSchema = z
+  .strictObject({
+    $schema: z.string().optional().describe('Where the JSON Schema of this file is, for editors.'),
+    version: z.literal(PACK_VERSION).describe('The version of the format.'),
+    name: name.describe('The name of the pack: the title of the page that gq build makes.'),
+    levels: z
+      .array(z.union([id, levelEntrySchema, chapterEntrySchema]))
+      .max(PACK_LIMITS.entries)
+      .describe('The levels in the order in which they are played, and the headings of chapters between them.'),
+  })
+  .describe('The order of the levels of a folder. Keys that begin with x- are yours: they are kept and not checked.');
+
+/** A pack file: the order of the levels of its folder. */
+export type PackFile = z.infer<typeof packSchema>;
+
+/** An entry of a pack file: the id of a level, a level with what it introduces, or the heading of a chapter. */
+export type PackEntry = PackFile['levels'][number];
+
+/**
+ * The level that an entry of a pack names.
+ *
+ * @param entry - the entry
+ * @returns its id; null for the heading of a chapter
+ */
+export function levelOfEntry(entry: PackEntry): string | null {
+  if (typeof entry === 'string') return entry;
+  return 'level' in entry ? entry.level : null;
+}
+
+/**
+ * The ids of the levels that a pack lists, each once, in its order.
+ *
+ * @param pack - the pack
+ * @returns the ids
+ */
+export const levelsOfPack = ({ levels }: Pick<PackFile, 'levels'>): string[] => [
+  ...new Set(levels.flatMap((entry) => levelOfEntry(entry) ?? [])),
+];
+
+/**
+ * The JSON Schema (draft 2020-12) of a pack file, for editors and other tools. Keys that begin with x- are allowed in every
+ * object.
+ *
+ * @returns a new JSON object
+ */
+export const packJsonSchema = (): object =>
+  z.toJSONSchema(packSchema, {
+    target: 'draft-2020-12',
+    override: ({ jsonSchema }) => {
+      if (jsonSchema.type === 'object') jsonSchema.patternProperties = { '^x-': {} };
+    },
+  });
+
+/**
+ * The text of `pack.schema.json`.
+ *
+ * @returns the JSON Schema, indented by two spaces
+ */
+export const formatPackJsonSchema = (): string => `${JSON.stringify(packJsonSchema(), null, 2)}\n`;
+
+type Json = Readonly<Record<string, unknown>>;
+
+const KEYS = Object.keys(packSchema.shape);
+const ENTRY_KEYS = ['chapter', ...Object.keys(levelEntrySchema.shape)];
+
+/** The keys in canonical order: those of the schema first, then the others as they come. */
+const inOrder = (object: Json, order: readonly string[]): [string, unknown][] => [
+  ...order.filter((key) => Object.hasOwn(object, key)).map((key): [string, unknown] => [key, object[key]]),
+  ...Object.entries(object).filter(([key]) => !order.includes(key)),
+];
+
+/** A JSON value on one line. */
+function inline(value: unknown, order: readonly string[] = []): string {
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  if (Array.isArray(value)) return `[${value.map((inner) => inline(inner)).join(', ')}]`;
+  const members = inOrder(value as Json, order).filter(([, inner]) => inner !== undefined);
+  return members.length === 0
+    ? '{}'
+    : `{ ${members.map(([key, inner]) => `${JSON.stringify(key)}: ${inline(inner)}`).join(', ')} }`;
+}
+
+/** An entry in its shortest form: a level of which nothing else is said is its id. */
+function formatEntry(entry: PackEntry): string {
+  const isPlain = typeof entry === 'object' && 'level' in entry && Object.keys(entry).length === 1;
+  return isPlain ? JSON.stringify(entry.level) : inline(entry, ENTRY_KEYS);
+}
+
+/**
+ * Writes a pack file in the canonical layout: keys in the order of the schema and x- keys after them, a line for each entry, so
+ * that versions merge line by line.
+ *
+ * @param pack - the pack, with its x- keys
+ * @returns its text
+ */
+export function formatPack(pack: PackFile): string {
+  const members = inOrder(pack, KEYS).flatMap(([key, value]) => {
+    if (value === undefined) return [];
+    if (key !== 'levels') return [`  ${JSON.stringify(key)}: ${inline(value)}`];
+    const rows = pack.levels.map((entry) => `    ${formatEntry(entry)}`).join(',\n');
+    return [`  "levels": ${rows === '' ? '[]' : `[\n${rows}\n  ]`}`];
+  });
+  return `{\n${members.join(',\n')}\n}\n`;
+}
