@@ -15,6 +15,7 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   heatMap: 'search heat map',
   deaths: 'heat map of deaths',
   lost: 'states that are already lost',
+  onion: 'run before and after a change',
 };
 
 /** Commands that work whatever is shown. */

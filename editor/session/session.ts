@@ -7,7 +7,7 @@ export type Tool = 'select' | 'hand' | Placeable;
 export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** Optional layers over the level. */
-export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths', 'lost'] as const;
+export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths', 'lost', 'onion'] as const;
 export type Layer = (typeof LAYERS)[number];
 
 /** Speeds of the timeline and the playtest, relative to real time. */
@@ -91,6 +91,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
       heatMap: false,
       deaths: true,
       lost: false,
+      onion: true,
     },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },

@@ -40,6 +40,8 @@ export interface Requests {
   };
   /** The robustness of a run. */
   robustness: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
+  /** How far each press and release of a run may slip alone. */
+  slack: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
   /** Her path when one edge slips by its slack. */
   fan: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
   /** How hard the level is, measured with the best run found within the budget (ms) if none is given. */
@@ -199,6 +201,7 @@ export interface CheckedPlay {
 export interface Results {
   solve: Solving;
   robustness: Robustness;
+  slack: readonly EdgeSlack[];
   fan: Fan;
   /** null: no run was found to measure */
   difficulty: Difficulty | null;
@@ -225,6 +228,7 @@ export interface Results {
 export interface Progresses {
   solve: Solving;
   robustness: { readonly slack: readonly EdgeSlack[]; readonly p40: Success };
+  slack: never;
   fan: { readonly slack: readonly EdgeSlack[] };
   difficulty: Solving;
   proofs: Results['proofs'];

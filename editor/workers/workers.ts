@@ -44,7 +44,7 @@ const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'fix', 'gener
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
  * cancelled.
  */
-const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check', 'path']);
+const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check', 'path', 'slack']);
 
 /** A folder of plays takes a while, and must delay neither pictures and proofs nor wait for a search. */
 const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
@@ -62,6 +62,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   proofs: 20_000,
   thumbnail: 10_000,
   fan: 20_000,
+  slack: 20_000,
   robustness: 120_000,
   accuracy: 60_000,
   path: 20_000,

@@ -11,6 +11,7 @@ import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
 import { robustness } from './robustness.ts';
+import { slack } from './slack.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
 
@@ -19,6 +20,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   solve,
   robustness,
   fan,
+  slack,
   difficulty,
   proofs,
   accuracy,
