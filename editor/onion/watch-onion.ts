@@ -155,6 +155,7 @@ export function watchOnion({ level, session, workers, robustness, after }: Onion
       return;
     }
     hide();
+    store.setState({ said: '' });
     settled = null;
     last = null;
   };
