@@ -23,6 +23,8 @@ export interface Colours extends GameColours {
   readonly lost: string;
   /** of what was before a change */
   readonly onion: string;
+  /** of places where something may stand */
+  readonly leeway: string;
   readonly slack: string;
   readonly select: string;
   readonly guide: string;
@@ -44,6 +46,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     death: '#ff6b61',
     lost: '#d59bff',
     onion: '#4fd8e8',
+    leeway: '#d3e25a',
     slack: '#7cf2b0',
     select: '#5fb0ff',
     guide: '#ff7ad9',
@@ -63,6 +66,7 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     death: '#c3261b',
     lost: '#7b1fb8',
     onion: '#006a80',
+    leeway: '#5a6600',
     slack: '#0b7a45',
     select: '#0b63c4',
     guide: '#b0128a',

@@ -56,6 +56,9 @@ const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
 const LOST: ReadonlySet<JobKind> = new Set(['lost']);
 const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
 
+/** Where a selection may stand is sampled for as long as it is shown, and begins again with each change. */
+const LEEWAY: ReadonlySet<JobKind> = new Set(['leeway']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -74,6 +77,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   plays: null,
   lost: null,
   losses: null,
+  leeway: null,
 };
 
 /** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
@@ -192,9 +196,9 @@ class Lane {
 }
 
 /** The kinds of jobs that have a worker of their own; all others share one. */
-const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES];
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, LEEWAY];
 
-/** Workers for long, short and quick jobs, for plays and for what is lost, started on demand. */
+/** Workers for long, short and quick jobs, for plays, for what is lost and for where something may stand, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
   const shared = new Lane(options);
   const own = OWN.map((kinds) => ({ kinds, lane: new Lane(options) }));

@@ -6,6 +6,7 @@ import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
 import { generate } from './generate.ts';
+import { leeway } from './leeway.ts';
 import { losses, lost } from './lost.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
@@ -31,5 +32,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   plays,
   lost,
   losses,
+  leeway,
   path,
 };
