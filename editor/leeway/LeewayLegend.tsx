@@ -59,7 +59,9 @@ function Places() {
       label="What is moved"
       value={only === null ? ALL : PLACE_NAMES[only]}
       options={[ALL, ...PLACE_NAMES].map((name) => ({ value: name, title: name }))}
-      onChange={(name) => store.setState({ only: name === ALL ? null : PLACE_NAMES.indexOf(name as (typeof PLACE_NAMES)[number]) })}
+      onChange={(name) =>
+        store.setState({ only: name === ALL ? null : PLACE_NAMES.indexOf(name as (typeof PLACE_NAMES)[number]) })
+      }
     />
   );
 }

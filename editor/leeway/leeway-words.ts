@@ -6,9 +6,9 @@ import { objectsAsked, type Question } from './question.ts';
 const number = (px: number): string => String(Number(px.toFixed(2)));
 
 /** The names of the places of an object that has several. */
-export const PLACE_NAMES = ['entrance', 'exit'] as const;
+export const PLACE_NAMES = ['first mouth', 'second mouth'] as const;
 
-/** What is moved: `Asteroid 2`, `Entrance of wormhole 1`, `3 objects, moved together`. */
+/** What is moved: `Asteroid 2`, `First mouth of wormhole 1`, `3 objects, moved together`. */
 export function movedInWords(question: Pick<Question, 'file' | 'keys' | 'only'>): string {
   const objects = objectsAsked(question);
   if (objects.length !== 1) return `${objects.length} objects, moved together`;
@@ -36,8 +36,8 @@ function neededInWords({ direction, same, isEnd }: Reach): string {
 export function reachInWords({ base, reach, isReachKnown }: Pick<Leeway, 'base' | 'reach' | 'isReachKnown'>): string | null {
   if (base === null || base === 'unknown' || !isReachKnown) return null;
   return base === 'completes'
-    ? `It may go ${reach.map(freeInWords).join(', ')}.`
-    : `The run would complete the level when it goes ${reach.map(neededInWords).join(', ')}.`;
+    ? `May go ${reach.map(freeInWords).join(', ')}.`
+    : `Would complete ${reach.map(neededInWords).join(', ')}.`;
 }
 
 /** How finely it is sampled now. */
@@ -46,7 +46,7 @@ export function samplingInWords({ answer, phase }: Pick<LeewayFindings, 'answer'
   const { every, atEdges, isCovered, isFinished, lattice } = answer.leeway;
   const isGrid = answer.question.grid !== null && every <= lattice.base * lattice.unit;
   const isRefining = phase !== 'done' && !isFinished;
-  const often = isGrid ? `at every place of the grid (${number(every)} px)` : `every ${number(every)} px`;
+  const often = isGrid ? `at every grid place (${number(every)} px)` : `every ${number(every)} px`;
   const edges = atEdges > 0 && atEdges < every ? `, at edges every ${number(atEdges)} px` : '';
   const rest = isCovered ? '' : '; dotted: not sampled yet';
   return `Sampled ${every > 0 ? often : `every ${number(atEdges)} px`}${every > 0 ? edges : ''}${rest}${isRefining ? '; refining…' : '.'}`;
@@ -61,6 +61,8 @@ export function noteInWords({ phase, message, answer }: LeewayFindings): string 
       return 'Select an object to see where it may stand.';
     case 'too large':
       return `Not sampled: ${message ?? 'the run takes too much work'}.`;
+    case 'waiting':
+      return answer === null ? 'Waits until the level is at rest.' : '';
     case 'failed':
       return `Failed: ${message}. Hide and show it to try again.`;
     default:
@@ -70,8 +72,8 @@ export function noteInWords({ phase, message, answer }: LeewayFindings): string 
 
 /** What the shade means for this run. */
 export function meaningInWords({ question, leeway }: NonNullable<LeewayFindings['answer']>): string {
-  const run = question.run === null ? 'she, without a run,' : `the run ${question.run}`;
+  const run = question.run ?? 'the drift without a run';
   return leeway.base === 'fails'
-    ? `${run.charAt(0).toUpperCase()}${run.slice(1)} fails as it is: there is no place to keep. Hatched: where it would complete the level.`
-    : `Hatched: where ${run} still completes the level.`;
+    ? `Hatched: ${run} would complete the level. It fails as it is: there is no place to keep.`
+    : `Hatched: ${run} still completes the level.`;
 }

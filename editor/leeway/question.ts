@@ -1,5 +1,5 @@
 import type { AccuracyName } from '../../engine/index.ts';
-import { type Hold, KINDS, type Level, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import { type Hold, KINDS, type Level, type LevelFile, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../document/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 
@@ -62,14 +62,17 @@ export function questionOf(
 const isSameList = (a: readonly unknown[], b: readonly unknown[]): boolean =>
   a.length === b.length && a.every((one, i) => one === b[i]);
 
+/** Whether the same rules apply: those of the level and of its folder. */
+const isSameRules = (one: Level, other: Level): boolean => RULE_NAMES.every((name) => one.rules?.[name] === other.rules?.[name]);
+
 /** Whether only the places of some objects differ, all by the same shift as far as they move. */
 export function isOnlyMoved(
   { file: before, level: one, keys, only }: Pick<Question, 'file' | 'level' | 'keys' | 'only'>,
   { file: after, level: other }: Pick<LiveProof, 'file' | 'level'>,
 ): boolean {
+  if (!isSameRules(one, other)) return false;
   if (before === after) return true;
   if (before.range !== after.range || before.recoil !== after.recoil) return false;
-  if (JSON.stringify(one.rules ?? {}) !== JSON.stringify(other.rules ?? {})) return false;
   const asked = new Set(keys);
   let shift: { readonly x: number; readonly y: number } | null = null;
   const isMoved = (was: FoundObject, is: FoundObject | undefined): boolean => {
@@ -104,6 +107,7 @@ export const asksSame = (one: Question, other: Question): boolean =>
   one.grid === other.grid &&
   one.only === other.only &&
   isSameList(one.keys, other.keys) &&
+  isSameRules(one.level, other.level) &&
   one.holds.join() === other.holds.join();
 
 /** Whether a box contains another. */

@@ -81,7 +81,7 @@ function Card({ former, whereAre, wayOnPage }: Omit<OnionCardProps, 'onion'> & {
               </span>
               <dt>{label}</dt>
               <dd>
-                {before === after ? after : `${before} → ${after}`}
+                {before === after || difference === 'same' ? after : `${before} → ${after}`}
                 {by !== '' && (
                   <>
                     , <b>{by}</b>

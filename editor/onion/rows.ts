@@ -146,7 +146,7 @@ const SAID: Readonly<Record<Difference, string>> = {
 };
 
 function rowInWords({ label, before, after, by, difference }: Row): string {
-  if (before === after && by === '') return `${label} ${after}, as before`;
+  if (difference === 'same' || (before === after && by === '')) return `${label} ${after}, as before`;
   return `${label} ${before}, now ${after}${by === '' ? '' : `, ${by.replace(MINUS, 'minus ').replace('+', 'plus ')}`}${SAID[difference]}`;
 }
 

@@ -329,7 +329,7 @@ describe('the figures before and after', () => {
   it('are one sentence', () => {
     const all = rowsOf(figures(), figures({ taken: 0 }), { before: MEASURING, now: MEASURING });
     expect(rowsInWords(all, null)).toBe(
-      'Before and after: run completes, as before; time 6.87 s, as before; clearance 12 px, now 12 px from nova 2; minerals 1 of 3, now 0 of 3, minus 1, worse.',
+      'Before and after: run completes, as before; time 6.87 s, as before; clearance 12 px from nova 2, as before; minerals 1 of 3, now 0 of 3, minus 1, worse.',
     );
     const same = rowsOf(figures(), figures(), { before: FAILS, now: FAILS });
     expect(rowsInWords(same, null)).toBe(

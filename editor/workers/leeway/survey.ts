@@ -81,10 +81,9 @@ export class Survey {
       for (const direction of DIRECTIONS) yield* this.reachOut(direction);
       for (let cell = this.next(); cell !== null && this.samples < MOST_SAMPLES; cell = this.next()) {
         this.states.delete(cell);
-        for (const part of partsOf(cell)) {
-          this.states.set(part, 'unsampled');
-          yield* this.examine(part);
-        }
+        const parts = partsOf(cell);
+        for (const part of parts) this.states.set(part, 'unsampled');
+        for (const part of parts) yield* this.examine(part);
       }
     }
     this.isFinished = true;
