@@ -4,6 +4,7 @@ import { onionOf } from '../onion/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { momentPlace, reasonOf } from './labels.ts';
+import { isInView } from './view.ts';
 
 const WORDS = 'before';
 
@@ -18,6 +19,7 @@ export function OnionLabel({ canvas }: { readonly canvas: StoreApi<CanvasState> 
   const view = useStore(canvas, (state) => state.view);
   if (points === null || !isEdited) return null;
   const [x, y] = points.subarray(points.length - 2);
+  if (!isInView(view, { x, y })) return null;
   const end = { x: way.last[0], y: way.last[1] };
   const place = momentPlace(WORDS, { x, y }, { reason: reasonOf(proof.proof()), end, way }, view);
   return (

@@ -104,10 +104,11 @@ export function drawLeeway(canvas: HTMLCanvasElement, shapes: LeewayShapes, look
   context.drawImage(hatch.mask, 0, 0);
   context.globalAlpha = 1;
   context.drawImage(outline.mask, 0, 0);
-  for (const [places, colour, radius] of [
-    [good, look.colour, 1.7],
-    [bad, look.bad, 1.1],
+  for (const [places, colour, radius, alpha] of [
+    [good, look.colour, 1.7, 1],
+    [bad, look.bad, 1, 0.55],
   ] as const) {
+    context.globalAlpha = alpha;
     context.fillStyle = colour;
     const r = radius * density;
     for (let i = 0; i < places.length; i += 2)
