@@ -102,7 +102,7 @@ function LevelScreen() {
   const level = useLevel();
   const key = useLevelKey();
   const mode = useSession((state) => state.mode);
-  const { overlay } = solverSessionOf(editor, level);
+  const { overlay, onion } = solverSessionOf(editor, level);
   const playFrom = useSession((state) => state.playFrom);
   return (
     <>
@@ -112,7 +112,7 @@ function LevelScreen() {
         right={[<SideTabs key="tabs" side="right" label="Inspector and tools" panels={RIGHT} />, PROBLEMS.content]}
         canvas={
           <>
-            <CanvasView key={key} search={overlay} legend={<HeatLegend />} />
+            <CanvasView key={key} search={overlay} legend={<HeatLegend />} onion={onion} />
             <Toolbar />
             {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
           </>

@@ -1,5 +1,6 @@
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
+import { LEEWAY_KEY } from '../leeway/index.ts';
 import { LOST_KEY } from '../lost/index.ts';
 import { listHistoryOf } from '../panels/levels/index.ts';
 import { solverSessionOf } from '../panels/solver/index.ts';
@@ -15,7 +16,12 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   heatMap: 'search heat map',
   deaths: 'heat map of deaths',
   lost: 'states that are already lost',
+  onion: 'run before and after a change',
+  leeway: 'places where the selection may stand',
 };
+
+/** The key that shows or hides a layer, if it has one. */
+const keysOf = (layer: Layer): readonly string[] => (layer === 'lost' ? [LOST_KEY] : layer === 'leeway' ? [LEEWAY_KEY] : []);
 
 /** Commands that work whatever is shown. */
 export function appCommands(editor: Editor): readonly Command[] {
@@ -99,7 +105,7 @@ export function appCommands(editor: Editor): readonly Command[] {
         id: `view.layer-${layer}`,
         title: `Show or hide the ${LAYER_TITLES[layer]}`,
         group: 'View',
-        ...(layer === 'lost' && { keys: [LOST_KEY] }),
+        keys: keysOf(layer),
         run: () => {
           const { layers } = session.getState();
           session.setState({ layers: { ...layers, [layer]: !layers[layer] } });

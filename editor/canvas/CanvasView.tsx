@@ -1,27 +1,35 @@
-import { type ReactNode, useEffect, useRef } from 'react';
+import { type ReactNode, useEffect, useMemo, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../context/index.ts';
+import { LeewayLegend } from '../leeway/index.ts';
 import { LostLegend } from '../lost/index.ts';
+import { OnionCard, type OnionSession } from '../onion/index.ts';
 import { createCanvasState } from './canvas-state.ts';
 import { EndReason } from './EndReason.tsx';
 import './canvas.css';
 import { CROSSHAIR_HELP } from './crosshair/index.ts';
 import { DeathLegend } from './DeathLegend.tsx';
 import { DeathTip } from './DeathTip.tsx';
+import { LeewayShade } from './LeewayShade.tsx';
 import type { SearchPicture } from './layers/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
+import { OnionLabel } from './OnionLabel.tsx';
+import { placesOnPage } from './places-on-page.ts';
 import { RunLossLabel } from './RunLossLabel.tsx';
+import { useLeeway } from './use-leeway.ts';
 
 interface CanvasViewProps {
   /** What searches show on the canvas; read every frame. */
   readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
   /** The legend of what searches show. */
   readonly legend: ReactNode;
+  /** The comparison with what was before a change. */
+  readonly onion: OnionSession;
 }
 
 /** The canvas of the level. */
-export function CanvasView({ search, legend }: CanvasViewProps) {
+export function CanvasView({ search, legend, onion }: CanvasViewProps) {
   const editor = useEditor();
   const level = useLevel();
   const host = useRef<HTMLDivElement>(null);
@@ -30,6 +38,9 @@ export function CanvasView({ search, legend }: CanvasViewProps) {
   const hasCrosshair = useStore(canvas, (state) => state.crosshair !== null);
   const said = useRef(createStore<string>(() => '')).current;
   const words = useStore(said);
+
+  useLeeway(canvas);
+  const places = useMemo(() => placesOnPage(host, level, canvas), [level, canvas]);
 
   useEffect(() => {
     const element = host.current;
@@ -52,14 +63,18 @@ export function CanvasView({ search, legend }: CanvasViewProps) {
       <p className={`canvas__said${hasCrosshair ? '' : ' canvas__said--unseen'} numbers`} role="status" aria-label="Crosshair">
         {words}
       </p>
+      <LeewayShade canvas={canvas} />
       <EndReason canvas={canvas} />
       <RunLossLabel canvas={canvas} />
+      <OnionLabel canvas={canvas} />
       <div className="legends">
         {legend}
         <LostLegend />
+        <LeewayLegend />
         <DeathLegend />
       </div>
       <DeathTip canvas={canvas} host={host} />
+      <OnionCard onion={onion} {...places} />
     </>
   );
 }

@@ -2,6 +2,7 @@ import type { StoreApi } from 'zustand/vanilla';
 import { type Box, joinHolds } from '../../engine/index.ts';
 import type { Editor, OpenLevel, Pose } from '../context/index.ts';
 import { type LostPicture, lossKey, lostOf, lostPictureOf } from '../lost/index.ts';
+import { type OnionPicture, onionOf, onionPictureOf } from '../onion/index.ts';
 import { shelfOf } from '../shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { SearchPicture } from './layers/index.ts';
@@ -18,6 +19,7 @@ export function pictureOf(
   const { document, selection, hovered, proof, ghosts, playtest, attempts } = level;
   const plays = shelfOf(level).store;
   const found = lostOf(level);
+  const compared = onionOf(level);
   // the pose of a tick is computed once, however many frames show it
   let posed: { proof: object; tick: number; pose: Pose } | null = null;
   const pose = (): Pose => {
@@ -45,6 +47,16 @@ export function pictureOf(
     }
     return shaded.lost;
   };
+  // the same for all frames between two moves of the pointer
+  let skin: { readonly former: object; readonly file: object; readonly onion: OnionPicture } | null = null;
+  const onion = (): OnionPicture | null => {
+    const { former } = compared.getState();
+    if (former === null || session.getState().mode === 'play') return null;
+    const file = document.file();
+    if (skin === null || skin.former !== former || skin.file !== file)
+      skin = { former, file, onion: onionPictureOf(former, file) };
+    return skin.onion;
+  };
   let her = proof.proof().scene.box;
   const box = (): Box => {
     const now = proof.proof().scene.box;
@@ -67,6 +79,7 @@ export function pictureOf(
       search: search.getState(),
       deaths: plays.getState().deaths,
       lost: lost(),
+      onion: onion(),
       pose: pose(),
       editing: session.getState().mode === 'edit',
       showsRun: session.getState().mode === 'edit' || settings.getState().runInPlay,

@@ -21,6 +21,10 @@ export interface Colours extends GameColours {
   readonly death: string;
   /** of states that are already lost */
   readonly lost: string;
+  /** of what was before a change */
+  readonly onion: string;
+  /** of places where something may stand */
+  readonly leeway: string;
   readonly slack: string;
   readonly select: string;
   readonly guide: string;
@@ -41,6 +45,8 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     heat: heatColour('dark'),
     death: '#ff6b61',
     lost: '#d59bff',
+    onion: '#4fd8e8',
+    leeway: '#d3e25a',
     slack: '#7cf2b0',
     select: '#5fb0ff',
     guide: '#ff7ad9',
@@ -59,6 +65,8 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     heat: heatColour('light'),
     death: '#c3261b',
     lost: '#7b1fb8',
+    onion: '#006a80',
+    leeway: '#5a6600',
     slack: '#0b7a45',
     select: '#0b63c4',
     guide: '#b0128a',

@@ -22,7 +22,8 @@ const sizeOf = (words: string) => {
 export const reasonOf = (proof: LiveProof): string | null =>
   isWhole(proof) ? reasonInWords(proof.run, proof.level.range) : null;
 
-function pointsOfWay({ states, count }: LiveProof['run']['way'], view: View): Point[] {
+/** Points of a way, px of the screen. */
+export function pointsOfWay({ states, count }: LiveProof['run']['way'], view: View): Point[] {
   const points = [];
   for (let k = 0; k < count; k += EACH) {
     points.push(toScreen(view, { x: states[k * STATE_SIZE], y: states[k * STATE_SIZE + 1] }));

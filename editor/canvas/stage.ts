@@ -4,6 +4,7 @@ import type { LevelFile } from '../../schema/index.ts';
 import type { Ghost, Pose } from '../context/index.ts';
 import type { ObjectKey } from '../document/index.ts';
 import type { LostPicture } from '../lost/index.ts';
+import type { OnionPicture } from '../onion/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { Layer } from '../session/index.ts';
 import type { DeathMap } from '../shelf/index.ts';
@@ -14,6 +15,7 @@ import {
   DeathLayer,
   LostLayer,
   ObjectLayer,
+  OnionLayer,
   OverlayLayer,
   SearchLayer,
   type SearchPicture,
@@ -41,6 +43,8 @@ export interface Picture {
   readonly deaths: DeathMap | null;
   /** Where the level is already lost; null: it is not shown. */
   readonly lost: LostPicture | null;
+  /** The level as it was before a change; null: it is not shown. */
+  readonly onion: OnionPicture | null;
   readonly pose: Pose;
   readonly editing: boolean;
   /** Whether the path of the run is shown. */
@@ -57,6 +61,7 @@ interface Layers {
   readonly search: SearchLayer;
   readonly deaths: DeathLayer;
   readonly lost: LostLayer;
+  readonly onion: OnionLayer;
   readonly way: WayLayer;
   readonly astronaut: AstronautLayer;
 }
@@ -91,7 +96,7 @@ class LevelScene extends Scene {
     const space = this.scene.get('space') as SpaceScene;
     const isRedressed = this.layers?.theme !== picture.theme;
     if (isRedressed) this.layers = this.dress(picture.theme, objects, space);
-    const { overlay, search, deaths, lost, way, astronaut } = this.layers as Layers;
+    const { overlay, search, deaths, lost, onion, way, astronaut } = this.layers as Layers;
     const fresh = last === null || isRedressed;
     const { view } = picture.canvas;
     if (fresh || last.canvas.view !== view) {
@@ -106,6 +111,7 @@ class LevelScene extends Scene {
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
     if (!same('deaths', 'layers')) deaths.show(picture.layers.deaths ? picture.deaths : null);
     if (zoomed || !same('lost')) lost.show(picture.lost, view.zoom);
+    if (zoomed || !same('onion')) onion.show(picture.onion, view.zoom);
     if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
@@ -119,6 +125,7 @@ class LevelScene extends Scene {
     this.layers?.search.destroy();
     this.layers?.deaths.destroy();
     this.layers?.lost.destroy();
+    this.layers?.onion.destroy();
     this.layers?.way.destroy();
     this.layers?.astronaut.destroy();
     objects.clear();
@@ -130,6 +137,7 @@ class LevelScene extends Scene {
       search: new SearchLayer(this, colours),
       deaths: new DeathLayer(this, colours),
       lost: new LostLayer(this, colours),
+      onion: new OnionLayer(this, colours),
       way: new WayLayer(this, colours),
       astronaut: new AstronautLayer(this, colours),
     };

@@ -68,6 +68,8 @@ export interface EditedLevel {
   /** Replaces the file in one step: by a version from disk, a merge, a text. */
   replace(label: string, file: LevelFile): ChangeResult;
   begin(label: string): Gesture;
+  /** Whether the last step may still be extended: keys held down, letters typed. */
+  isGrowing(): boolean;
   /** Seals the last step and ends a gesture in progress: the field lost the focus, the key was released. */
   seal(): void;
   undo(): boolean;
@@ -220,6 +222,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
       return put(label, file, null);
     },
     begin,
+    isGrowing: () => growing !== null,
     seal,
     undo: () => step('undo'),
     redo: () => step('redo'),

@@ -17,6 +17,8 @@ export interface Margins {
   readonly speed: Float32Array;
   /** in order of time */
   readonly nearMisses: readonly NearMiss[];
+  /** Where she is nearest to a hazard, the first of equals; null if the level has none. */
+  readonly closest: NearMiss | null;
 }
 
 /** a distance below this is a near miss, px: the height of her box in the original game */
@@ -115,7 +117,13 @@ export function marginsOf(scene: Scene, way: Way): Margins {
       }
     }
   }
-  return { gap, speed, nearMisses: nearMissesOf(gap, whose, hazards) };
+  return { gap, speed, nearMisses: nearMissesOf(gap, whose, hazards), closest: closestOf(gap, whose, hazards) };
+}
+
+function closestOf(gap: Float32Array, whose: Int32Array, hazards: Hazards): NearMiss | null {
+  let tick = 0;
+  for (let k = 1; k < gap.length; k++) if (gap[k] < gap[tick]) tick = k;
+  return gap.length === 0 || whose[tick] < 0 ? null : { tick, gap: gap[tick], ...hazards.nameOf(whose[tick]) };
 }
 
 function nearMissesOf(gap: Float32Array, whose: Int32Array, hazards: Hazards): NearMiss[] {

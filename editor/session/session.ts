@@ -7,7 +7,18 @@ export type Tool = 'select' | 'hand' | Placeable;
 export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** Optional layers over the level. */
-export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths', 'lost'] as const;
+export const LAYERS = [
+  'ranges',
+  'margins',
+  'nearMisses',
+  'slackFan',
+  'ghosts',
+  'heatMap',
+  'deaths',
+  'lost',
+  'onion',
+  'leeway',
+] as const;
 export type Layer = (typeof LAYERS)[number];
 
 /** Speeds of the timeline and the playtest, relative to real time. */
@@ -98,6 +109,8 @@ export function createSession(accuracy: AccuracyName): SessionStore {
       heatMap: false,
       deaths: true,
       lost: false,
+      onion: true,
+      leeway: false,
     },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },

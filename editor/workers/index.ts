@@ -1,3 +1,15 @@
+export {
+  CELL_NUMBERS,
+  type CellState,
+  cornerCompletes,
+  DIRECTIONS,
+  type Direction,
+  type Lattice,
+  MOST_REACH,
+  type MovedObject,
+  type Reach,
+  stateOfCode,
+} from './leeway/index.ts';
 export { spawnPageWorker } from './page-worker.ts';
 export {
   FAN_TICKS,
@@ -6,6 +18,7 @@ export {
   type Fixing,
   type JobKind,
   type LevelFacts,
+  type Leeway,
   type Losing,
   type Loss,
   type Losses,

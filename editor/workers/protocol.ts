@@ -19,6 +19,7 @@ import type {
   Solution,
   Success,
 } from '../../solver/index.ts';
+import type { Lattice, MovedObject, Reach, Sample } from './leeway/index.ts';
 
 /** A level to simulate in a job. */
 export interface Played {
@@ -41,6 +42,8 @@ export interface Requests {
   };
   /** The robustness of a run. */
   robustness: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
+  /** How far each press and release of a run may slip alone. */
+  slack: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
   /** Her path when one edge slips by its slack. */
   fan: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
   /** How hard the level is, measured with the best run found within the budget (ms) if none is given. */
@@ -92,6 +95,19 @@ export interface Requests {
   lost: Played & { readonly effort: number };
   /** Since when runs were lost that do not complete the level, with so much effort for all of them, ticks. */
   losses: Played & { readonly traced: readonly (readonly Hold[])[]; readonly effort: number };
+  /** Where objects may stand, moved alike, without these holds ending otherwise. */
+  leeway: Played & {
+    readonly holds: readonly Hold[];
+    readonly objects: readonly MovedObject[];
+    /** Index of the only place of each object that moves; null: all of them. */
+    readonly only: number | null;
+    /** The place of the first of them, which snaps to the grid, px. */
+    readonly lead: { readonly x: number; readonly y: number };
+    /** px between grid lines; null: objects do not snap to it. */
+    readonly grid: number | null;
+    /** What is examined: places of the lead, px. */
+    readonly seen: { readonly left: number; readonly top: number; readonly right: number; readonly bottom: number };
+  };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
 }
@@ -198,6 +214,25 @@ export interface Losses {
   readonly finished: boolean;
 }
 
+/** Where objects may stand without a run ending otherwise, as far as it was sampled. */
+export interface Leeway {
+  /** How the run ends where they stand now; null: not known yet. */
+  readonly base: Sample | null;
+  readonly lattice: Lattice;
+  /** Cells of the lattice: `CELL_NUMBERS` numbers each. */
+  readonly cells: Int32Array;
+  readonly reach: readonly Reach[];
+  /** Whether all four directions were examined. */
+  readonly isReachKnown: boolean;
+  /** px between samples where they agree, and where they do not, at most; 0: there are none. */
+  readonly every: number;
+  readonly atEdges: number;
+  /** Whether no part is left without samples. */
+  readonly isCovered: boolean;
+  readonly samples: number;
+  readonly isFinished: boolean;
+}
+
 /** What a play is found to be. */
 export interface CheckedPlay {
   readonly verdict: PlayVerdict;
@@ -233,6 +268,7 @@ export interface LevelFacts {
 export interface Results {
   solve: Solving;
   robustness: Robustness;
+  slack: readonly EdgeSlack[];
   fan: Fan;
   /** null: no run was found to measure */
   difficulty: Difficulty | null;
@@ -256,6 +292,7 @@ export interface Results {
   plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
   lost: Losing;
   losses: Losses;
+  leeway: Leeway;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
 }
@@ -264,6 +301,7 @@ export interface Results {
 export interface Progresses {
   solve: Solving;
   robustness: { readonly slack: readonly EdgeSlack[]; readonly p40: Success };
+  slack: never;
   fan: { readonly slack: readonly EdgeSlack[] };
   difficulty: Solving;
   grade: never;
@@ -278,6 +316,7 @@ export interface Progresses {
   plays: { readonly done: number };
   lost: Losing;
   losses: Losses;
+  leeway: Leeway;
   path: never;
 }
 

@@ -44,7 +44,7 @@ const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'grade', 'fix
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
  * cancelled.
  */
-const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check', 'path']);
+const QUICK: ReadonlySet<JobKind> = new Set(['fan', 'check', 'path', 'slack']);
 
 /** A folder of plays takes a while, and must delay neither pictures and proofs nor wait for a search. */
 const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
@@ -56,6 +56,9 @@ const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
 const LOST: ReadonlySet<JobKind> = new Set(['lost']);
 const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
 
+/** Where a selection may stand is sampled for as long as it is shown, and begins again with each change. */
+const LEEWAY: ReadonlySet<JobKind> = new Set(['leeway']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -63,6 +66,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   thumbnail: 10_000,
   compare: 60_000,
   fan: 20_000,
+  slack: 20_000,
   robustness: 120_000,
   accuracy: 60_000,
   grade: 120_000,
@@ -75,6 +79,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   plays: null,
   lost: null,
   losses: null,
+  leeway: null,
 };
 
 /** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
@@ -193,9 +198,9 @@ class Lane {
 }
 
 /** The kinds of jobs that have a worker of their own; all others share one. */
-const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES];
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, LEEWAY];
 
-/** Workers for long, short and quick jobs, for plays and for what is lost, started on demand. */
+/** Workers for long, short and quick jobs, for plays, for what is lost and for where something may stand, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
   const shared = new Lane(options);
   const own = OWN.map((kinds) => ({ kinds, lane: new Lane(options) }));

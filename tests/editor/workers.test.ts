@@ -86,6 +86,11 @@ describe('jobs', () => {
     expect(result.slack).toEqual(findSlack(compile(level), holds, ANY));
   });
 
+  it('measure the slack alone, as it is measured with the robustness', () => {
+    const asked = { level, accuracy: 'precise', holds, goal: ANY } as const;
+    expect(doJob('slack', asked).result).toEqual(doJob('robustness', asked).result.slack);
+  });
+
   it('return the paths of a fan, which all still reach the black hole', () => {
     const { result, told } = doJob('fan', { level, accuracy: 'precise', holds, goal: ANY });
     expect(told).toEqual([{ slack: findSlack(compile(level), holds, ANY) }]);

@@ -2,6 +2,7 @@ export { AstronautLayer } from './astronaut-layer.ts';
 export { DeathLayer } from './death-layer.ts';
 export { LostLayer } from './lost-layer.ts';
 export { ObjectLayer } from './object-layer.ts';
+export { OnionLayer } from './onion-layer.ts';
 export { OverlayLayer } from './overlay-layer.ts';
 export { SearchLayer, type SearchPicture } from './search-layer.ts';
 export { SpaceScene } from './space-scene.ts';

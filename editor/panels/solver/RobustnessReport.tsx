@@ -2,15 +2,11 @@ import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import type { EdgeSlack, Success } from '../../../solver/index.ts';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
-import { percent, plural } from '../figures/index.ts';
+import { percent, plural, SLACK_LIMIT, slackText, tightestOf } from '../figures/index.ts';
 import { Section } from '../parts/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
-/** Slack is measured up to this many ticks; a slack that reaches it may be larger. */
-const LIMIT = 60;
-
 const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);
-const slackText = (ticks: number): string => (ticks >= LIMIT ? `${LIMIT}+` : String(ticks));
 
 /** How forgiving a success rate is, as a word beside its number. */
 const wordFor = (p: number): readonly [word: string, tone: 'good' | 'warn' | 'bad'] =>
@@ -43,7 +39,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
   const { selection } = useLevel();
   const name = useProof(({ run }) => run.name);
   const holds = useProof(({ run }) => run.holds);
-  const tightest = Math.min(...slack.map(({ earlier, later }) => earlier + later));
+  const tightest = tightestOf(slack)?.room ?? 0;
   return (
     <table className="slack numbers">
       <caption className="part__note">How many ticks (1/60 s) each press or release alone may move earlier or later</caption>
@@ -73,7 +69,7 @@ function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
             </th>
             {[slack[2 * i], slack[2 * i + 1]].map((edge, k) => {
               if (edge === undefined) return null;
-              const isTightest = edge.earlier + edge.later === tightest && tightest < 2 * LIMIT;
+              const isTightest = edge.earlier + edge.later === tightest && tightest < 2 * SLACK_LIMIT;
               return (
                 <td
                   // press first, then release

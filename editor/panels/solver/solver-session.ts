@@ -1,6 +1,7 @@
 import type { Editor, OpenLevel } from '../../context/index.ts';
 import { pageTimers } from '../../files/index.ts';
 import { type LostSession, watchLost } from '../../lost/index.ts';
+import { type OnionSession, watchOnion } from '../../onion/index.ts';
 import { afterRest } from '../parts/index.ts';
 import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
@@ -21,6 +22,8 @@ export interface SolverSession {
   readonly proofs: ProofWatch;
   readonly checks: CheckWatch;
   readonly lost: LostSession;
+  /** The comparison with what was before a change. */
+  readonly onion: OnionSession;
   readonly overlay: OverlayStore;
 }
 
@@ -37,9 +40,10 @@ export function solverSessionOf({ workers, session, open }: Editor, level: OpenL
   const proofs = watchProofs({ level, workers, afterRest });
   const checks = watchChecks({ level, workers, afterRest });
   const lost = watchLost({ level, session, workers, afterRest });
+  const onion = watchOnion({ level, session, workers, robustness: robustness.store, after: pageTimers.after });
   const difficulty = createDifficultySession({ level, workers, settings });
   const fixes = createFixSession({ level, session, workers, settings });
-  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, overlay };
+  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, onion, overlay };
   sessions.set(level, solver);
   const stop = open.subscribe((current) => {
     if (current === level) return;
@@ -52,6 +56,7 @@ export function solverSessionOf({ workers, session, open }: Editor, level: OpenL
     proofs.close();
     checks.close();
     lost.close();
+    onion.close();
   });
   return solver;
 }

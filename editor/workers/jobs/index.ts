@@ -8,11 +8,13 @@ import { fan } from './fan.ts';
 import { fix } from './fix.ts';
 import { generate } from './generate.ts';
 import { grade } from './grade.ts';
+import { leeway } from './leeway.ts';
 import { losses, lost } from './lost.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
 import { robustness } from './robustness.ts';
+import { slack } from './slack.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
 
@@ -21,6 +23,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   solve,
   robustness,
   fan,
+  slack,
   difficulty,
   grade,
   proofs,
@@ -33,5 +36,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   plays,
   lost,
   losses,
+  leeway,
   path,
 };

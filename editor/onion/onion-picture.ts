@@ -1,0 +1,42 @@
+import type { Box } from '../../engine/index.ts';
+import type { Disc, LevelFile } from '../../schema/index.ts';
+import { placesOf, radiusOf } from '../document/index.ts';
+import { changedObjects } from './changed-objects.ts';
+import type { FormerRun } from './former.ts';
+
+/** A line between two points, px of the level. */
+interface Link {
+  readonly from: { readonly x: number; readonly y: number };
+  readonly to: { readonly x: number; readonly y: number };
+}
+
+/** What the canvas shows of a level as it was before a change. */
+export interface OnionPicture {
+  /** The way of the run: x, y in px, two entries per tick. */
+  readonly points: Float32Array;
+  /** Outlines of the objects that differ, where they were. */
+  readonly discs: readonly Disc[];
+  /** The place of the astronaut's start if that differs, and her box. */
+  readonly start: { readonly x: number; readonly y: number } | null;
+  readonly her: Box;
+  /** From where the objects were to where they are. */
+  readonly links: readonly Link[];
+}
+
+/** @param file the level as it is now */
+export function onionPictureOf({ file: before, her, points }: FormerRun, file: LevelFile): OnionPicture {
+  const discs: Disc[] = [];
+  const links: Link[] = [];
+  let start: OnionPicture['start'] = null;
+  for (const { was, is } of changedObjects(before, file)) {
+    const radius = radiusOf(was);
+    const now = is === null ? [] : placesOf(is);
+    for (const [i, from] of placesOf(was).entries()) {
+      if (radius === null) start = { x: from.x, y: from.y };
+      else discs.push({ x: from.x, y: from.y, radius });
+      const to = now[i];
+      if (to !== undefined && (to.x !== from.x || to.y !== from.y)) links.push({ from, to });
+    }
+  }
+  return { points, discs, start, her, links };
+}
