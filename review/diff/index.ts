@@ -9,4 +9,4 @@ export {
   type Standing,
   type StandingRun,
 } from './standing.ts';
-export { changesInWords, compareHolds, effectsInWords, standingInWords } from './words/index.ts';
+export { changesInWords, effectsInWords, standingInWords } from './words/index.ts';
