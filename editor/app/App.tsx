@@ -8,6 +8,7 @@ import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
 import { AttemptsWatch } from '../panels/attempts/index.ts';
 import { openListed, SamplesButton } from '../panels/levels/index.ts';
+import { SCRIPT_FIELD } from '../panels/runs/index.ts';
 import { HeatLegend, SolverWatch, solverSessionOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands, ReplayView } from '../play/index.ts';
 import { playsCommands } from '../plays/index.ts';
@@ -79,6 +80,17 @@ function panelCommands(editor: Editor): readonly Command[] {
         run: () => show(id),
       }),
     ),
+    {
+      id: 'run.text',
+      title: 'Edit the run as text',
+      group: 'Run',
+      keys: ['t'],
+      needs: () => (editor.open.getState()?.proof.proof().run.name == null ? 'show a run first' : null),
+      run: () => {
+        flushSync(() => show('runs'));
+        document.getElementById(SCRIPT_FIELD)?.focus();
+      },
+    },
     {
       id: 'file.find',
       title: 'Find a level',

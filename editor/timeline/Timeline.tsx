@@ -6,6 +6,7 @@ import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';
 import { GunLane } from './GunLane.tsx';
 import { LossMark } from './LossMark.tsx';
+import { NoteFlags, type WrittenNote } from './NoteFlags.tsx';
 import { followPlayback } from './playback.ts';
 import { Ruler } from './Ruler.tsx';
 import { reachedBy } from './reached.ts';
@@ -74,6 +75,7 @@ export function Timeline() {
   // set while a hold is dragged, which may change where the run ends
   const [kept, setKept] = useState<Scale | null>(null);
   const [isExplained, setExplained] = useState(false);
+  const [written, setWritten] = useState<WrittenNote | null>(null);
   const { width } = size;
   const scale = useMemo(() => chosen ?? kept ?? fitTicks(ticks, width), [chosen, kept, ticks, width]);
   const drawn = useMemo(() => chosen ?? kept ?? fitTicks(drawnTicks, width), [chosen, kept, drawnTicks, width]);
@@ -110,7 +112,7 @@ export function Timeline() {
       setChosen(zoomScale(last, x >= 0 && x <= room ? x : room / 2, factor));
     };
     const forget = commands.register([
-      ...runCommands(editor, level, lastTick),
+      ...runCommands(editor, level, { end: lastTick, writeNote: (tick) => setWritten({ tick, index: null }) }),
       { id: 'run.fit', title: 'Fit the run in the timeline', group: 'Run', run: () => setChosen(null) },
       { id: 'run.zoom-in', title: 'Zoom the timeline in', group: 'Run', run: () => zoomBy(STEP_ZOOM) },
       { id: 'run.zoom-out', title: 'Zoom the timeline out', group: 'Run', run: () => zoomBy(1 / STEP_ZOOM) },
@@ -141,6 +143,7 @@ export function Timeline() {
       >
         {isHidden && <p className="timeline__hidden">Hidden while you play: it would give the run away.</p>}
         <Ruler scale={scale} width={width} end={end} />
+        {name !== null && <NoteFlags run={name} scale={scale} width={width} written={written} onWrite={setWritten} />}
         {isBroken && ending < width && (
           <div className="timeline__after" style={{ left: Math.max(0, ending) }} aria-hidden>
             <span className="timeline__unreached">not reached</span>

@@ -5,11 +5,18 @@ import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../documen
 /** length of a new hold, in ticks */
 const NEW_HOLD = 30;
 
-/** Commands for editing a run without the pointer. @param end the last tick of the shown run */
+interface RunCommandParts {
+  /** The last tick of the shown run. */
+  readonly end: () => number;
+  /** Opens the field for a new note of the shown run. */
+  readonly writeNote: (tick: number) => void;
+}
+
+/** Commands for editing a run without the pointer. */
 export function runCommands(
   { session }: Editor,
   { document, proof, selection }: OpenLevel,
-  end: () => number,
+  { end, writeNote }: RunCommandParts,
 ): readonly Command[] {
   const shown = () => proof.proof().run.name;
   const goTo = (tick: number) => session.setState({ tick: Math.min(end(), Math.max(0, Math.round(tick))), isPlayingBack: false });
@@ -66,6 +73,14 @@ export function runCommands(
         const index = holds.findIndex(([press, release]) => press < tick && tick < release);
         if (name !== null && index >= 0) document.change('Split hold', splitHold(name, index, tick));
       },
+    },
+    {
+      id: 'run.add-note',
+      title: 'Add a note at the current tick',
+      group: 'Run',
+      keys: ['Shift+n'],
+      needs: () => (shown() === null ? 'show a run first' : null),
+      run: () => writeNote(Math.round(session.getState().tick)),
     },
     {
       id: 'run.delete-holds',

@@ -11,6 +11,7 @@ import { RunHash } from './RunHash.tsx';
 import { RunLine } from './RunLine.tsx';
 import { useRunEnds } from './run-ends.ts';
 import { type RunRow, runRows } from './run-row.ts';
+import { ScriptField } from './ScriptField.tsx';
 import './runs.css';
 
 type RunFile = NonNullable<LevelFile['runs']>[number];
@@ -96,6 +97,7 @@ export function RunsPanel() {
           )}
         />
       )}
+      {shown !== null && <ScriptField key={shown} run={shown} />}
       {shown !== null && <RunHash />}
       <AttemptList />
     </section>
