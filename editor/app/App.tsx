@@ -4,6 +4,7 @@ import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
+import { ComparedWatch } from '../compare/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
 import { AttemptsWatch } from '../panels/attempts/index.ts';
@@ -134,6 +135,7 @@ function LevelScreen() {
       <StatusBar />
       <SolverWatch />
       <AttemptsWatch />
+      <ComparedWatch />
     </>
   );
 }

@@ -8,6 +8,8 @@ const NEW_HOLD = 30;
 interface RunCommandParts {
   /** The last tick of the shown run. */
   readonly end: () => number;
+  /** The last tick of all shown and compared runs. */
+  readonly last: () => number;
   /** Opens the field for a new note of the shown run. */
   readonly writeNote: (tick: number) => void;
 }
@@ -16,10 +18,11 @@ interface RunCommandParts {
 export function runCommands(
   { session }: Editor,
   { document, proof, selection }: OpenLevel,
-  { end, writeNote }: RunCommandParts,
+  { end, last, writeNote }: RunCommandParts,
 ): readonly Command[] {
   const shown = () => proof.proof().run.name;
-  const goTo = (tick: number) => session.setState({ tick: Math.min(end(), Math.max(0, Math.round(tick))), isPlayingBack: false });
+  const goTo = (tick: number) =>
+    session.setState({ tick: Math.min(last(), Math.max(0, Math.round(tick))), isPlayingBack: false });
   const step = (by: number) => goTo(session.getState().tick + by);
   const newRun = () => {
     const name = freeRunName(document.file(), 'solution');
@@ -40,7 +43,7 @@ export function runCommands(
       keys: ['k'],
       run: () => {
         const { isPlayingBack, tick } = session.getState();
-        session.setState({ isPlayingBack: !isPlayingBack, tick: !isPlayingBack && tick >= end() ? 0 : tick, hoverTick: null });
+        session.setState({ isPlayingBack: !isPlayingBack, tick: !isPlayingBack && tick >= last() ? 0 : tick, hoverTick: null });
       },
     },
     { id: 'run.back', title: 'Previous tick', group: 'Run', keys: ['Comma'], run: () => step(-1) },

@@ -1,5 +1,6 @@
 import type { LevelVerdict, LostMineral, RunFindings, Softlocks } from '../../check/index.ts';
 import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
+import type { RunEnd } from '../../check/words/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
 import type { PlayVerdict } from '../../game/index.ts';
 import type { Hold, Level, LevelFile, OwnRules } from '../../schema/index.ts';
@@ -82,6 +83,10 @@ export interface Requests {
   losses: Played & { readonly traced: readonly (readonly Hold[])[]; readonly effort: number };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
+  /** Her course with these holds, and how it ends. */
+  course: Played & { readonly holds: readonly Hold[] };
+  /** How far each press and release may move alone. */
+  slack: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
 }
 
 export type JobKind = keyof Requests;
@@ -219,6 +224,18 @@ export interface Results {
   losses: Losses;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
+  course: {
+    /** x, y in px at every tick and at the end */
+    readonly points: Float32Array;
+    /** The direction of the box's x axis there: cos, sin. */
+    readonly turns: Float32Array;
+    readonly end: RunEnd;
+    /** How many different minerals are collected. */
+    readonly minerals: number;
+    /** The least distance to a hazard, px; null if there is none. */
+    readonly clearance: number | null;
+  };
+  slack: { readonly slack: readonly EdgeSlack[] };
 }
 
 /** The intermediate results that jobs report. */
@@ -238,6 +255,8 @@ export interface Progresses {
   lost: Losing;
   losses: Losses;
   path: never;
+  course: never;
+  slack: never;
 }
 
 export type ToWorker =

@@ -56,6 +56,9 @@ const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
 const LOST: ReadonlySet<JobKind> = new Set(['lost']);
 const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
 
+/** Runs that are compared with the shown one follow every change, and what they forgive may take longer. */
+const COMPARED: ReadonlySet<JobKind> = new Set(['course', 'slack']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -65,6 +68,8 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   robustness: 120_000,
   accuracy: 60_000,
   path: 20_000,
+  course: 20_000,
+  slack: 60_000,
   // these have a time limit of their own or run until they are cancelled
   solve: null,
   difficulty: null,
@@ -191,9 +196,9 @@ class Lane {
 }
 
 /** The kinds of jobs that have a worker of their own; all others share one. */
-const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES];
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, COMPARED];
 
-/** Workers for long, short and quick jobs, for plays and for what is lost, started on demand. */
+/** Workers for long, short and quick jobs, for plays, for what is lost and for compared runs, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
   const shared = new Lane(options);
   const own = OWN.map((kinds) => ({ kinds, lane: new Lane(options) }));

@@ -2,6 +2,7 @@ import type { JobKind } from '../protocol.ts';
 import type { Start } from '../work.ts';
 import { accuracy } from './accuracy.ts';
 import { check } from './check.ts';
+import { course } from './course.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
@@ -11,6 +12,7 @@ import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
 import { robustness } from './robustness.ts';
+import { slack } from './slack.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
 
@@ -30,4 +32,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   lost,
   losses,
   path,
+  course,
+  slack,
 };
