@@ -182,11 +182,11 @@ describe('notes', () => {
   });
 
   it('keep keys that the text of a run does not show', () => {
-    const notes = [{ tick: 60, text: 'first', 'x-colour': 'red' }] as RunNote[];
+    const notes: (RunNote & { 'x-colour': string })[] = [{ tick: 60, text: 'first', 'x-colour': 'red' }];
     const reading = readRunText('70-150 # first\n# new');
     if (!reading.ok) throw new Error(reading.message);
     const now = outcomeOf(HOLDS, notes, writeScript('run', reading));
-    expect(now.notes).toEqual([
+    expect(now.notes).toEqual<object[]>([
       { tick: 70, text: 'first', 'x-colour': 'red' },
       { tick: 150, text: 'new' },
     ]);
