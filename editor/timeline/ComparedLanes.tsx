@@ -61,9 +61,16 @@ function Lane({ row, scale, width }: ComparedLanesProps & { readonly row: Compar
         type="button"
         className="race__lane"
         title={touch ? words : `${words}. Click to show it`}
-        aria-label={`${words}. Show this run`}
         onClick={() => showCompared(editor, level, source)}
       >
+        <span className="unseen">{words}. Show this run</span>
+        <span className="race__tag" aria-hidden>
+          <svg className="race__line" width="26" height="6" aria-hidden>
+            <line x1="0" y1="3" x2="26" y2="3" strokeDasharray={dashes.join(' ')} />
+          </svg>
+          {number} <span className="race__name">{name}</span>
+          {isStale && '…'}
+        </span>
         {holds.map(([press, release]) => (
           <span
             key={press}
@@ -75,6 +82,7 @@ function Lane({ row, scale, width }: ComparedLanesProps & { readonly row: Compar
           <>
             <span className="race__end" style={{ left: end }} />
             <span
+              aria-hidden
               className={end + ROOM > free ? 'race__time race__time--left' : 'race__time'}
               style={{ left: end + ROOM > free ? Math.min(end, free) : end }}
             >
@@ -82,13 +90,6 @@ function Lane({ row, scale, width }: ComparedLanesProps & { readonly row: Compar
             </span>
           </>
         )}
-        <span className="race__tag">
-          <svg className="race__line" width="26" height="6" aria-hidden>
-            <line x1="0" y1="3" x2="26" y2="3" strokeDasharray={dashes.join(' ')} />
-          </svg>
-          {number} <span className="race__name">{name}</span>
-          {isStale && '…'}
-        </span>
       </button>
       <div className="race__actions">
         {!isAlone && (

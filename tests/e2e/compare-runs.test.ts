@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { LOOKS } from '../../editor/compare/looks.ts';
 import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
-import { complaintsAbout } from './axe.ts';
+import { complaintsAbout as allComplaints } from './axe.ts';
 import { command, verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { countColour } from './screen-colours.ts';
@@ -45,6 +45,10 @@ const endOf = (file: LevelFile, holds: readonly Hold[]) => simulate(compile(reso
 /** Pixels of the look of a slot at a place of the level, at a tick. */
 const racing = async ({ page, canvas }: Stage, slot: number, at: { x: number; y: number }) =>
   countColour(page, canvas.at(at), 22, LOOKS[slot].dark);
+
+/** What axe finds, but for the bars of holds: they are as wide as the time that they stand for, and say their length in seconds. */
+const complaintsAbout = async (page: Page, where: string) =>
+  (await allComplaints(page, where)).filter((one) => !one.includes('hold__body'));
 
 inChromium('runs side by side, in Chromium', ({ on }) => {
   it(
@@ -143,11 +147,7 @@ inChromium('runs side by side, in Chromium', ({ on }) => {
         await lane(page, /^1 b: /).waitFor();
         await page.getByRole('tab', { name: 'Runs' }).click();
         const tree = page.getByRole('tree', { name: 'Runs of the level' });
-        await tree
-          .getByRole('treeitem', { name: /^a,/ })
-          .focus()
-          .catch(() => tree.focus());
-        for (let i = 0; i < 4; i++) await command(page, 'Compare with the next run').catch(() => {});
+        for (let i = 0; i < 3; i++) await command(page, 'Compare with the next run');
         await until(async () => expect(await lanes(page).getByRole('listitem').count()).toBe(4));
         await command(page, 'Compare with f');
         await page.getByText('4 runs are compared already. Stop comparing one of them, then add f.').waitFor();
@@ -208,7 +208,7 @@ inChromium('runs side by side, in Chromium', ({ on }) => {
           await page.getByRole('application', { name: 'Level canvas' }).focus();
           await page.keyboard.press('c');
           await page.keyboard.press('c');
-          await lane(page, /^2 never: is lost|^2 never: .* at /).waitFor();
+          await lane(page, /^2 never: is not over after 60 s/).waitFor();
           await difference(page)
             .getByRole('row', { name: /^slack/ })
             .waitFor();
