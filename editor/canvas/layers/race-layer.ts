@@ -61,7 +61,7 @@ export class RaceLayer {
           padding: { x: 3, y: 1 },
           resolution: Math.max(1, globalThis.devicePixelRatio ?? 1),
         })
-        .setDepth(8.7)
+        .setDepth(9.5)
         .setOrigin(0, 0.5)
         .setVisible(false),
     }));
