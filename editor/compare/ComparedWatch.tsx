@@ -8,7 +8,7 @@ const after = (ms: number, call: () => void) => {
   return () => clearTimeout(timer);
 };
 
-/** Renders nothing. Registers the commands of compared runs and keeps their courses up to date, whichever panel is open. */
+/** Renders nothing. Registers the commands of compared runs and keeps their trajectories up to date, whichever panel is open. */
 export function ComparedWatch() {
   const editor = useEditor();
   const level = useLevel();

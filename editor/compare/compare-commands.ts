@@ -92,7 +92,7 @@ export function compareCommands(editor: Editor, level: OpenLevel): readonly Comm
 function partingTick(level: OpenLevel): number | null {
   const now = comparedOf(level).getState();
   const one = chosenOf(now);
-  const found = one === null ? null : (now.courses.get(sourceKey(one.source))?.found ?? null);
+  const found = one === null ? null : (now.trajectories.get(sourceKey(one.source))?.found ?? null);
   if (found === null) return null;
   const { states, count } = level.proof.proof().run.way;
   const places = Float32Array.from({ length: 2 * count }, (_, i) => states[(i >> 1) * STATE_SIZE + (i & 1)]);

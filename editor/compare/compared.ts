@@ -20,20 +20,20 @@ export interface ComparedRun {
 }
 
 /** What is known of a run in one scene. */
-export interface Course {
+export interface Trajectory {
   readonly scene: Scene;
   readonly accuracy: AccuracyName;
   /** Its effective holds, joined by commas. */
   readonly holds: string;
   /** null: the simulation was given up */
-  readonly found: Results['course'] | null;
+  readonly found: Results['trajectory'] | null;
 }
 
 export interface Comparing {
   /** In order of their slots. */
   readonly runs: readonly ComparedRun[];
   /** By {@link sourceKey}; of an earlier state of the level until the new one is known. */
-  readonly courses: ReadonlyMap<string, Course>;
+  readonly trajectories: ReadonlyMap<string, Trajectory>;
   /** The key of the run whose difference is shown; null: that of the first. */
   readonly chosen: string | null;
 }
@@ -41,7 +41,7 @@ export interface Comparing {
 export type ComparingStore = StoreApi<Comparing>;
 
 const storeAt = keptWith<object, ComparingStore>(() =>
-  createStore<Comparing>(() => ({ runs: [], courses: new Map(), chosen: null })),
+  createStore<Comparing>(() => ({ runs: [], trajectories: new Map(), chosen: null })),
 );
 
 /** The runs that are compared with the shown one of a level. */
@@ -65,13 +65,16 @@ export function sourceHolds(level: Pick<OpenLevel, 'document' | 'attempts'>, sou
 export const chosenOf = ({ runs, chosen }: Comparing): ComparedRun | null =>
   runs.find(({ source }) => sourceKey(source) === chosen) ?? runs[0] ?? null;
 
-/** Whether a course is that of the level as it is now. */
+/** Whether a trajectory is that of the level as it is now. */
 export const isFresh = (
-  course: Course | undefined,
+  trajectory: Trajectory | undefined,
   now: Pick<LiveProof, 'scene' | 'accuracy'>,
   holds: readonly Hold[],
 ): boolean =>
-  course !== undefined && course.scene === now.scene && course.accuracy === now.accuracy && course.holds === holds.join();
+  trajectory !== undefined &&
+  trajectory.scene === now.scene &&
+  trajectory.accuracy === now.accuracy &&
+  trajectory.holds === holds.join();
 
 export const isCompared = ({ runs }: Comparing, source: Source): boolean =>
   runs.some((one) => sourceKey(one.source) === sourceKey(source));

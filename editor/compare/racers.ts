@@ -27,11 +27,11 @@ const NOBODY: readonly Racer[] = [];
 function racersOf(comparing: Comparing, level: OpenLevel): readonly Racer[] {
   const now = level.proof.proof();
   return comparing.runs.flatMap(({ source, slot }): Racer[] => {
-    const course = comparing.courses.get(sourceKey(source));
+    const trajectory = comparing.trajectories.get(sourceKey(source));
     const holds = sourceHolds(level, source);
-    if (course === undefined || course.found === null || holds === null) return [];
-    const { points, turns, end } = course.found;
-    const isStale = !isFresh(course, now, holds);
+    if (trajectory === undefined || trajectory.found === null || holds === null) return [];
+    const { points, turns, end } = trajectory.found;
+    const isStale = !isFresh(trajectory, now, holds);
     return [
       { slot, name: sourceName(source), points, turns, end: 60 * end.time, completes: end.outcome === 'completed', isStale },
     ];

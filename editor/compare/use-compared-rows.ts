@@ -17,10 +17,10 @@ export interface ComparedRow extends ComparedRun {
   readonly dashes: readonly number[];
   readonly holds: readonly Hold[];
   /** null: not simulated yet, or given up */
-  readonly found: Results['course'] | null;
+  readonly found: Results['trajectory'] | null;
   /** What it was simulated in; null: not yet. */
   readonly scene: Scene | null;
-  /** Whether it was given up. */
+  /** Whether it was given up, or the level is not simulated at all. */
   readonly isGivenUp: boolean;
   /** Whether the level has changed since it was simulated. */
   readonly isStale: boolean;
@@ -38,25 +38,26 @@ export function useComparedRows(): readonly ComparedRow[] {
   useStore(level.attempts.store);
   const freshOf = (now: LiveProof): string =>
     comparing.runs
-      .filter(({ source }) => isFresh(comparing.courses.get(sourceKey(source)), now, sourceHolds(level, source) ?? []))
+      .filter(({ source }) => isFresh(comparing.trajectories.get(sourceKey(source)), now, sourceHolds(level, source) ?? []))
       .map(({ slot }) => slot)
       .join();
   const fresh = useProof(freshOf).split(',');
+  const isTooMuch = useProof(({ limit }) => limit === 'unchecked' || limit === 'everything');
   const chosen = chosenOf(comparing);
   return comparing.runs.flatMap((one): ComparedRow[] => {
     const { source, slot } = one;
     const holds = sourceHolds(level, source);
     if (holds === null) return [];
     const key = sourceKey(source);
-    const course = comparing.courses.get(key);
+    const trajectory = comparing.trajectories.get(key);
     const { dashes, [theme]: colour } = LOOKS[slot];
     return [
       {
         ...one,
         ...{ key, name: sourceName(source), number: slot + 1, colour, dashes, holds },
-        found: course?.found ?? null,
-        scene: course?.scene ?? null,
-        isGivenUp: course?.found === null,
+        found: trajectory?.found ?? null,
+        scene: trajectory?.scene ?? null,
+        isGivenUp: trajectory?.found === null || (trajectory === undefined && isTooMuch),
         isStale: !fresh.includes(String(slot)),
         isChosen: one === chosen,
       },

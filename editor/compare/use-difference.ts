@@ -30,7 +30,7 @@ export interface ShownDifference {
 const smallest = (slack: readonly { readonly earlier: number; readonly later: number }[] | null): number | null =>
   slack === null || slack.length === 0 ? null : Math.min(...slack.map(({ earlier, later }) => earlier + later));
 
-/** The shown run's places, as the compared run's course has them. */
+/** The shown run's places, as the compared run's trajectory has them. */
 function pointsOf({ run }: LiveProof): Float32Array {
   const { states, count, last } = run.way;
   const points = new Float32Array(2 * (count + 1));

@@ -58,12 +58,12 @@ function leave(
 }
 
 /**
- * Keeps the courses of compared runs up to date, by a worker: one request at a time, for the level as it is when the last one is
+ * Keeps the trajectories of compared runs up to date, by a worker: one request at a time, for the level as it is when the last one is
  * answered. Nothing is done while no run is compared. @returns stops it
  */
 export function watchCompared({ level, workers, after }: WatchParts): () => void {
   const store = comparedOf(level);
-  let running: Job<'course'> | null = null;
+  let running: Job<'trajectory'> | null = null;
   let forget: (() => void) | null = null;
   /** When each run was last asked for, counted in requests. */
   const asked = new Map<string, number>();
@@ -74,16 +74,16 @@ export function watchCompared({ level, workers, after }: WatchParts): () => void
   });
   let before = seen();
 
-  /** The run that waits longest for its course; null: all are known. */
+  /** The run that waits longest for its trajectory; null: all are known. */
   const next = (now: LiveProof): Wanted | null => {
-    const { runs, courses } = store.getState();
+    const { runs, trajectories } = store.getState();
     let best: Wanted | null = null;
     let least = Number.POSITIVE_INFINITY;
     for (const { source } of runs) {
       const holds = sourceHolds(level, source);
       const key = sourceKey(source);
       const turn = asked.get(key) ?? 0;
-      if (holds === null || isFresh(courses.get(key), now, holds) || turn >= least) continue;
+      if (holds === null || isFresh(trajectories.get(key), now, holds) || turn >= least) continue;
       least = turn;
       best = { source, holds };
     }
@@ -98,26 +98,26 @@ export function watchCompared({ level, workers, after }: WatchParts): () => void
     asked.set(key, ++requests);
     const { scene, accuracy } = now;
     const { holds } = wanted;
-    const mine = workers.start('course', { level: { ...now.level, runs: [] }, accuracy, holds });
+    const mine = workers.start('trajectory', { level: { ...now.level, runs: [] }, accuracy, holds });
     running = mine;
     void mine.end.then((end) => {
       if (running !== mine) return;
       running = null;
       if (end.kind === 'cancelled') return;
       const found = end.kind === 'done' ? end.result : null;
-      const courses = new Map(store.getState().courses).set(key, { scene, accuracy, holds: holds.join(), found });
-      store.setState({ courses });
+      const trajectories = new Map(store.getState().trajectories).set(key, { scene, accuracy, holds: holds.join(), found });
+      store.setState({ trajectories });
       look();
     });
   };
   const look = () => {
-    const { runs, courses } = store.getState();
+    const { runs, trajectories } = store.getState();
     if (runs.length === 0) {
       running?.cancel();
       running = null;
       forget?.();
       forget = null;
-      if (courses.size > 0) store.setState({ courses: new Map(), chosen: null });
+      if (trajectories.size > 0) store.setState({ trajectories: new Map(), chosen: null });
       return;
     }
     if (running !== null || forget !== null || next(level.proof.proof()) === null) return;

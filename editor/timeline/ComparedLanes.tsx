@@ -24,7 +24,7 @@ const BORDERS = ['solid', 'dotted', 'dashed', 'double'] as const;
 
 /** How it ends, in words: `completes the level at 6.32 s`. */
 function endOf({ found, isGivenUp, isStale }: ComparedRow, range: number): string {
-  if (found === null) return isGivenUp ? 'not simulated: it takes too much work' : 'being simulated';
+  if (found === null) return isGivenUp ? 'not simulated' : 'being simulated';
   return `${outcomeAsPredicate(found.end, range)}${isStale ? ', before the last change of the level' : ''}`;
 }
 

@@ -83,8 +83,8 @@ export interface Requests {
   losses: Played & { readonly traced: readonly (readonly Hold[])[]; readonly effort: number };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
-  /** Her course with these holds, and how it ends. */
-  course: Played & { readonly holds: readonly Hold[] };
+  /** Her trajectory with these holds, and how it ends. */
+  trajectory: Played & { readonly holds: readonly Hold[] };
   /** How far each press and release may move alone. */
   slack: Played & { readonly holds: readonly Hold[]; readonly goal: Goal };
 }
@@ -224,7 +224,7 @@ export interface Results {
   losses: Losses;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
-  course: {
+  trajectory: {
     /** x, y in px at every tick and at the end */
     readonly points: Float32Array;
     /** The direction of the box's x axis there: cos, sin. */
@@ -255,7 +255,7 @@ export interface Progresses {
   lost: Losing;
   losses: Losses;
   path: never;
-  course: never;
+  trajectory: never;
   slack: never;
 }
 

@@ -57,7 +57,7 @@ const LOST: ReadonlySet<JobKind> = new Set(['lost']);
 const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
 
 /** Runs that are compared with the shown one follow every change, and what they forgive may take longer. */
-const COMPARED: ReadonlySet<JobKind> = new Set(['course', 'slack']);
+const COMPARED: ReadonlySet<JobKind> = new Set(['trajectory', 'slack']);
 
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
@@ -68,7 +68,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   robustness: 120_000,
   accuracy: 60_000,
   path: 20_000,
-  course: 20_000,
+  trajectory: 20_000,
   slack: 60_000,
   // these have a time limit of their own or run until they are cancelled
   solve: null,

@@ -54,8 +54,8 @@ const FILE: LevelFile = {
 const run = (name: string): Source => ({ kind: 'run', name });
 
 /** What a job of a worker gives, computed here. */
-function played(request: Requests['course']): Results['course'] {
-  const work = JOBS.course(request, () => 0);
+function played(request: Requests['trajectory']): Results['trajectory'] {
+  const work = JOBS.trajectory(request, () => 0);
   for (;;) {
     const step = work.next();
     if (step.done === true) return step.value;
@@ -63,7 +63,7 @@ function played(request: Requests['course']): Results['course'] {
 }
 
 interface Asked {
-  readonly request: Requests['course'];
+  readonly request: Requests['trajectory'];
   readonly answer: () => void;
   readonly giveUp: () => void;
   isCancelled: boolean;
@@ -87,9 +87,9 @@ function stage(file: LevelFile = FILE): Stage {
   const level = { document, proof, attempts } as unknown as OpenLevel;
   const clock = new TurnedClock();
   const jobs: Asked[] = [];
-  const start = (_: 'course', request: Requests['course']) => {
-    let end: (end: JobEnd<'course'>) => void = () => {};
-    const ended = new Promise<JobEnd<'course'>>((resolve) => {
+  const start = (_: 'trajectory', request: Requests['trajectory']) => {
+    let end: (end: JobEnd<'trajectory'>) => void = () => {};
+    const ended = new Promise<JobEnd<'trajectory'>>((resolve) => {
       end = resolve;
     });
     const job: Asked = {
@@ -112,7 +112,7 @@ function stage(file: LevelFile = FILE): Stage {
 }
 
 const freshIn = ({ store, proof, level }: Stage, source: Source): boolean =>
-  isFresh(store.getState().courses.get(sourceKey(source)), proof.proof(), sourceHolds(level, source) ?? []);
+  isFresh(store.getState().trajectories.get(sourceKey(source)), proof.proof(), sourceHolds(level, source) ?? []);
 
 /** Answers requests until there are none. */
 async function answerAll({ clock, jobs }: Stage): Promise<void> {
@@ -152,14 +152,14 @@ describe('compared runs', () => {
     all.document.change('range', setLevelProperty('range', 310));
     await all.clock.pass(5000);
     expect(all.jobs).toHaveLength(length);
-    expect(all.store.getState().courses.size).toBe(0);
+    expect(all.store.getState().trajectories.size).toBe(0);
   });
 
   it('are simulated as the engine does it, in the level as it is', async () => {
     const all = stage();
     toggleCompared(all.store, run('late'));
     await answerAll(all);
-    const { found } = all.store.getState().courses.get('run late') ?? {};
+    const { found } = all.store.getState().trajectories.get('run late') ?? {};
     const expected = simulate(compile(resolveLevel(FILE), 'precise'), [[30, 600]]);
     expect(found?.end).toEqual({ outcome: expected.outcome, with: expected.with, time: expected.time, tick: expected.tick });
     expect(found?.minerals).toBe(1);
@@ -185,7 +185,7 @@ describe('compared runs', () => {
     all.jobs[before].answer();
     await all.clock.pass(1000);
     // shown, though of a level that has gone on; then the level as it is now
-    expect(all.store.getState().courses.get('run late')?.found).not.toBe(null);
+    expect(all.store.getState().trajectories.get('run late')?.found).not.toBe(null);
     expect(freshIn(all, run('late'))).toBe(false);
     expect(all.jobs).toHaveLength(before + 2);
     expect(all.jobs[before + 1].request.level.asteroids[0].y).toBe(324);
@@ -214,7 +214,7 @@ describe('compared runs', () => {
     await all.clock.pass(100);
     all.jobs[0].giveUp();
     await all.clock.pass(5000);
-    expect(all.store.getState().courses.get('run late')?.found).toBe(null);
+    expect(all.store.getState().trajectories.get('run late')?.found).toBe(null);
     expect(all.jobs).toHaveLength(1);
   });
 

@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel, moveHold, stretchHold } from '../../editor/document/index.ts';
+import { createEditedLevel, moveHold, renameRun, stretchHold } from '../../editor/document/index.ts';
 import {
   draftsOf,
   dropDraft,
   endScript,
   remarksInWords,
+  renameDraft,
   scriptText,
   shownDraft,
   typeScript,
@@ -84,6 +85,11 @@ describe('typing a run as text', () => {
     // another run has its own text
     type('5-9', 'other');
     expect([field('other'), field()]).toEqual(['5-9', '60-150, 200-']);
+    document.change('Rename run', renameRun('solution', 'other name'));
+    renameDraft(level, 'solution', 'other name');
+    expect(field('other name')).toBe('60-150, 200-');
+    document.undo();
+    renameDraft(level, 'other name', 'solution');
     dropDraft(level, 'solution');
     expect(field()).toBe('65-155 # first');
   });

@@ -55,6 +55,15 @@ export function dropDraft(level: Pick<OpenLevel, 'document'>, run: string): void
   drafts.setState(left, true);
 }
 
+/** Keeps what is typed for a run that gets another name. */
+export function renameDraft(level: Pick<OpenLevel, 'document'>, run: string, to: string): void {
+  const drafts = draftsOf(level);
+  const draft = drafts.getState().get(run);
+  if (draft === undefined || run === to) return;
+  dropDraft(level, run);
+  drafts.setState(new Map(drafts.getState()).set(to, draft), true);
+}
+
 /** Ends typing: what was typed is one step, and a text without mistakes is replaced by the canonical one. */
 export function endScript(level: Pick<OpenLevel, 'document'>, run: string): void {
   level.document.seal();

@@ -2,7 +2,6 @@ import type { JobKind } from '../protocol.ts';
 import type { Start } from '../work.ts';
 import { accuracy } from './accuracy.ts';
 import { check } from './check.ts';
-import { course } from './course.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
@@ -15,6 +14,7 @@ import { robustness } from './robustness.ts';
 import { slack } from './slack.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
+import { trajectory } from './trajectory.ts';
 
 /** All jobs of a worker. */
 export const JOBS: { readonly [K in JobKind]: Start<K> } = {
@@ -32,6 +32,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   lost,
   losses,
   path,
-  course,
+  trajectory,
   slack,
 };

@@ -6,7 +6,7 @@ import { follow } from './follow.ts';
 const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 /** Follows her tick by tick, and sums the run up. */
-export const course: Start<'course'> = function* ({ level, accuracy, holds }) {
+export const trajectory: Start<'trajectory'> = function* ({ level, accuracy, holds }) {
   const scene = compile(level, accuracy);
   const { points, turns } = yield* follow(scene, holds, MAX_TICKS);
   const run = simulate(scene, joinHolds(holds));
