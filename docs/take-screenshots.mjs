@@ -1,6 +1,6 @@
 // Takes the screenshots of the editor: node docs/take-screenshots.mjs [NAME ...], after npm run build.
 import { spawn } from 'node:child_process';
-import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
@@ -10,12 +10,29 @@ import { chromium } from 'playwright-core';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const LEVEL = '16-firewalk';
+/** A run that is in no shipped level, to compare with. */
+const EARLY = {
+  name: 'too early',
+  holds: [
+    [90, 230],
+    [290, 420],
+    [470, 760],
+  ],
+};
 const SHOTS = [
   { name: 'editor-dark', width: 1440, height: 900, theme: 'dark' },
   { name: 'editor-light', width: 1440, height: 900, theme: 'light' },
   { name: 'editor-phone-dark', width: 390, height: 844, theme: 'dark' },
   { name: 'editor-phone-light', width: 390, height: 844, theme: 'light' },
   { name: 'editor-history', width: 1280, height: 860, theme: 'dark', show: showHistory },
+  {
+    name: 'runs-side-by-side',
+    width: 1280,
+    height: 760,
+    theme: 'dark',
+    compared: true,
+    clip: { x: 251, y: 262, width: 729, height: 473 },
+  },
 ];
 const wanted = process.argv.slice(2);
 
@@ -51,6 +68,15 @@ async function showHistory(page) {
 
 const levels = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
 cpSync(join(root, 'levels'), levels, { recursive: true });
+/** The level with another run, and a note. */
+function withRuns() {
+  const path = join(levels, `${LEVEL}.level.json`);
+  const file = JSON.parse(readFileSync(path, 'utf8'));
+  file.runs[0].notes = [{ tick: 110, text: 'first swing' }];
+  file.runs.push(EARLY);
+  writeFileSync(path, JSON.stringify(file));
+}
+
 const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', levels, '--port', '0'], {
   stdio: ['ignore', 'pipe', 'pipe'],
 });
@@ -64,8 +90,9 @@ const address = new Promise((resolve) => {
 });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 try {
-  for (const { name, width, height, theme, show } of SHOTS) {
+  for (const { name, width, height, theme, show, compared = false, clip } of SHOTS) {
     if (wanted.length > 0 && !wanted.includes(name)) continue;
+    if (compared) withRuns();
     const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, hasTouch: width < 800 });
     const page = await context.newPage();
     await page.addInitScript((level) => {
@@ -86,11 +113,20 @@ try {
       .getByRole('status', { name: 'Slack' })
       .filter({ hasText: /slack \d/ })
       .waitFor({ timeout: 120_000 });
+    if (compared) {
+      await page.getByRole('tab', { name: 'Runs' }).click();
+      await page.getByRole('application', { name: 'Level canvas' }).focus();
+      await page.keyboard.press('c');
+      await page.keyboard.press('c');
+      await page.getByRole('button', { name: /^1 all-minerals: reaches/ }).waitFor();
+      await page.getByRole('button', { name: /^2 too early: / }).waitFor();
+      await page.getByRole('row', { name: /^slack .* ticks? .* ticks?/ }).waitFor();
+    }
     await time.focus();
-    for (let second = 0; second < 4; second++) await page.keyboard.press('PageUp');
+    for (let second = 0; second < (compared ? 9 : 4); second++) await page.keyboard.press('PageUp');
     await page.waitForTimeout(500);
     const shown = (await show?.(page)) ?? page;
-    await shown.screenshot({ path: join(root, 'docs', `${name}.png`) });
+    await shown.screenshot({ path: join(root, 'docs', `${name}.png`), clip });
     await context.close();
   }
 } finally {

@@ -17,6 +17,7 @@ interface Compiled {
   readonly elements: Parts;
   readonly run: z.core.$ZodType;
   readonly hold: z.core.$ZodType;
+  readonly note: z.core.$ZodType;
   readonly conflict: z.core.$ZodType;
 }
 
@@ -31,6 +32,7 @@ function parts(): Compiled {
     elements: Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, z.compile(OBJECT_SCHEMAS[kind])])),
     run: z.compile(runSchema),
     hold: z.compile(runSchema.shape.holds.element),
+    note: z.compile(runSchema.shape.notes.unwrap().element),
     conflict: z.compile(conflictSchema),
   };
   return compiled;
@@ -43,14 +45,28 @@ function checkLength(list: readonly unknown[], most: number, path: Path, level: 
   return false;
 }
 
+/** The lists of a run, with the part that each entry is. */
+const LISTS_OF_RUN = [
+  { key: 'holds', part: 'hold', most: LIMITS.holds },
+  { key: 'notes', part: 'note', most: LIMITS.notes },
+] as const;
+
 function checkRuns(runs: readonly unknown[], level: unknown, into: Finding[]): void {
   for (let r = 0; r < runs.length && into.length < MAX_FINDINGS; r++) {
     const run = runs[r];
-    const holds = isObject(run) && Array.isArray(run.holds) ? run.holds : null;
-    checkPart(parts().run, holds === null ? run : { ...(run as object), holds: [] }, ['runs', r], level, into);
-    if (holds === null || !checkLength(holds, LIMITS.holds, ['runs', r, 'holds'], level, into)) continue;
-    for (let h = 0; h < holds.length && into.length < MAX_FINDINGS; h++) {
-      checkPart(parts().hold, holds[h], ['runs', r, 'holds', h], level, into);
+    const hollow = isObject(run) ? { ...run } : run;
+    const lists = LISTS_OF_RUN.flatMap(({ key, part, most }) => {
+      const entries = isObject(run) ? run[key] : null;
+      if (!Array.isArray(entries)) return [];
+      (hollow as Record<string, unknown>)[key] = [];
+      return [{ key, part, most, entries }];
+    });
+    checkPart(parts().run, hollow, ['runs', r], level, into);
+    for (const { key, part, most, entries } of lists) {
+      if (!checkLength(entries, most, ['runs', r, key], level, into)) continue;
+      for (let i = 0; i < entries.length && into.length < MAX_FINDINGS; i++) {
+        checkPart(parts()[part], entries[i], ['runs', r, key, i], level, into);
+      }
     }
   }
 }

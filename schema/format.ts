@@ -2,6 +2,7 @@ import { ALLOWABLE_CODES } from './adjustable.ts';
 import { RULE_NAMES } from './default-rules.ts';
 import { KINDS, OBJECT_KINDS } from './kinds.ts';
 import { type LevelFile, levelSchema, OBJECT_SCHEMAS } from './level.ts';
+import { notesInOrder } from './notes.ts';
 
 type Json = { readonly [key: string]: unknown };
 
@@ -15,6 +16,7 @@ const KEYS = {
   rules: RULE_NAMES,
   allow: ALLOWABLE_CODES,
   runs: Object.keys(run.shape),
+  notes: Object.keys(run.shape.notes.unwrap().element.shape),
   conflicts: Object.keys(conflict.shape),
   ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
 } as { readonly [part: string]: readonly string[] };
@@ -42,16 +44,12 @@ function block(open: string, rows: readonly string[], close: string, indent: str
 }
 
 function formatRun(value: Json, indent: string): string {
+  const list = (rows: readonly string[]): string => block('[', rows, ']', `${indent}  `);
   const rows = entriesOf(value, KEYS.runs).map(([key, inner]) => {
-    const isHolds = key === 'holds' && Array.isArray(inner);
-    const text = isHolds
-      ? block(
-          '[',
-          inner.map((hold) => inline(hold)),
-          ']',
-          `${indent}  `,
-        )
-      : inline(inner);
+    let text: string;
+    if (key === 'holds' && Array.isArray(inner)) text = list(inner.map((hold) => inline(hold)));
+    else if (key === 'notes' && Array.isArray(inner)) text = list(notesInOrder(inner).map((note) => inline(note, KEYS.notes)));
+    else text = inline(inner);
     return `${JSON.stringify(key)}: ${text}`;
   });
   return block('{', rows, '}', indent);
@@ -76,9 +74,9 @@ function formatMember(key: string, value: unknown): string {
 }
 
 /**
- * Writes a level file in the canonical layout: keys in the order of the schema and x- keys after them, one object, hold or allowed problem per
- * line, LF, and a line end at the end of the file. Lists keep their order, what is missing stays missing, and -0 is written as
- * 0.
+ * Writes a level file in the canonical layout: keys in the order of the schema and x- keys after them, one object, hold, note or allowed
+ * problem per line, LF, and a line end at the end of the file. Notes are sorted by tick, other lists keep their order, what is
+ * missing stays missing, and -0 is written as 0.
  *
  * @param file - the content of the file
  * @returns the text of the file

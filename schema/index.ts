@@ -55,6 +55,7 @@ export {
 export { conflictProblems } from './merge-conflicts.ts';
 export type { JsonObject, Migration } from './migrate.ts';
 export { entryName, objectName, touchedName } from './names.ts';
+export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './notes.ts';
 export * from './other-reports.ts';
 export {
   formatPack,
@@ -81,6 +82,7 @@ export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSche
 export { resolveLevel } from './resolve.ts';
 export { type GameRule, RULES } from './rules.ts';
 export { rulesSchema } from './rules-schema.ts';
+export * from './run-text/index.ts';
 export { isSame } from './same-json.ts';
 export type { TextPlace } from './text-place.ts';
 export {

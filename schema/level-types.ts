@@ -51,6 +51,14 @@ export interface Asteroid extends Circle {
 /** A hold: the gun is held from tick `press` up to, but not including, tick `release`. Ticks last 1/60 s. */
 export type Hold = readonly [press: number, release: number];
 
+/** A note at a tick of a run, as a level file has it. A {@link Level} has none: notes change nothing in play. */
+export interface RunNote {
+  /** The tick of 1/60 s that it is about. */
+  readonly tick: number;
+  /** What it says: 1 to 200 characters on one line. */
+  readonly text: string;
+}
+
 /** A run that a level file contains. */
 export interface ScriptedRun {
   /** Its name, unique in the level. */

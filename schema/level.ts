@@ -15,6 +15,7 @@ import {
 } from './kinds.ts';
 import { DEFAULT_RANGE, LEVEL_VERSION } from './level-constants.ts';
 import { LIMITS } from './limits.ts';
+import { NOTE_TEXT } from './notes.ts';
 import { rulesSchema } from './rules-schema.ts';
 
 export * from './level-types.ts';
@@ -70,10 +71,23 @@ const hold = z
   .tuple([tick, tick])
   .describe('[press, release): ticks of 1/60 s; the gun is held from press up to, not including, release.');
 
+const note = z
+  .strictObject({
+    tick: tick.describe('The tick that it is about.'),
+    text: z
+      .string()
+      .min(1)
+      .max(LIMITS.note)
+      .regex(NOTE_TEXT)
+      .describe('What it says, on one line, without white space at its ends.'),
+  })
+  .describe('What somebody wrote at a tick of a run. It changes nothing in play.');
+
 const run = z
   .strictObject({
     name: z.string().min(1).max(80).describe('Unique in the level.'),
     holds: z.array(hold).max(LIMITS.holds).describe('When the gun is held.'),
+    notes: z.array(note).max(LIMITS.notes).optional().describe('Notes at ticks; `gq fmt` sorts them by tick.'),
   })
   .describe('What a player does: proof that the level can be completed, or that it fails as it should.');
 

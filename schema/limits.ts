@@ -18,6 +18,10 @@ export const LIMITS = {
   runs: 1000,
   /** Holds in one run. */
   holds: 20_000,
+  /** Notes in one run. */
+  notes: 1000,
+  /** Characters of a note. */
+  note: 200,
   /** Conflicts that a merge may leave in one level. */
   conflicts: 20_000,
   /** Characters of the reason why a problem is allowed. */

@@ -39,6 +39,7 @@ const ONE_OF: Readonly<Record<string, string>> = {
   runs: 'run',
   conflicts: 'conflict',
   holds: 'hold',
+  notes: 'note',
 };
 
 /** The entries of a hold. */

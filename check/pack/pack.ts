@@ -31,11 +31,12 @@ const LEFT_OUT: ReadonlySet<string> = new Set(['$schema', 'allow', 'conflicts'])
 
 /**
  * A level as it leaves its folder for a pack: with the rules of the folder, and without what concerns only those who work on it,
- * such as keys that begin with `x-`.
+ * such as keys that begin with `x-` and the notes of runs.
  */
 export function packedLevel(file: LevelFile, { rules, withRuns, found }: PackedLevelOptions): unknown {
   const { runs = [], ...rest } = leavingFolder(file, rules);
-  const all = found === null ? runs : [...runs, { name: freeName(runs), holds: found.map(([a, b]): [number, number] => [a, b]) }];
+  const own = runs.map(({ notes: _, ...run }) => run);
+  const all = found === null ? own : [...own, { name: freeName(runs), holds: found.map(([a, b]): [number, number] => [a, b]) }];
   const whole = withRuns && all.length > 0 ? { ...rest, runs: all } : rest;
   const isOurs = (key: string): boolean => key.startsWith('x-');
   const value = JSON.parse(formatLevel(whole), (key, inner) => (isOurs(key) ? undefined : inner)) as Record<string, unknown>;

@@ -4,11 +4,13 @@ import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys, listenToPads } from '../commands/index.ts';
+import { ComparedWatch } from '../compare/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
 import { errorInWords, problemsInWords } from '../files/index.ts';
 import { AttemptsWatch } from '../panels/attempts/index.ts';
 import { openListed, SamplesButton } from '../panels/levels/index.ts';
 import { PackView, packCommands } from '../panels/pack/index.ts';
+import { SCRIPT_FIELD } from '../panels/runs/index.ts';
 import { HeatLegend, SolverWatch, solverSessionOf } from '../panels/solver/index.ts';
 import { PlayView, playCommands, ReplayView } from '../play/index.ts';
 import { playsCommands } from '../plays/index.ts';
@@ -81,6 +83,17 @@ function panelCommands(editor: Editor): readonly Command[] {
       }),
     ),
     {
+      id: 'run.text',
+      title: 'Edit the run as text',
+      group: 'Run',
+      keys: ['t'],
+      needs: () => (editor.open.getState()?.proof.proof().run.name == null ? 'show a run first' : null),
+      run: () => {
+        flushSync(() => show('runs'));
+        document.getElementById(SCRIPT_FIELD)?.focus();
+      },
+    },
+    {
       id: 'file.find',
       title: 'Find a level',
       group: 'File',
@@ -123,6 +136,7 @@ function LevelScreen() {
       <StatusBar />
       <SolverWatch />
       <AttemptsWatch />
+      <ComparedWatch />
     </>
   );
 }

@@ -1,4 +1,5 @@
 import { RULES } from '../../schema/index.ts';
+import { comparedOf, compareOrTell, isCompared } from '../compare/index.ts';
 import type { Editor } from '../context/index.ts';
 import { titled } from '../document/index.ts';
 import { folderRulesIn } from '../files/index.ts';
@@ -32,7 +33,7 @@ export function findDestinations(editor: Editor, query: string): readonly Destin
         return words.every((word) => text.includes(word));
       })
       .slice(0, MOST);
-  return [levels, runs, objects, rules].flatMap((list) => matching(list(editor)));
+  return [levels, runs, comparable, objects, rules].flatMap((list) => matching(list(editor)));
 }
 
 function levels(editor: Editor): Destination[] {
@@ -68,6 +69,25 @@ function runs({ open, session }: Editor): Destination[] {
     detail: `${holds.length} ${holds.length === 1 ? 'hold' : 'holds'}`,
     go: () => session.setState({ run: name }),
   }));
+}
+
+function comparable(editor: Editor): Destination[] {
+  const level = editor.open.getState();
+  if (level === null) return [];
+  const shown = level.proof.proof().run.name;
+  return (level.document.file().runs ?? [])
+    .filter(({ name }) => name !== shown)
+    .map(({ name }) => {
+      const source = { kind: 'run', name } as const;
+      const isIn = isCompared(comparedOf(level).getState(), source);
+      return {
+        key: `compare ${name}`,
+        group: 'Run',
+        title: `${isIn ? 'Stop comparing' : 'Compare with'} ${name}`,
+        detail: '',
+        go: () => compareOrTell(editor, level, source),
+      };
+    });
 }
 
 function objects({ open, commands }: Editor): Destination[] {

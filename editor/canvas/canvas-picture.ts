@@ -1,5 +1,6 @@
 import type { StoreApi } from 'zustand/vanilla';
 import { type Box, joinHolds } from '../../engine/index.ts';
+import { raceOf } from '../compare/index.ts';
 import type { Editor, OpenLevel, Pose } from '../context/index.ts';
 import { type LostPicture, lossKey, lostOf, lostPictureOf } from '../lost/index.ts';
 import { type OnionPicture, onionOf, onionPictureOf } from '../onion/index.ts';
@@ -11,15 +12,17 @@ import type { Picture } from './stage.ts';
 
 /** What the stage shows of an open level, read once per frame. @param search what searches show */
 export function pictureOf(
-  { settings, session }: Editor,
+  editor: Editor,
   level: OpenLevel,
   canvas: StoreApi<CanvasState>,
   search: Pick<StoreApi<SearchPicture>, 'getState'>,
 ): () => Picture {
+  const { settings, session } = editor;
   const { document, selection, hovered, proof, ghosts, playtest, attempts } = level;
   const plays = shelfOf(level).store;
   const found = lostOf(level);
   const compared = onionOf(level);
+  const race = raceOf(editor, level);
   // the pose of a tick is computed once, however many frames show it
   let posed: { proof: object; tick: number; pose: Pose } | null = null;
   const pose = (): Pose => {
@@ -66,6 +69,7 @@ export function pictureOf(
   return () => {
     const { snapToGrid, grid } = settings.getState();
     const { dataset } = window.document.documentElement;
+    const { racers, tick: moment } = race();
     return {
       file: document.file(),
       her: box(),
@@ -81,6 +85,8 @@ export function pictureOf(
       lost: lost(),
       onion: onion(),
       pose: pose(),
+      racers,
+      moment,
       editing: session.getState().mode === 'edit',
       showsRun: session.getState().mode === 'edit' || settings.getState().runInPlay,
       theme: dataset.theme === 'light' ? 'light' : 'dark',

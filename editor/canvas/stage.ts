@@ -1,6 +1,7 @@
 import { CANVAS, Game, Scale, Scene, WEBGL } from 'phaser';
 import type { Box } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
+import type { Racer } from '../compare/index.ts';
 import type { Ghost, Pose } from '../context/index.ts';
 import type { ObjectKey } from '../document/index.ts';
 import type { LostPicture } from '../lost/index.ts';
@@ -17,6 +18,7 @@ import {
   ObjectLayer,
   OnionLayer,
   OverlayLayer,
+  RaceLayer,
   SearchLayer,
   type SearchPicture,
   SpaceScene,
@@ -46,6 +48,10 @@ export interface Picture {
   /** The level as it was before a change; null: it is not shown. */
   readonly onion: OnionPicture | null;
   readonly pose: Pose;
+  /** The compared runs that are shown; the same list until one of them changes. */
+  readonly racers: readonly Racer[];
+  /** The tick at which they are shown, with a fraction. */
+  readonly moment: number;
   readonly editing: boolean;
   /** Whether the path of the run is shown. */
   readonly showsRun: boolean;
@@ -63,6 +69,7 @@ interface Layers {
   readonly lost: LostLayer;
   readonly onion: OnionLayer;
   readonly way: WayLayer;
+  readonly race: RaceLayer;
   readonly astronaut: AstronautLayer;
 }
 
@@ -96,7 +103,7 @@ class LevelScene extends Scene {
     const space = this.scene.get('space') as SpaceScene;
     const isRedressed = this.layers?.theme !== picture.theme;
     if (isRedressed) this.layers = this.dress(picture.theme, objects, space);
-    const { overlay, search, deaths, lost, onion, way, astronaut } = this.layers as Layers;
+    const { overlay, search, deaths, lost, onion, way, race, astronaut } = this.layers as Layers;
     const fresh = last === null || isRedressed;
     const { view } = picture.canvas;
     if (fresh || last.canvas.view !== view) {
@@ -108,6 +115,8 @@ class LevelScene extends Scene {
     const same = (...names: readonly (keyof Picture)[]) => !fresh && names.every((name) => last[name] === picture[name]);
     if (!same('file', 'her', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
     if (zoomed || !same('proof', 'ghosts', 'layers', 'showsRun')) way.show({ ...picture, zoom: view.zoom });
+    if (zoomed || !same('racers', 'her')) race.show({ ...picture, zoom: view.zoom });
+    if (zoomed || !same('racers', 'moment')) race.pose(picture.racers, picture.moment, view.zoom, picture.her);
     if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
     if (!same('deaths', 'layers')) deaths.show(picture.layers.deaths ? picture.deaths : null);
     if (zoomed || !same('lost')) lost.show(picture.lost, view.zoom);
@@ -127,6 +136,7 @@ class LevelScene extends Scene {
     this.layers?.lost.destroy();
     this.layers?.onion.destroy();
     this.layers?.way.destroy();
+    this.layers?.race.destroy();
     this.layers?.astronaut.destroy();
     objects.clear();
     drawTextures(this.textures, theme);
@@ -139,6 +149,7 @@ class LevelScene extends Scene {
       lost: new LostLayer(this, colours),
       onion: new OnionLayer(this, colours),
       way: new WayLayer(this, colours),
+      race: new RaceLayer(this, theme, colours),
       astronaut: new AstronautLayer(this, colours),
     };
   }

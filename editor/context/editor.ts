@@ -43,7 +43,11 @@ export interface OpenLevel {
   /** null until it is known */
   readonly analysis: StoreApi<Analysis | null>;
   /** The playtest in progress; the canvas reads its pose once per frame. */
-  readonly playtest: StoreApi<{ readonly pose: () => Pose } | null>;
+  readonly playtest: StoreApi<{
+    readonly pose: () => Pose;
+    /** The tick of that pose, with a fraction. */
+    readonly moment: () => number;
+  } | null>;
 }
 
 /** Everything that a part of the editor may use. One per page. */

@@ -30,7 +30,7 @@ export const TOUR: readonly TourStep[] = [
   },
   {
     title: 'A run is a row of holds',
-    text: 'Each bar is a hold of the gun. Drag it to move it, drag its ends to stretch it; hold Alt to move everything after it as well. Click the ruler to see any moment.',
+    text: 'Each bar is a hold of the gun. Drag it to move it, drag its ends to stretch it; hold Alt to move everything after it as well. Click the ruler to see any moment. C compares with another run, T shows the run as text.',
     touch: 'Each bar is a hold of the gun. Drag it to move it, drag its ends to stretch it. Tap the ruler to see any moment.',
     at: ['section[aria-label="Timeline"]', '.narrow__sheet--timeline', '.narrow__tabs'],
   },

@@ -17,38 +17,20 @@ import {
   SINGLE_KINDS,
   withIds,
 } from '../../schema/index.ts';
+import { type Fields, type Refusal, Refused, refuse, settleFields } from './settle-fields.ts';
+import { type RunFile, settleName, settleRun } from './settle-run.ts';
 
-/** Why a change was refused, for the user. */
-export interface Refusal {
-  readonly message: string;
-  readonly hint: string;
-}
+export type { Refusal };
 
 export type Settled = { readonly ok: true; readonly file: LevelFile } | { readonly ok: false; readonly refusal: Refusal };
 
-type Json = { [key: string]: unknown };
-type Shape = { readonly [key: string]: { safeParse(value: unknown): { success: boolean } } };
-
-/** The fields that an object of a file may have. */
-interface Fields {
-  readonly shape: Shape;
-  /** The ranges of its numbers. */
-  readonly limits: Readonly<Record<string, readonly [least: number, most: number]>>;
-  /** Its required fields. */
-  readonly required: readonly string[];
-}
-
 const { shape } = levelSchema;
-const ID = /^[a-z0-9]{2,16}$/;
-
 const LEVEL: Fields = { shape, limits: { range: [LIMITS.leastRadius, LIMITS.radius] }, required: [] };
 const OF_RULES: Fields = {
   shape: rulesSchema.shape,
   limits: Object.fromEntries(RULE_NAMES.map((name) => [name, [RULES[name].least, RULES[name].most]])),
   required: [],
 };
-const RUN: Fields = { shape: shape.runs.unwrap().element.shape, limits: {}, required: [] };
-
 function fieldsOfKind(kind: ObjectKind): Fields {
   const fields = fieldsOf(kind);
   return {
@@ -64,64 +46,7 @@ const OF_KIND = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, fieldsOfKin
   Record<ObjectKind, Fields>
 >;
 
-const TEXT_LIMITS: Readonly<Record<string, number>> = { description: 2000 };
-const NAME_LIMITS = { level: 120, run: 80 };
-
-class Refused extends Error {
-  constructor(readonly refusal: Refusal) {
-    super(refusal.message);
-  }
-}
-
-const refuse = (message: string, hint: string): never => {
-  throw new Refused({ message, hint });
-};
-
-/** Cuts a text to a length without splitting a surrogate pair. */
-function cut(text: string, most: number): string {
-  if (text.length <= most) return text;
-  const last = text.charCodeAt(most - 1);
-  return text.slice(0, last >= 0xd800 && last < 0xdc00 ? most - 1 : most);
-}
-
-/** The settled value of a field; undefined omits it. */
-function settleField(key: string, value: unknown, fields: Fields, what: string): unknown {
-  if (value === undefined || key.startsWith('x-')) return value;
-  if (!Object.hasOwn(fields.shape, key)) refuse(`${what} has no ${key}`, 'Custom keys begin with x-.');
-  if (typeof value === 'number' && Object.hasOwn(fields.limits, key)) {
-    if (Number.isNaN(value)) refuse(`${key} of ${what} would not be a number`, 'Type a number.');
-    const [least, most] = fields.limits[key];
-    // + 0 turns -0 into 0, which is how a file stores it
-    return Math.min(most, Math.max(least, value)) + 0;
-  }
-  if (typeof value === 'string' && Object.hasOwn(TEXT_LIMITS, key)) return cut(value, TEXT_LIMITS[key]);
-  if (key === 'id') return typeof value === 'string' && ID.test(value) ? value : undefined;
-  if (!fields.shape[key].safeParse(value).success)
-    refuse(`${key} of ${what} can't be ${JSON.stringify(value)}`, 'Give it another value.');
-  return value;
-}
-
-/**
- * @param old an object that is settled: fields equal in both are skipped
- * @returns the same object if nothing changes
- */
-function settleFields<T extends object>(value: T, fields: Fields, what: string, old?: object): T {
-  let changed: Json | null = null;
-  const before = old as Json | undefined;
-  for (const key of Object.keys(value)) {
-    const field = (value as Json)[key];
-    if (before !== undefined && field !== undefined && Object.is(before[key], field)) continue;
-    const settled = settleField(key, field, fields, what);
-    if (field !== undefined && Object.is(settled, field)) continue;
-    changed ??= { ...value } as Json;
-    if (settled === undefined) delete changed[key];
-    else changed[key] = settled;
-  }
-  for (const key of fields.required) {
-    if (!Object.hasOwn(changed ?? value, key)) refuse(`${what} has no ${key}`, `Give it a ${key}.`);
-  }
-  return (changed as T | null) ?? value;
-}
+const LONGEST_NAME = 120;
 
 /** Returns the same list if none of its entries changes. */
 function settleEach<T>(
@@ -140,34 +65,6 @@ function settleEach<T>(
     changed[i] = settled;
   }
   return changed ?? list;
-}
-
-type RunFile = NonNullable<LevelFile['runs']>[number];
-
-const tickOf = (tick: number): number => Math.min(LIMITS.tick, Math.max(0, Math.round(tick)));
-
-function settleHolds(holds: RunFile['holds']): RunFile['holds'] {
-  if (holds.length > LIMITS.holds) refuse(`a run can have ${LIMITS.holds} holds at most`, 'Delete some of them.');
-  let isFine = true;
-  for (const [press, release] of holds) {
-    if (Number.isNaN(press + release)) refuse('a hold would not begin and end at a number', 'Type a whole number of ticks.');
-    if (!Object.is(tickOf(press), press) || tickOf(release) !== release || release <= press) isFine = false;
-  }
-  if (isFine) return holds;
-  const settled = holds.map(([press, release]): [number, number] => [tickOf(press), tickOf(release)]);
-  return settled.filter(([press, release]) => release > press);
-}
-
-function settleName(name: unknown, most: number, what: string): string {
-  if (typeof name !== 'string' || name === '') refuse(`${what} needs a name`, 'Type a name.');
-  return cut(name as string, most);
-}
-
-function settleRun(value: RunFile): RunFile {
-  const { name, holds, ...others } = value;
-  const settled = { name: settleName(name, NAME_LIMITS.run, 'a run'), holds: settleHolds(holds) };
-  const rest = settleFields(others, RUN, 'a run');
-  return settled.name === name && settled.holds === holds && rest === others ? value : { ...rest, ...settled };
 }
 
 /** A copy in which an id that occurs twice stays with its first owner. */
@@ -203,7 +100,7 @@ function settleTop(file: LevelFile, before: LevelFile | null): LevelFile {
   const settled: LevelFile = { ...file, ...settleFields(own, LEVEL, 'a level') };
   for (const key of Object.keys(settled))
     if (settled[key as keyof LevelFile] === undefined) delete settled[key as keyof LevelFile];
-  settled.name = settleName(file.name, NAME_LIMITS.level, 'a level');
+  settled.name = settleName(file.name, LONGEST_NAME, 'a level');
   if (file.version !== 1) refuse('a level has version 1', 'Leave the version as it is.');
   for (const kind of SINGLE_KINDS) {
     if (file[kind] !== before?.[kind])

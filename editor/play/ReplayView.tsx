@@ -28,7 +28,7 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
   useEffect(() => {
     const playing = createReplay(level.proof.proof().level, replay);
     player.current = playing;
-    level.playtest.setState({ pose: () => playing.pose() }, true);
+    level.playtest.setState({ pose: () => playing.pose(), moment: () => playing.moment() }, true);
     host.current?.focus({ preventScroll: true });
     const stop = everyFrame(
       () => editor.session.getState().rate,

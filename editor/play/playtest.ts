@@ -23,6 +23,8 @@ export interface Playtest {
   points(): Float32Array;
   /** The positions now, which may be between two ticks. */
   pose(): Pose;
+  /** The tick of the positions, with a fraction. */
+  moment(): number;
 }
 
 /** How an attempt begins. */
@@ -64,6 +66,7 @@ export function createPlaytest(scene: Scene, { from, onMineral, onEnd }: Playtes
     },
     points: () => Float32Array.from(track),
     pose: shown.pose,
+    moment: shown.moment,
   };
   return playtest;
 }

@@ -16,6 +16,8 @@ export interface ReplayPlayer {
   /** Goes to a tick, forwards or backwards. */
   seek(tick: number): void;
   pose(): Pose;
+  /** The tick of the positions, with a fraction. */
+  moment(): number;
 }
 
 /** Replays holds in a level, at the accuracy that they were played at. */
@@ -38,5 +40,6 @@ export function createReplay(level: Level, { holds, accuracy, tick: last }: Repl
     advance: (ms) => void player.advance(ms),
     seek: (tick) => player.restart({ from: tick > 0 ? { holds, tick } : null, replay: holds }),
     pose: shown.pose,
+    moment: shown.moment,
   };
 }

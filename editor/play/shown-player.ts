@@ -9,6 +9,8 @@ export interface ShownPlayer {
   speed(): number;
   /** The positions now, which may be between two ticks. */
   pose(): Pose;
+  /** The tick of the positions, with a fraction. */
+  moment(): number;
 }
 
 export function showPlayer(player: Player): ShownPlayer {
@@ -34,6 +36,8 @@ export function showPlayer(player: Player): ShownPlayer {
   };
   return {
     minerals: () => collected().size,
+    // the pose lies between the last tick and the one before
+    moment: () => (player.ending === null ? Math.max(0, player.tick - 1 + player.alpha) : player.tick),
     speed: () => Math.hypot(player.state[2], player.state[3]),
     pose() {
       player.readPose(pose);

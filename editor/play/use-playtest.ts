@@ -76,7 +76,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
     });
     play.current = playing;
     frames.current?.play(playing);
-    level.playtest.setState({ pose: () => playing.pose() }, true);
+    level.playtest.setState({ pose: () => playing.pose(), moment: () => playing.moment() }, true);
     setReadout(read(playing));
     setAttempt(null);
     // The button that restarted it is gone, and the focus with it.

@@ -1,8 +1,9 @@
+import { firstDifference } from '../../check/runs/index.ts';
 import type { RunEnd } from '../../check/words/index.ts';
 import { joinHolds, type Run, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import type { ShownRun } from './answer.ts';
-import { firstDifference, type Marched } from './march.ts';
+import type { Marched } from './march.ts';
 import { type SceneRecord, toEnd } from './scene-record.ts';
 
 /**

@@ -1,11 +1,14 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { useComparedRows, useDifference } from '../compare/index.ts';
 import { useEditor, useLevel, useProof, useSession, useTouch, useWhenIdle } from '../context/index.ts';
 import type { LiveProof, Reach } from '../proof/index.ts';
+import { ComparedLanes } from './ComparedLanes.tsx';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';
 import { GunLane } from './GunLane.tsx';
 import { LossMark } from './LossMark.tsx';
+import { NoteFlags, type WrittenNote } from './NoteFlags.tsx';
 import { followPlayback } from './playback.ts';
 import { Ruler } from './Ruler.tsx';
 import { reachedBy } from './reached.ts';
@@ -74,11 +77,20 @@ export function Timeline() {
   // set while a hold is dragged, which may change where the run ends
   const [kept, setKept] = useState<Scale | null>(null);
   const [isExplained, setExplained] = useState(false);
+  const [written, setWritten] = useState<WrittenNote | null>(null);
   const { width } = size;
-  const scale = useMemo(() => chosen ?? kept ?? fitTicks(ticks, width), [chosen, kept, ticks, width]);
-  const drawn = useMemo(() => chosen ?? kept ?? fitTicks(drawnTicks, width), [chosen, kept, drawnTicks, width]);
-  const now = useRef({ scale, end, width });
-  now.current = { scale, end, width };
+  // a compared run may last longer than the shown one
+  const longest = useComparedRows().reduce(
+    (most, { found }) => Math.max(most, found === null ? 0 : Math.ceil(60 * found.end.time)),
+    0,
+  );
+  const last = Math.max(end, longest);
+  const shown = Math.max(ticks, longest);
+  const shownIdle = Math.max(drawnTicks, longest);
+  const scale = useMemo(() => chosen ?? kept ?? fitTicks(shown, width), [chosen, kept, shown, width]);
+  const drawn = useMemo(() => chosen ?? kept ?? fitTicks(shownIdle, width), [chosen, kept, shownIdle, width]);
+  const now = useRef({ scale, end, last, width });
+  now.current = { scale, end, last, width };
 
   useLayoutEffect(() => {
     const [element, plot] = [box.current, graphs.current];
@@ -100,9 +112,9 @@ export function Timeline() {
       element.removeEventListener('wheel', onWheel);
     };
   }, []);
-  useEffect(() => followPlayback(session, () => now.current.end), [session]);
+  useEffect(() => followPlayback(session, () => now.current.last), [session]);
   useEffect(() => {
-    const lastTick = () => now.current.end;
+    const run = { end: () => now.current.end, last: () => now.current.last };
     // the shown moment stays in place
     const zoomBy = (factor: number) => {
       const { scale: last, width: room } = now.current;
@@ -110,7 +122,7 @@ export function Timeline() {
       setChosen(zoomScale(last, x >= 0 && x <= room ? x : room / 2, factor));
     };
     const forget = commands.register([
-      ...runCommands(editor, level, lastTick),
+      ...runCommands(editor, level, { ...run, writeNote: (tick) => setWritten({ tick, index: null }) }),
       { id: 'run.fit', title: 'Fit the run in the timeline', group: 'Run', run: () => setChosen(null) },
       { id: 'run.zoom-in', title: 'Zoom the timeline in', group: 'Run', run: () => zoomBy(STEP_ZOOM) },
       { id: 'run.zoom-out', title: 'Zoom the timeline out', group: 'Run', run: () => zoomBy(1 / STEP_ZOOM) },
@@ -120,6 +132,12 @@ export function Timeline() {
   }, [commands, editor, level, session]);
 
   const onDragging = useCallback((isDragging: boolean) => setKept(isDragging ? now.current.scale : null), []);
+  const difference = useDifference();
+  const [against, distances, partings] = [difference?.row.name, difference?.distances, difference?.partings];
+  const apart = useMemo(
+    () => (against && distances && partings ? { name: against, distances, partings } : null),
+    [against, distances, partings],
+  );
   const slack = analysis !== null && analysis.holds === holds.join() ? analysis.slack : null;
   const ending = toX(scale, end);
   const isPlaying = useSession(({ mode }) => mode === 'play');
@@ -135,12 +153,13 @@ export function Timeline() {
         onPointerMove={(event) => {
           if (event.buttons !== 0 || event.pointerType === 'touch') return;
           const at = toTick(scale, event.clientX - event.currentTarget.getBoundingClientRect().left);
-          session.setState({ hoverTick: at >= 0 && at <= end ? at : null });
+          session.setState({ hoverTick: at >= 0 && at <= last ? at : null });
         }}
         onPointerLeave={() => session.setState({ hoverTick: null })}
       >
         {isHidden && <p className="timeline__hidden">Hidden while you play: it would give the run away.</p>}
-        <Ruler scale={scale} width={width} end={end} />
+        <Ruler scale={scale} width={width} end={last} />
+        {name !== null && <NoteFlags run={name} scale={scale} width={width} written={written} onWrite={setWritten} />}
         {isBroken && ending < width && (
           <div className="timeline__after" style={{ left: Math.max(0, ending) }} aria-hidden>
             <span className="timeline__unreached">not reached</span>
@@ -151,13 +170,20 @@ export function Timeline() {
         ) : (
           <GunLane run={name} holds={holds} reached={reached} scale={scale} slack={slack} onDragging={onDragging} />
         )}
+        <ComparedLanes scale={scale} width={width} />
         <EventMarks events={details.events} scale={drawn} width={width} />
         <div ref={graphs} className="timeline__graphs">
-          <Graphs margins={details.margins} scale={drawn} width={width} height={Math.max(24, size.height - KEY_HEIGHT)} />
+          <Graphs
+            margins={details.margins}
+            scale={drawn}
+            width={width}
+            height={Math.max(24, size.height - KEY_HEIGHT)}
+            apart={apart}
+          />
         </div>
         <LossMark scale={scale} width={width} end={end} />
         <div className="timeline__end" style={{ left: ending }} aria-hidden />
-        <Cursors scale={scale} end={end} />
+        <Cursors scale={scale} end={last} />
       </div>
     </div>
   );

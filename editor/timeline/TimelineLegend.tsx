@@ -1,4 +1,4 @@
-import { CircleQuestionMark, X } from 'lucide-react';
+import { CircleQuestionMark, Flag, X } from 'lucide-react';
 import { Popover } from 'radix-ui';
 import type { ReactNode } from 'react';
 import { useTouch } from '../context/index.ts';
@@ -28,6 +28,8 @@ const ENTRIES: readonly (readonly [sign: ReactNode, words: string])[] = [
   [mark('● ✕'), 'She reaches the black hole; she collides or is lost.'],
   [look('speed'), 'Her speed.'],
   [look('gap'), 'Her distance to the nearest hazard.'],
+  [look('apart'), 'The distance to the compared run; bars where they part and come near each other again.'],
+  [<Flag key="flag" size={12} />, 'A note: click it to read and change it.'],
   [look('near'), `Near miss: she passes a hazard at less than ${NEAR} px.`],
 ];
 

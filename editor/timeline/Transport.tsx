@@ -12,7 +12,7 @@ function Moment({ end }: { readonly end: number }) {
   const tick = useSession((state) => Math.round(state.tick));
   return (
     <span className="numbers">
-      tick {tick} of {end} · {(tick / 60).toFixed(2)} s
+      tick {tick} {tick > end ? 'past' : 'of'} {end} · {(tick / 60).toFixed(2)} s
     </span>
   );
 }

@@ -5,14 +5,24 @@ import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../documen
 /** length of a new hold, in ticks */
 const NEW_HOLD = 30;
 
-/** Commands for editing a run without the pointer. @param end the last tick of the shown run */
+interface RunCommandParts {
+  /** The last tick of the shown run. */
+  readonly end: () => number;
+  /** The last tick of all shown and compared runs. */
+  readonly last: () => number;
+  /** Opens the field for a new note of the shown run. */
+  readonly writeNote: (tick: number) => void;
+}
+
+/** Commands for editing a run without the pointer. */
 export function runCommands(
   { session }: Editor,
   { document, proof, selection }: OpenLevel,
-  end: () => number,
+  { end, last, writeNote }: RunCommandParts,
 ): readonly Command[] {
   const shown = () => proof.proof().run.name;
-  const goTo = (tick: number) => session.setState({ tick: Math.min(end(), Math.max(0, Math.round(tick))), isPlayingBack: false });
+  const goTo = (tick: number) =>
+    session.setState({ tick: Math.min(last(), Math.max(0, Math.round(tick))), isPlayingBack: false });
   const step = (by: number) => goTo(session.getState().tick + by);
   const newRun = () => {
     const name = freeRunName(document.file(), 'solution');
@@ -33,7 +43,7 @@ export function runCommands(
       keys: ['k'],
       run: () => {
         const { isPlayingBack, tick } = session.getState();
-        session.setState({ isPlayingBack: !isPlayingBack, tick: !isPlayingBack && tick >= end() ? 0 : tick, hoverTick: null });
+        session.setState({ isPlayingBack: !isPlayingBack, tick: !isPlayingBack && tick >= last() ? 0 : tick, hoverTick: null });
       },
     },
     { id: 'run.back', title: 'Previous tick', group: 'Run', keys: ['Comma'], run: () => step(-1) },
@@ -66,6 +76,14 @@ export function runCommands(
         const index = holds.findIndex(([press, release]) => press < tick && tick < release);
         if (name !== null && index >= 0) document.change('Split hold', splitHold(name, index, tick));
       },
+    },
+    {
+      id: 'run.add-note',
+      title: 'Add a note at the current tick',
+      group: 'Run',
+      keys: ['Shift+n'],
+      needs: () => (shown() === null ? 'show a run first' : null),
+      run: () => writeNote(Math.round(session.getState().tick)),
     },
     {
       id: 'run.delete-holds',

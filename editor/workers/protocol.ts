@@ -1,5 +1,6 @@
 import type { LevelVerdict, LostMineral, RunFindings, Softlocks } from '../../check/index.ts';
 import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
+import type { RunEnd } from '../../check/words/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
 import type { PlayVerdict } from '../../game/index.ts';
 import type { Hold, Level, LevelFile, OwnRules } from '../../schema/index.ts';
@@ -110,6 +111,8 @@ export interface Requests {
   };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
+  /** Her trajectory with these holds, and how it ends. */
+  trajectory: Played & { readonly holds: readonly Hold[] };
 }
 
 export type JobKind = keyof Requests;
@@ -295,6 +298,17 @@ export interface Results {
   leeway: Leeway;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
+  trajectory: {
+    /** x, y in px at every tick and at the end */
+    readonly points: Float32Array;
+    /** The direction of the box's x axis there: cos, sin. */
+    readonly turns: Float32Array;
+    readonly end: RunEnd;
+    /** How many different minerals are collected. */
+    readonly minerals: number;
+    /** The least distance to a hazard, px; null if there is none. */
+    readonly clearance: number | null;
+  };
 }
 
 /** The intermediate results that jobs report. */
@@ -318,6 +332,7 @@ export interface Progresses {
   losses: Losses;
   leeway: Leeway;
   path: never;
+  trajectory: never;
 }
 
 export type ToWorker =

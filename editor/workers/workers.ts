@@ -59,6 +59,9 @@ const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
 /** Where a selection may stand is sampled for as long as it is shown, and begins again with each change. */
 const LEEWAY: ReadonlySet<JobKind> = new Set(['leeway']);
 
+/** Runs that are compared with the shown one follow every change. */
+const COMPARED: ReadonlySet<JobKind> = new Set(['trajectory']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -71,6 +74,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   accuracy: 60_000,
   grade: 120_000,
   path: 20_000,
+  trajectory: 20_000,
   // these have a time limit of their own or run until they are cancelled
   solve: null,
   difficulty: null,
@@ -198,9 +202,9 @@ class Lane {
 }
 
 /** The kinds of jobs that have a worker of their own; all others share one. */
-const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, LEEWAY];
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, LEEWAY, COMPARED];
 
-/** Workers for long, short and quick jobs, for plays, for what is lost and for where something may stand, started on demand. */
+/** Workers for what must not wait for other jobs, started on demand; all other jobs share one. */
 export function createWorkers(options: WorkersOptions): Workers {
   const shared = new Lane(options);
   const own = OWN.map((kinds) => ({ kinds, lane: new Lane(options) }));

@@ -1,4 +1,5 @@
 import { KINDS, kindOfList, type LevelFile, OBJECT_LISTS, SINGLE_KINDS } from '../../schema/index.ts';
+import { canonicalNotes } from '../notes.ts';
 import { type Change, type FieldChange, followingKeys, isEqual, type Json, type KeyOrder, ownKeys, swapped } from './change.ts';
 import { type Identity, matchEntries } from './match-entries.ts';
 
@@ -13,12 +14,16 @@ export const LISTS: readonly (Identity & { readonly list: string })[] = [
 
 const isMap = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
+/** Whether two lists of notes have the same canonical text, which is sorted. */
+const sameNotes = (before: unknown, after: unknown): boolean =>
+  Array.isArray(before) && Array.isArray(after) && isEqual(canonicalNotes(before), canonicalNotes(after));
+
 /** The fields that differ between two objects. */
 function fieldsBetween(before: Json, after: Json): { readonly fields: FieldChange[]; readonly keys: KeyOrder | null } {
   const fields: FieldChange[] = [];
   for (const key of new Set([...Object.keys(before), ...Object.keys(after)])) {
     const [old, now] = [before[key], after[key]];
-    if (isEqual(old, now)) continue;
+    if (isEqual(old, now) || (key === 'notes' && sameNotes(old, now))) continue;
     fields.push({ key, ...(old !== undefined && { before: old }), ...(now !== undefined && { after: now }) });
   }
   return { fields, keys: orderOfKeys(ownKeys(before), ownKeys(after), fields) };

@@ -11,4 +11,4 @@ export {
   type StandingRun,
 } from './standing.ts';
 export { takeBack } from './take-back.ts';
-export { changesInWords, compareHolds, effectsInWords, standingInWords } from './words/index.ts';
+export { changesInWords, effectsInWords, standingInWords } from './words/index.ts';

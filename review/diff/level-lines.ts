@@ -6,6 +6,7 @@ import {
   type LevelFile,
   LISTED_KINDS,
   listOf,
+  notesInOrder,
   type ObjectKind,
   SINGLE_KINDS,
 } from '../../schema/index.ts';
@@ -33,6 +34,9 @@ function objectLine(kind: ObjectKind, object: Json): string {
   return [`${appearanceOfObject(kind, object).one}${id} at ${at}`, ...fields, ...own].join(', ');
 }
 
+/** The keys of a run that have lines of their own. */
+const LINES_OF_RUN: ReadonlySet<string> = new Set(['name', 'holds', 'notes']);
+
 /** The keys of a level that have lines of their own. */
 const LISTED = new Set<string>(['name', 'runs', ...SINGLE_KINDS, ...LISTED_KINDS.map(listOf)]);
 
@@ -57,9 +61,13 @@ export function levelInLines(file: LevelFile): string {
     lines.push(...sorted.sort((p, q) => (p.id < q.id || (p.id === q.id && p.line < q.line) ? -1 : 1)).map(({ line }) => line));
   }
   for (const run of file.runs ?? []) {
-    const own = Object.entries(run).filter(([key, value]) => key !== 'name' && key !== 'holds' && !isEqual(value, undefined));
+    const own = Object.entries(run).filter(([key, value]) => !LINES_OF_RUN.has(key) && !isEqual(value, undefined));
     lines.push([`run ${exactly(run.name)}`, ...own.map(([key, value]) => `${keyInWords(key)} ${exactly(value)}`)].join(', '));
     for (const [press, release] of run.holds) lines.push(`  hold ${press}-${release}`);
+    for (const { tick, text, ...more } of notesInOrder(run.notes ?? [])) {
+      const others = Object.entries(more).map(([key, value]) => `, ${keyInWords(key)} ${exactly(value)}`);
+      lines.push(`  note ${tick} ${exactly(text)}${others.join('')}`);
+    }
   }
   return lines.map((line) => `${line}\n`).join('');
 }

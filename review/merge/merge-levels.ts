@@ -8,6 +8,7 @@ import {
   SINGLE_KINDS,
 } from '../../schema/index.ts';
 import { type Choices, type Conflict, conflictKey, ORDER } from './conflict.ts';
+import { mergeNotes } from './merge-notes.ts';
 import {
   ALONE,
   fromGroups,
@@ -73,7 +74,10 @@ class Merge {
     const merged = new Map<string, unknown>();
     for (const field of keysInOrder(b[0].keys(), m.keys(), t.keys())) {
       const old = b.map((groups) => groups.get(field));
-      const value = this.value(conflictKey(...key, field), `${what}, ${field}`, old, m.get(field), t.get(field));
+      const own = key[0] === RUNS.list && field === 'notes' ? mergeNotes(old, m.get(field), t.get(field)) : null;
+      const name = conflictKey(...key, field);
+      const isMerged = own !== null && !this.isDoubtful(name);
+      const value = isMerged ? own.notes : this.value(name, `${what}, ${field}`, old, m.get(field), t.get(field));
       if (value !== undefined) merged.set(field, value);
     }
     return fromGroups(merged, together);

@@ -608,6 +608,27 @@ export const LEVEL_SHAPE: Shape = {
         most: 216000
        }
       }
+     },
+     notes: {
+      type: "array",
+      most: 1000,
+      each: {
+       type: "object",
+       keys: {
+        tick: {
+         type: "integer",
+         least: 0,
+         most: 216000
+        },
+        text: {
+         type: "string",
+         least: 1,
+         most: 200,
+         pattern: "^[^\\s\\x85](?:[^\\n-\\r\\x85\\u2028\\u2029]*[^\\s\\x85])?$"
+        }
+       }
+      },
+      optional: true
      }
     }
    },

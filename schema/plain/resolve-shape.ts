@@ -36,11 +36,13 @@ export function resolveShape(file: Values, folder: OwnRules): Level {
     keys.filter(([key]) => !LEFT_OUT.includes(key)),
   );
   // the order of keys is that of resolveLevel
-  const { name, description, astronaut, blackHole, range, recoil, rules: _, allow, ...lists } = level;
+  const { name, description, astronaut, blackHole, range, recoil, rules: _, allow, runs, ...lists } = level;
   return {
     ...{ name, description, astronaut, blackHole, range, recoil },
     ...ownRules((file.rules ?? {}) as OwnRules, folder),
     ...(Object.keys((file.allow ?? {}) as Values).some((code) => !code.startsWith('x-')) && { allow }),
     ...lists,
+    // without notes, which change nothing in play
+    runs: (runs as Level['runs']).map((run) => ({ name: run.name, holds: run.holds })),
   } as unknown as Level;
 }

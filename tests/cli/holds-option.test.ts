@@ -22,6 +22,15 @@ it('reads press-release pairs, with or without spaces', () => {
   expect(parseHolds('none')).toEqual([]);
 });
 
+it('reads a run as the text field of the editor shows it, and seconds', () => {
+  expect(parseHolds('# slowly\n12-96, 130-188 # swing\n@300 # drifts\n310..320')).toEqual([
+    [12, 96],
+    [130, 188],
+    [310, 320],
+  ]);
+  expect(parseHolds('0.2s-1.6s')).toEqual([[12, 96]]);
+});
+
 it('refuses anything else with a caret under a place in it, and never returns reversed or overlapping holds', () => {
   fc.assert(
     fc.property(fc.string({ unit: fc.constantFrom('0', '1', '9', '-', ',', ' ', '.', 'x', '\t'), maxLength: 12 }), (text) => {
@@ -51,7 +60,11 @@ describe('reports what was expected, and where', () => {
     ['12', 2, 'expected "-" and the tick of the release after 12'],
     ['12-96;', 5, 'expected "," and another hold, or the end'],
     ['12-96,', 6, 'found the end'],
-    ['1.5-3', 1, 'expected "-"'],
+    ['1.5-3', 0, 'expected "-" or a whole number of ticks, found 1.5'],
+    ['1-2.5s', 0, 'expected both in ticks or both in seconds, found 1 and 2.5s'],
+    ['', 0, 'found the end'],
+    ['# drifts', 8, 'found the end'],
+    ['12-96 130-188', 6, 'expected "," and another hold, or the end'],
     ['0-99999999999999999999', 2, 'is later than 216000'],
   ];
 
@@ -64,7 +77,7 @@ describe('reports what was expected, and where', () => {
 
 it('shows only the part around the place if the value is very long', () => {
   const text = `${Array.from({ length: 5000 }, (_, i) => `${2 * i}-${2 * i + 1}`).join(',')};`;
-  expect(() => parseHolds(text)).toThrow(/\^ expected "," and another hold, or the end$/);
+  expect(() => parseHolds(text)).toThrow(/\^ expected "," and another hold, or the end, found ";"$/);
   try {
     parseHolds(text);
   } catch (error) {

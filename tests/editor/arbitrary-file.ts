@@ -46,11 +46,20 @@ const holds = fc.array(
   { maxLength: 5 },
 );
 
+const notes = fc.array(
+  fc.record({ tick: fc.nat(900), text: fc.constantFrom('first swing', 'again', '# hash', 'é "quoted"'), 'x-own': own }),
+  { maxLength: 4 },
+);
+
 const runs = optional(
-  fc.uniqueArray(fc.record({ name: fc.constantFrom('solution', 'short', 'all minerals', 'fails', 'é "quoted"'), holds }), {
-    selector: ({ name }) => name,
-    maxLength: 4,
-  }),
+  fc.uniqueArray(
+    fc.record({
+      name: fc.constantFrom('solution', 'short', 'all minerals', 'fails', 'é "quoted"'),
+      holds,
+      notes: optional(notes),
+    }),
+    { selector: ({ name }) => name, maxLength: 4 },
+  ),
 );
 
 const rules = optional(

@@ -3,9 +3,10 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { firstDifference } from '../../check/runs/index.ts';
 import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/document/index.ts';
 import { createProofStore, createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { firstDifference, March } from '../../editor/proof/march.ts';
+import { March } from '../../editor/proof/march.ts';
 import { MarchRoom } from '../../editor/proof/march-room.ts';
 import type { Tracks } from '../../editor/proof/tracks.ts';
 import {

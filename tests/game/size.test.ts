@@ -37,7 +37,7 @@ const LIMITS = [
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 61_000,
+    most: 61_100,
   },
 ];
 

@@ -1,5 +1,5 @@
 import fc from 'fast-check';
-import { KINDS, kindOfList, type LevelFile, OBJECT_LISTS, type ObjectList, withIds } from '../../schema/index.ts';
+import { KINDS, kindOfList, type LevelFile, notesInOrder, OBJECT_LISTS, type ObjectList, withIds } from '../../schema/index.ts';
 
 export type Json = Record<string, unknown>;
 
@@ -11,7 +11,7 @@ export interface Edit {
 }
 
 export const arbitraryEdits = (most: number): fc.Arbitrary<Edit[]> =>
-  fc.array(fc.record({ what: fc.nat(17), which: fc.nat(60), value: fc.integer({ min: 1, max: 12 }) }), { maxLength: most });
+  fc.array(fc.record({ what: fc.nat(19), which: fc.nat(60), value: fc.integer({ min: 1, max: 12 }) }), { maxLength: most });
 
 /** Every object of a level with its list, and every run. */
 export function entriesOf(file: LevelFile): Map<string, { list: string; entry: Json }> {
@@ -109,6 +109,17 @@ export function apply(file: LevelFile, { what, which, value }: Edit): string {
       if (which % 3 === 0) delete draft.description;
       else draft[['name', 'name', 'description'][which % 3]] = `text ${value}`;
       return `text ${which % 3 === 1}`;
+    case 17:
+    case 18: {
+      if (run === undefined) return '';
+      const notes = (run.notes ?? []) as { tick: number; text: string }[];
+      const note = { tick: value * 3, text: `note ${which % 5}` };
+      const at = notes.findIndex(({ tick, text }) => tick === note.tick && text === note.text);
+      if (what === 17 && at < 0) run.notes = notesInOrder([...notes, note]);
+      else if (what === 18 && notes.length > 0) notes.splice(value % notes.length, 1);
+      else return '';
+      return `run ${run.name} notes`;
+    }
     default:
       if (which % 2 === 0) file.astronaut.vx = value;
       else file.blackHole.y = value;

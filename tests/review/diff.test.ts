@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { applyDiff, type Change, changesInWords, compareHolds, diffLevels, levelInLines } from '../../review/index.ts';
+import { compareHolds } from '../../check/runs/index.ts';
+import { applyDiff, type Change, changesInWords, diffLevels, levelInLines } from '../../review/index.ts';
 import { formatLevel, KINDS, type LevelFile, LISTED_KINDS, OBJECT_LISTS } from '../../schema/index.ts';
 import { arbitraryFile as fileWithIds } from '../editor/arbitrary-file.ts';
 import { arbitraryFile as anyFile } from '../schema/arbitrary-file.ts';
@@ -21,6 +22,10 @@ const edited = fc.oneof(anyFile, fileWithIds).chain((before) =>
       for (const entry of kept) {
         if (list === 'runs') {
           if (roll(3) === 0) entry.holds = [...(entry.holds as unknown[]), [216_000 - 2, 216_000 - 1]];
+          if (roll(4) === 0) entry.notes = [{ text: 'new', tick: roll(900) }, ...((entry.notes ?? []) as unknown[])];
+          const [turns, goes] = [roll(4) === 0, roll(5) === 0];
+          if (turns) (entry.notes as unknown[] | undefined)?.reverse();
+          else if (goes) delete entry.notes;
           continue;
         }
         if (roll(3) === 0) entry.x = Math.max(-1e9, (entry.x as number) - 1 - roll(50) / 7);
@@ -351,6 +356,36 @@ describe('matching objects without ids', () => {
         },
       ),
     );
+  });
+});
+
+describe('notes of runs', () => {
+  const noted = (...notes: [tick: number, text: string][]): LevelFile => ({
+    ...BASE,
+    runs: [{ name: 'solution', holds: [], notes: notes.map(([tick, text]) => ({ tick, text })) }],
+  });
+  const words = (before: LevelFile, after: LevelFile) => changesInWords(diffLevels(before, after), after);
+
+  it('are added, moved, reworded and removed in words', () => {
+    const before = noted([5, 'waits'], [60, 'swing'], [90, 'turns']);
+    expect(words(before, noted([5, 'waits'], [70, 'swing'], [90, 'turns left'], [200, 'far']))).toEqual([
+      'run "solution": note "swing" moved from tick 60 to 70, note at tick 90 now says "turns left", note "far" added at tick 200',
+    ]);
+    expect(words(before, noted([5, 'waits']))).toEqual([
+      'run "solution": note "swing" removed from tick 60, note "turns" removed from tick 90',
+    ]);
+    const many = noted(...Array.from({ length: 9 }, (_, i): [number, string] => [1000 + i, `${i}`]));
+    expect(words(noted(), many)).toEqual(['run "solution": 9 notes changed']);
+    expect(words({ ...noted(), runs: [{ name: 'solution', holds: [] }] }, noted())).toEqual([
+      'run "solution": an empty list of notes is now written',
+    ]);
+  });
+
+  it('are the same in another order of the file, and have a line each', () => {
+    const file = noted([60, 'b\u001b'], [60, 'a'], [5, 'c']);
+    expect(diffLevels(file, noted([5, 'c'], [60, 'b\u001b'], [60, 'a']))).toEqual([]);
+    expect(diffLevels(file, noted([5, 'c'], [60, 'a'], [60, 'b\u001b']))).toHaveLength(1);
+    expect(levelInLines(file)).toContain('run "solution"\n  note 5 "c"\n  note 60 "b\\u001b"\n  note 60 "a"\n');
   });
 });
 

@@ -60,6 +60,58 @@ const arbitraryFork = arbitraryFile.chain((base) =>
     }),
 );
 
+describe('merging notes', () => {
+  const noted = (...notes: [tick: number, text: string][]): LevelFile => ({
+    ...BASE,
+    runs: [{ name: 'solution', holds: [[1, 5]], notes: notes.map(([tick, text]) => ({ tick, text })) }],
+  });
+  const notesIn = (base: LevelFile, mine: LevelFile, theirs: LevelFile) => {
+    const merged = mergeLevels(base, mine, theirs);
+    expect(merged.conflicts).toEqual([]);
+    expect(mergeLevels(base, theirs, mine).file).toEqual(merged.file);
+    return merged.file.runs?.[0].notes?.map(({ tick, text }) => [tick, text]);
+  };
+  const base = noted([10, 'a'], [20, 'b'], [20, 'c']);
+
+  it('takes what either side added and removed', () => {
+    expect(notesIn(base, noted([10, 'a'], [20, 'b'], [20, 'c'], [15, 'mine']), noted([20, 'c'], [20, 'theirs']))).toEqual([
+      [15, 'mine'],
+      [20, 'c'],
+      [20, 'theirs'],
+    ]);
+    expect(notesIn(base, noted([10, 'a'], [20, 'b'], [20, 'c'], [9, 'same']), noted([9, 'same'], [10, 'a'], [20, 'c']))).toEqual([
+      [9, 'same'],
+      [10, 'a'],
+      [20, 'c'],
+    ]);
+  });
+
+  it('keeps both versions of a note that one side moves and the other rewords', () => {
+    expect(notesIn(base, noted([12, 'a'], [20, 'b'], [20, 'c']), noted([10, 'A'], [20, 'b'], [20, 'c']))).toEqual([
+      [10, 'A'],
+      [12, 'a'],
+      [20, 'b'],
+      [20, 'c'],
+    ]);
+  });
+
+  it('leaves holds to their own rule', () => {
+    const run = (holds: [number, number][], text: string): LevelFile => ({
+      ...BASE,
+      runs: [{ name: 'solution', holds, notes: [{ tick: 1, text }] }],
+    });
+    const { conflicts, file } = mergeLevels(run([[1, 5]], 'a'), run([[1, 6]], 'b'), run([[1, 7]], 'c'));
+    expect(conflicts.map(({ key }) => key)).toEqual(['runs/solution/holds']);
+    expect(file.runs?.[0].notes?.map(({ text }) => text)).toEqual(['b', 'c']);
+  });
+
+  it('asks where both together have more notes than a run can have', () => {
+    const side = (from: number) => noted(...Array.from({ length: 600 }, (_, i): [number, string] => [from + i, 'x']));
+    const { conflicts } = mergeLevels(noted(), side(0), side(1000));
+    expect(conflicts.map(({ key }) => key)).toEqual(['runs/solution/notes']);
+  });
+});
+
 describe('merging', () => {
   it('takes the side that changed, whichever it is, and equal changes of both', () => {
     fc.assert(

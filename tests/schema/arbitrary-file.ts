@@ -7,6 +7,8 @@ import {
   type LevelFile,
   LIMITS,
   LISTED_KINDS,
+  NOTE_TEXT,
+  notesInOrder,
   OBJECT_LISTS,
   type ObjectKind,
   SINGLE_KINDS,
@@ -42,8 +44,24 @@ const hold = fc
   .tuple(fc.nat(LIMITS.tick - 1), fc.nat(LIMITS.tick))
   .map(([press, more]): [number, number] => [press, Math.min(LIMITS.tick, press + 1 + more)]);
 
+const note = withExtensions(
+  fc.record({
+    tick: fc.nat(LIMITS.tick),
+    text: fc
+      .oneof(fc.string({ minLength: 1 }), fc.string({ minLength: 1, unit: 'binary' }))
+      .filter((text) => NOTE_TEXT.test(text)),
+  }),
+);
+
 const run = withExtensions(
-  fc.record({ name: fc.string({ minLength: 1, maxLength: 80 }), holds: fc.array(hold, { maxLength: 5 }) }),
+  fc.record(
+    {
+      name: fc.string({ minLength: 1, maxLength: 80 }),
+      holds: fc.array(hold, { maxLength: 5 }),
+      notes: fc.array(note, { maxLength: 4 }).map(notesInOrder),
+    },
+    { requiredKeys: ['name', 'holds'] },
+  ),
 );
 
 const list = <T>(entry: fc.Arbitrary<T>) => fc.array(entry, { maxLength: 5 });

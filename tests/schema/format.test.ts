@@ -57,6 +57,20 @@ describe('the canonical text', () => {
     );
   });
 
+  test('sorts notes by tick, keeps those of one tick in their order, and puts each on a line', () => {
+    const notes = '[{"x-c":1,"text":"late","tick":9},{"tick":4,"text":"b"},{"tick":4,"text":"a"}]';
+    const text = `{"runs":[{"notes":${notes},"holds":[],"name":"n"}],"blackHole":{"y":0,"x":1},"astronaut":{"y":2,"x":1},"name":"a","version":1}`;
+    expect(formatLevel(read(text))).toContain(`    {
+      "name": "n",
+      "holds": [],
+      "notes": [
+        { "tick": 4, "text": "b" },
+        { "tick": 4, "text": "a" },
+        { "tick": 9, "text": "late", "x-c": 1 }
+      ]
+    }`);
+  });
+
   test('changes in one line if one object moves', () => {
     fc.assert(
       fc.property(arbitraryFile, fc.nat(), fc.double({ min: -1000, max: 1000, noNaN: true }), (file, pick, x) => {

@@ -1,4 +1,4 @@
-import { bodyInWords, countMinerals, outcomeInWords } from '../../../check/words/index.ts';
+import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../../check/words/index.ts';
 import { effectEventInWords, type Run, type RunEvent } from '../../../engine/index.ts';
 import { type Level, objectName, type RunReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
@@ -15,7 +15,7 @@ export function simulatePretty(level: Level, runName: string, run: Run, report: 
     '',
     ...run.events.map((event) => `${event.time.toFixed(3).padStart(8)} s  ${eventInWords(event)}`),
     ...(run.events.length > 0 ? [''] : []),
-    `holds      ${report.holds.length === 0 ? 'none' : report.holds.map(([press, release]) => `${press}-${release}`).join(',')}`,
+    `holds      ${holdsInWords(report.holds)}`,
     `minerals   ${countMinerals(run)} of ${level.minerals.length}`,
     `clearance  ${near === null ? 'nothing deadly in the level' : `${near.distance.toFixed(3)} px to ${bodyInWords(near)} at ${near.time.toFixed(3)} s`}`,
     `final      x ${x.toFixed(3)}, y ${y.toFixed(3)} px; ${vx.toFixed(3)}, ${vy.toFixed(3)} px/s; angle ${angle.toFixed(4)} rad`,

@@ -10,7 +10,7 @@ const DRAWN_WIDTH = 10;
 const DRAWN_HEIGHT = 16;
 
 /** The scale at which she fits into her box. */
-const scaleIn = ({ halfWidth, halfHeight }: Box): number =>
+export const scaleIn = ({ halfWidth, halfHeight }: Box): number =>
   (Math.min(halfWidth / DRAWN_WIDTH, halfHeight / DRAWN_HEIGHT) * DRAWN_HEIGHT) / TEXTURE_UNIT;
 const SPARKS = 14;
 

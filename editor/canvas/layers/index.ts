@@ -4,6 +4,7 @@ export { LostLayer } from './lost-layer.ts';
 export { ObjectLayer } from './object-layer.ts';
 export { OnionLayer } from './onion-layer.ts';
 export { OverlayLayer } from './overlay-layer.ts';
+export { RaceLayer } from './race-layer.ts';
 export { SearchLayer, type SearchPicture } from './search-layer.ts';
 export { SpaceScene } from './space-scene.ts';
 export { WayLayer } from './way-layer.ts';

@@ -1,5 +1,9 @@
+import { carryNotes } from '../../../check/runs/index.ts';
+import { joinHolds } from '../../../engine/index.ts';
 import type { Hold, LevelFile } from '../../../schema/index.ts';
 import type { Recipe } from '../document.ts';
+import { holdsOf } from './edit-holds.ts';
+import { putNotes } from './put-notes.ts';
 
 type RunFile = NonNullable<LevelFile['runs']>[number];
 
@@ -42,8 +46,10 @@ export function duplicateRun(name: string, as: string): Recipe {
     const runs = runsOf(draft);
     const index = runs.findIndex((run) => run.name === name);
     if (index < 0) return;
-    const holds = runs[index].holds.map(([press, release]): [number, number] => [press, release]);
-    runs.splice(index + 1, 0, { ...runs[index], name: as, holds });
+    const run = runs[index];
+    const copy: RunFile = { ...run, name: as, holds: run.holds.map(([press, release]) => [press, release]) };
+    if (run.notes !== undefined) copy.notes = run.notes.map((note) => ({ ...note }));
+    runs.splice(index + 1, 0, copy);
   };
 }
 
@@ -58,10 +64,12 @@ export function reorderRun(name: string, index: number): Recipe {
   };
 }
 
-/** Replaces the holds of a run, by an attempt or a run that a search found. */
+/** Replaces the holds of a run, by an attempt or a run that a search found. Notes go along with holds that are kept. */
 export function replaceHolds(name: string, holds: readonly Hold[]): Recipe {
   return (draft) => {
     const run = runsOf(draft).find((run) => run.name === name);
-    if (run !== undefined) run.holds = holds.map(([press, release]) => [press, release]);
+    if (run === undefined) return;
+    if (run.notes !== undefined) putNotes(run, carryNotes(run.notes, holdsOf(draft, name), joinHolds(holds)));
+    run.holds = holds.map(([press, release]) => [press, release]);
   };
 }

@@ -4,6 +4,7 @@ export { copyObjects, duplicateObjects } from './copy-objects.ts';
 export { deleteObjects } from './delete-objects.ts';
 export { addHold, deleteHolds, holdsOf, moveHold, splitHold, stretchHold } from './edit-holds.ts';
 export { type LevelProperty, setLevelProperty, setObjectProperty } from './edit-level.ts';
+export { addNote, deleteNote, moveNote, notesOf, rewordNote, writeScript } from './edit-notes.ts';
 export { resetRules, setRule } from './edit-rules.ts';
 export { addRun, deleteRun, duplicateRun, freeRunName, renameRun, reorderRun, replaceHolds } from './edit-runs.ts';
 export { moveObjects } from './move-objects.ts';

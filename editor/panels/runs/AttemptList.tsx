@@ -3,10 +3,12 @@ import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import { type Attempt, attemptInWords } from '../../attempts/index.ts';
+import { compareOrTell, sourceKey, useComparedRows } from '../../compare/index.ts';
 import { useEditor, useLevel, useProof } from '../../context/index.ts';
 import { attemptGhosts, keepAsRun, makeProof } from '../../play/index.ts';
 import { Button } from '../../ui/index.ts';
 import { plural, seconds } from '../figures/index.ts';
+import { CompareButton } from './CompareButton.tsx';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 
 /** The attempts of this session: each is a ghost on the canvas and can be kept as a run of the level. */
@@ -16,6 +18,8 @@ export function AttemptList() {
   const { attempts: kept, ghosts } = level;
   const attempts = useStore(kept.store);
   const range = useProof((proof) => proof.level.range);
+  const compared = useComparedRows();
+  const numberOf = (number: number) => compared.find(({ key }) => key === sourceKey({ kind: 'attempt', number }))?.number ?? null;
   const [hidden, setHidden] = useState<ReadonlySet<number>>(new Set());
 
   useEffect(() => {
@@ -63,6 +67,11 @@ export function AttemptList() {
                 hint={hidden.has(number) ? `Show attempt ${number} on the canvas` : `Hide attempt ${number} on the canvas`}
                 icon={hidden.has(number) ? <EyeOff size={14} /> : <Eye size={14} />}
                 onClick={() => toggle(attempt)}
+              />
+              <CompareButton
+                name={`attempt ${number}`}
+                compared={numberOf(number)}
+                onCompare={() => compareOrTell(editor, level, { kind: 'attempt', number })}
               />
               <Button
                 hint={`Keep attempt ${number} as a run`}

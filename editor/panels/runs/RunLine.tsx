@@ -1,5 +1,6 @@
 import { plural } from '../figures/index.ts';
 import { InlineName, MoreButton } from '../tree/index.ts';
+import { CompareButton } from './CompareButton.tsx';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 import type { RunRow } from './run-row.ts';
 
@@ -9,6 +10,10 @@ interface RunLineProps {
   readonly row: RunRow;
   /** The number of minerals in the level. */
   readonly minerals: number;
+  /** Its number among the compared runs; null: it is not compared. */
+  readonly compared: number | null;
+  /** Puts it beside the shown run, or takes it away; null: it is the shown one. */
+  readonly onCompare: (() => void) | null;
   /** Whether its name is being edited. */
   readonly isRenamed: boolean;
   /** Why a name is refused; null if it is fine. */
@@ -18,7 +23,7 @@ interface RunLineProps {
 }
 
 /** A run in the list. */
-export function RunLine({ row, minerals, isRenamed, problemOf, onRename, onRenamed }: RunLineProps) {
+export function RunLine({ row, minerals, compared, onCompare, isRenamed, problemOf, onRename, onRenamed }: RunLineProps) {
   return (
     <>
       <OutcomeSign outcome={row.summary?.outcome ?? null} />
@@ -45,6 +50,7 @@ export function RunLine({ row, minerals, isRenamed, problemOf, onRename, onRenam
           <span className="runs__facts numbers">{facts(row, minerals)}</span>
         </span>
       )}
+      {onCompare !== null && !isRenamed && <CompareButton name={row.key} compared={compared} onCompare={onCompare} />}
       <MoreButton />
     </>
   );

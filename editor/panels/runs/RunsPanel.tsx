@@ -1,16 +1,19 @@
 import { Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
+import { compareOrTell, sourceKey, useComparedRows } from '../../compare/index.ts';
 import { useDocument, useEditor, useLevel, useProof } from '../../context/index.ts';
 import { Button } from '../../ui/index.ts';
 import { PlayButton } from '../parts/index.ts';
 import { type MenuEntry, Tree } from '../tree/index.ts';
 import { AttemptList } from './AttemptList.tsx';
 import { runChanges } from './change-runs.ts';
+import { DifferencePanel } from './DifferencePanel.tsx';
 import { RunHash } from './RunHash.tsx';
 import { RunLine } from './RunLine.tsx';
 import { useRunEnds } from './run-ends.ts';
 import { type RunRow, runRows } from './run-row.ts';
+import { ScriptField } from './ScriptField.tsx';
 import './runs.css';
 
 type RunFile = NonNullable<LevelFile['runs']>[number];
@@ -30,6 +33,7 @@ export function RunsPanel() {
   const range = useProof((proof) => proof.level.range);
   const minerals = useProof((proof) => proof.level.minerals.length);
   const endOf = useRunEnds(runs);
+  const compared = useComparedRows();
   const [active, setActive] = useState<string | null>(null);
   const [renamed, setRenamed] = useState<string | null>(null);
   const selected = useMemo(() => new Set(shown === null ? [] : [shown]), [shown]);
@@ -48,11 +52,22 @@ export function RunsPanel() {
   const onKey = (event: KeyboardEvent, row: RunRow): boolean => {
     if (event.key === 'F2') setRenamed(row.key);
     else if (event.key === 'Delete' || event.key === 'Backspace') goOn(changes.remove(row));
+    else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) compare(row.key);
     else if (event.key.toLowerCase() === 'd' && (event.ctrlKey || event.metaKey)) goOn(changes.duplicate(row.key));
     else return false;
     return true;
   };
+  const compare = (name: string) => compareOrTell(editor, level, { kind: 'run', name });
+  const numbers = new Map(compared.map(({ key, number }) => [key, number]));
+  const numberOf = (name: string) => numbers.get(sourceKey({ kind: 'run', name })) ?? null;
   const menu = (row: RunRow): readonly MenuEntry[] => [
+    {
+      title: numberOf(row.key) === null ? 'Compare' : 'Stop comparing',
+      keys: 'C',
+      disabled: row.key === shown,
+      run: () => compare(row.key),
+    },
+    null,
     { title: 'Rename', keys: 'F2', run: () => setRenamed(row.key) },
     { title: 'Duplicate', run: () => goOn(changes.duplicate(row.key)) },
     { title: 'Delete', keys: 'Del', run: () => goOn(changes.remove(row)) },
@@ -88,6 +103,8 @@ export function RunsPanel() {
             <RunLine
               row={row}
               minerals={minerals}
+              compared={numberOf(row.key)}
+              onCompare={row.key === shown ? null : () => compare(row.key)}
               isRenamed={row.key === renamed}
               problemOf={problemOf}
               onRename={(to) => goOn(changes.rename(row.key, to))}
@@ -96,8 +113,12 @@ export function RunsPanel() {
           )}
         />
       )}
-      {shown !== null && <RunHash />}
-      <AttemptList />
+      <div className="runs__more">
+        {shown !== null && <ScriptField key={shown} run={shown} />}
+        {shown !== null && <RunHash />}
+        <DifferencePanel />
+        <AttemptList />
+      </div>
     </section>
   );
 }

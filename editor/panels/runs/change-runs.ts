@@ -10,6 +10,7 @@ import {
   reorderRun,
 } from '../../document/index.ts';
 import type { RunRow } from './run-row.ts';
+import { renameDraft } from './script-draft.ts';
 
 /** Edits of the runs of a level. Each returns the name of the run to continue with; undefined if nothing was done. */
 export interface RunChanges {
@@ -24,7 +25,8 @@ export interface RunChanges {
 }
 
 /** @param shown the name of the shown run */
-export function runChanges({ session, notices }: Editor, { document }: OpenLevel, shown: string | null): RunChanges {
+export function runChanges({ session, notices }: Editor, level: OpenLevel, shown: string | null): RunChanges {
+  const { document } = level;
   const change = (label: string, recipe: Recipe): ChangeResult => {
     const result = document.change(label, recipe);
     if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
@@ -41,6 +43,7 @@ export function runChanges({ session, notices }: Editor, { document }: OpenLevel
     },
     rename(name, to) {
       if (!change('Rename run', renameRun(name, to)).ok) return;
+      renameDraft(level, name, to);
       if (shown === name) session.setState({ run: to });
       return to;
     },

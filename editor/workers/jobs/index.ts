@@ -17,6 +17,7 @@ import { robustness } from './robustness.ts';
 import { slack } from './slack.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
+import { trajectory } from './trajectory.ts';
 
 /** All jobs of a worker. */
 export const JOBS: { readonly [K in JobKind]: Start<K> } = {
@@ -38,4 +39,5 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   losses,
   leeway,
   path,
+  trajectory,
 };

@@ -14,6 +14,7 @@ import {
 } from '../../../schema/index.ts';
 import type { Change, EntryChange, FieldChange, Json, MapChange, PartChange, ValueChange } from '../change.ts';
 import { holdsClauses } from './holds.ts';
+import { type NotesOrNone, notesClauses } from './notes.ts';
 import { indicesInWords, numbersApart } from './numbers.ts';
 import { objectClauses, placeInWords } from './object.ts';
 import { quoted, valueChangeInWords } from './values.ts';
@@ -201,6 +202,7 @@ function runsInWords(changes: readonly Change[], after: LevelFile): string[] {
       const clauses = change.fields.flatMap((field) => {
         if (field.key === 'name') return [];
         if (field.key === 'holds') return holdsClauses(field.before as readonly Hold[], field.after as readonly Hold[]);
+        if (field.key === 'notes') return notesClauses(field.before as NotesOrNone, field.after as NotesOrNone);
         return [valueChangeInWords(field)];
       });
       if (renamed !== undefined) lines.push(`run ${quoted(String(renamed.before))} renamed to ${quoted(run.name)}`);

@@ -1,4 +1,3 @@
 export { changesInWords } from './change-words.ts';
 export { effectsInWords, standingInWords } from './effect-words.ts';
-export { compareHolds } from './holds.ts';
 export { keyInWords } from './values.ts';

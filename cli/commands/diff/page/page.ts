@@ -1,9 +1,9 @@
 import { createHash } from 'node:crypto';
+import { compareHolds } from '../../../../check/runs/index.ts';
 import { outcomeInWords } from '../../../../check/words/index.ts';
 import { boxOf, type Run, STATE_SIZE, TICK } from '../../../../engine/index.ts';
 import { type Comparison, pathOf, renderComparison } from '../../../../picture/comparison/index.ts';
 import { renderSvg } from '../../../../picture/index.ts';
-import { compareHolds } from '../../../../review/index.ts';
 import { type Hold, type Level, rulesOf, type Verdict } from '../../../../schema/index.ts';
 import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../../diff/index.ts';
 import { visibleLine } from '../../../visible.ts';
