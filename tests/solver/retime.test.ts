@@ -52,7 +52,9 @@ describe('holds near others that complete a changed level', () => {
       fc.property(anyMove, ([slug, index, dx, dy]) => {
         const { level, holds, before } = moved(slug, index, dx, dy);
         const scene = compile(level);
-        const { best } = finish(createRetime(scene, holds, { minerals: before.minerals, formerEnd: before.tick, certifies: true }));
+        const { best } = finish(
+          createRetime(scene, holds, { minerals: before.minerals, formerEnd: before.tick, certifies: true }),
+        );
         if (best === null) return;
         const run = simulate(scene, best.holds);
         expect(run.outcome).toBe('completed');

@@ -1,5 +1,5 @@
 import type { Hold, LevelFile } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 
 type RunFile = NonNullable<LevelFile['runs']>[number];
 
