@@ -1,3 +1,4 @@
+import { ALIVE_KEY } from '../alive/index.ts';
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
 import { LOST_KEY } from '../lost/index.ts';
@@ -93,6 +94,13 @@ export function appCommands(editor: Editor): readonly Command[] {
       group: 'View',
       keys: ['Shift+g'],
       run: () => settings.setState({ snapToGrid: !settings.getState().snapToGrid }),
+    },
+    {
+      id: 'run.keep-alive',
+      title: 'Keep the run alive: turn it on or off',
+      group: 'Run',
+      keys: [ALIVE_KEY],
+      run: () => settings.setState({ keepAlive: !settings.getState().keepAlive }),
     },
     ...LAYERS.map(
       (layer): Command => ({

@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
+import { keepAlive } from '../alive/index.ts';
 import { attemptsAt } from '../attempts/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
@@ -83,6 +84,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     analysis: createStore<Analysis | null>(() => null),
     playtest: createStore<ReturnType<OpenLevel['playtest']['getState']>>(() => null),
   };
+  stops.push(keepAlive({ level, settings, workers: editor.workers, afterRest }));
   const close = () => {
     for (const stop of stops) stop();
     selection.close();

@@ -13,6 +13,7 @@ export {
   type LostState,
   type Requests,
   type Results,
+  type Retiming,
   type Setting,
   type Solving,
 } from './protocol.ts';

@@ -14,6 +14,7 @@ import type {
   Objective,
   Proof,
   Proposal,
+  Retimed,
   Robustness,
   Solution,
   Success,
@@ -80,6 +81,19 @@ export interface Requests {
   lost: Played & { readonly effort: number };
   /** Since when runs were lost that do not complete the level, with so much effort for all of them, ticks. */
   losses: Played & { readonly traced: readonly (readonly Hold[])[]; readonly effort: number };
+  /** Small shifts of a run's presses and releases with which it completes the level, with so much effort, ticks. */
+  retime: Played & {
+    readonly holds: readonly Hold[];
+    /** Indices of the minerals to keep. */
+    readonly minerals: readonly number[];
+    /** Holds that worked a moment ago; null: none. */
+    readonly warm: readonly Hold[] | null;
+    readonly within: number;
+    /** The tick in which the run ended before. */
+    readonly formerEnd: number;
+    readonly effort: number;
+    readonly certifies: boolean;
+  };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
 }
@@ -96,6 +110,15 @@ export interface Fixing {
   /** Index of a run that completes the level as it is; null if none of its own does. */
   readonly completing: number | null;
   /** Whether all was tried; false: the time was over. */
+  readonly finished: boolean;
+}
+
+/** What was found to keep a run alive. */
+export interface Retiming {
+  /** null: nothing so far */
+  readonly best: Retimed | null;
+  readonly effort: Effort;
+  /** Whether all was tried; false: the effort was spent. */
   readonly finished: boolean;
 }
 
@@ -217,6 +240,7 @@ export interface Results {
   plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
   lost: Losing;
   losses: Losses;
+  retime: Retiming;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
 }
@@ -237,6 +261,7 @@ export interface Progresses {
   plays: { readonly done: number };
   lost: Losing;
   losses: Losses;
+  retime: Retiming;
   path: never;
 }
 

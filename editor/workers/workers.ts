@@ -56,6 +56,9 @@ const PLAYS: ReadonlySet<JobKind> = new Set(['plays']);
 const LOST: ReadonlySet<JobKind> = new Set(['lost']);
 const LOSSES: ReadonlySet<JobKind> = new Set(['losses']);
 
+/** A run is kept alive while something is dragged, and must wait for nothing. */
+const ALIVE: ReadonlySet<JobKind> = new Set(['retime']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -73,6 +76,7 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   plays: null,
   lost: null,
   losses: null,
+  retime: 20_000,
 };
 
 /** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
@@ -191,9 +195,9 @@ class Lane {
 }
 
 /** The kinds of jobs that have a worker of their own; all others share one. */
-const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES];
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, ALIVE];
 
-/** Workers for long, short and quick jobs, for plays and for what is lost, started on demand. */
+/** Workers for long, short and quick jobs, for plays, for what is lost and for runs kept alive, started on demand. */
 export function createWorkers(options: WorkersOptions): Workers {
   const shared = new Lane(options);
   const own = OWN.map((kinds) => ({ kinds, lane: new Lane(options) }));

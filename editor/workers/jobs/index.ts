@@ -10,6 +10,7 @@ import { losses, lost } from './lost.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
+import { retime } from './retime.ts';
 import { robustness } from './robustness.ts';
 import { solve } from './solve.ts';
 import { thumbnail } from './thumbnail.ts';
@@ -29,5 +30,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   plays,
   lost,
   losses,
+  retime,
   path,
 };
