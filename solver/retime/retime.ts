@@ -16,7 +16,7 @@ import type { Steps } from '../steps.ts';
 import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 import { seek } from './seek.ts';
 import { centre, shrink } from './settle.ts';
-import { Task } from './task.ts';
+import { type Preference, Task } from './task.ts';
 
 /** What {@link createRetime} looks for. */
 export interface RetimeOptions {
@@ -28,6 +28,8 @@ export interface RetimeOptions {
   readonly within?: number;
   /** The tick in which the run ended before the level was changed: a run that lasts 5 s longer is given up. */
   readonly formerEnd?: number;
+  /** Whether the smallest shift of all edges together is preferred, which is so by default, or that of the fewest edges. */
+  readonly prefers?: Preference;
   /** Whether edges that could hardly slip are moved to where they can; true by default. */
   readonly centres?: boolean;
   /** Whether all shifts of the result are tried, for its certified ticks; false by default. */
@@ -101,10 +103,10 @@ const CERTIFY_LIMIT = 12;
  */
 export function createRetime(scene: Scene, holds: readonly Hold[], options: RetimeOptions = {}): Retime {
   const { minerals = [], warm = null, within = FARTHEST, formerEnd = DEFAULT_MAX_TICKS } = options;
-  const { centres = true, certifies = false } = options;
+  const { prefers = 'smallest', centres = true, certifies = false } = options;
   const given = joinHolds(holds);
   const until = Math.min(DEFAULT_MAX_TICKS, formerEnd + LONGER);
-  const task = new Task(scene, { holds: given, wanted: minerals, until, within });
+  const task = new Task(scene, { holds: given, wanted: minerals, until, within, prefers });
   let best: Retimed | null = null;
   let trials: Trials | null = null;
   const replays = { runs: 0, ticks: 0 };

@@ -1,5 +1,5 @@
 import type { Steps } from '../steps.ts';
-import { type Move, movesOf, shifted, totalShift } from './moves.ts';
+import { type Move, movesOf, shifted } from './moves.ts';
 import type { Point, Task } from './task.ts';
 
 /** Shifts that are tried around the given edges, ticks, the smallest first. */
@@ -64,7 +64,7 @@ function* scan(
     for (const move of moves) {
       for (const by of [size, -size]) {
         const edges = shifted(from, move, by);
-        if (task.isFutile(totalShift(edges, task.own))) continue;
+        if (task.isFutile(edges)) continue;
         const probed = task.attempt(edges);
         yield null;
         if (probed !== null && !probed.completed) points.push({ edges, miss: probed.miss });
@@ -82,7 +82,7 @@ function* scanPairs(task: Task, moves: readonly Move[], points: Point[]): Steps<
         for (const b of PAIRED) {
           for (const [s, t] of SIGNS) {
             const edges = shifted(shifted(task.own, first, s * a), second, t * b);
-            if (task.isFutile(totalShift(edges, task.own))) continue;
+            if (task.isFutile(edges)) continue;
             const probed = task.attempt(edges);
             yield null;
             if (probed !== null && !probed.completed) points.push({ edges, miss: probed.miss });

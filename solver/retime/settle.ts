@@ -1,6 +1,6 @@
 import type { Steps } from '../steps.ts';
 import { type Move, movesOf, shifted } from './moves.ts';
-import type { Task } from './task.ts';
+import type { Standing, Task } from './task.ts';
 
 /** An edge that can slip by so many ticks either way is left where it is. */
 const ENOUGH = 3;
@@ -19,10 +19,10 @@ export function* shrink(task: Task): Steps<void> {
     more = false;
     for (const move of moves) {
       for (const edges of towards(task.best.edges, own, move)) {
-        const before: number = task.best.total;
+        const before: Standing = task.best;
         task.attempt(edges);
         yield null;
-        if (task.best.total >= before) continue;
+        if (task.best === before) continue;
         more = true;
         break;
       }

@@ -9,6 +9,8 @@ export interface Standing {
   readonly edges: readonly number[];
   /** So many of the wanted minerals are not collected. */
   readonly missing: number;
+  /** How many edges are shifted. */
+  readonly shifted: number;
   /** How far the edges are from the given ones, all together, ticks. */
   readonly total: number;
 }
@@ -19,7 +21,11 @@ export interface Sought {
   readonly wanted: readonly number[];
   readonly until: number;
   readonly within: number;
+  readonly prefers: Preference;
 }
+
+/** What is smaller: a smaller shift of all edges together, or one of fewer edges. */
+export type Preference = 'smallest' | 'fewest';
 
 /** A run that failed, and by how much. */
 export interface Point {
@@ -36,8 +42,10 @@ export class Task {
   readonly count: number;
   best: Standing | null = null;
   private readonly within: number;
+  private readonly prefers: Preference;
 
-  constructor(scene: Scene, { holds, wanted, until, within }: Sought) {
+  constructor(scene: Scene, { holds, wanted, until, within, prefers }: Sought) {
+    this.prefers = prefers;
     this.probe = new Probe(scene, wanted, until);
     this.own = edgesOf(holds);
     this.within = within;
@@ -59,9 +67,19 @@ export class Task {
     return probed;
   }
 
-  /** Whether edges with this total shift could not be better than the best. */
-  isFutile(total: number): boolean {
-    return this.best !== null && this.best.missing === 0 && total >= this.best.total;
+  /** Whether these edges would not be better than the best, even with all minerals. */
+  isFutile(edges: readonly number[]): boolean {
+    return this.best !== null && this.best.missing === 0 && !this.isSmaller(this.standing(edges, 0), this.best);
+  }
+
+  private standing(edges: readonly number[], missing: number): Standing {
+    const { own } = this;
+    return { edges, missing, shifted: edges.filter((edge, i) => edge !== own[i]).length, total: totalShift(edges, own) };
+  }
+
+  private isSmaller(a: Standing, b: Standing): boolean {
+    if (this.prefers === 'fewest' && a.shifted !== b.shifted) return a.shifted < b.shifted;
+    return a.total < b.total;
   }
 
   private isAllowed(edges: readonly number[]): boolean {
@@ -70,9 +88,9 @@ export class Task {
   }
 
   private keep(edges: readonly number[], missing: number): void {
-    const total = totalShift(edges, this.own);
+    const found = this.standing([...edges], missing);
     const { best } = this;
-    if (best !== null && (missing > best.missing || (missing === best.missing && total >= best.total))) return;
-    this.best = { edges: [...edges], missing, total };
+    if (best !== null && (missing > best.missing || (missing === best.missing && !this.isSmaller(found, best)))) return;
+    this.best = found;
   }
 }
