@@ -15,6 +15,7 @@ import { Timeline } from '../timeline/index.ts';
 import { Button, keepFocus } from '../ui/index.ts';
 import './app.css';
 import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevelKey, useSession } from '../context/index.ts';
+import { MendCard } from '../mend/index.ts';
 import { appCommands } from './app-commands.ts';
 import { CheatSheet } from './CheatSheet.tsx';
 import { CommandPalette } from './CommandPalette.tsx';
@@ -113,6 +114,7 @@ function LevelScreen() {
           <>
             <CanvasView key={key} search={overlay} legend={<HeatLegend />} />
             <Toolbar />
+            {mode === 'edit' && <MendCard key={`mend ${key}`} />}
             {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
           </>
         }

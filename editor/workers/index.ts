@@ -11,6 +11,7 @@ export {
   type LostKnown,
   type LostMoment,
   type LostState,
+  type Mending,
   type Requests,
   type Results,
   type Retiming,

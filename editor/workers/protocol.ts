@@ -1,4 +1,4 @@
-import type { LevelVerdict, LostMineral, RunFindings, Softlocks } from '../../check/index.ts';
+import type { LevelVerdict, LostMineral, Mended, MendOptions, RunFindings, Softlocks } from '../../check/index.ts';
 import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
 import type { PlayVerdict } from '../../game/index.ts';
@@ -53,6 +53,8 @@ export interface Requests {
   proofs: Played & { readonly collected: readonly number[] | null; readonly finer?: number };
   /** Changes that make the level completable, within a budget, ms. */
   fix: Played & { readonly seed: number; readonly budget: number };
+  /** What mends a level that a change has broken. */
+  mend: MendOptions;
   /** The findings of all runs of a level. */
   check: Played;
   /** Errors and costs of all settings for this level and run. */
@@ -110,6 +112,13 @@ export interface Fixing {
   /** Index of a run that completes the level as it is; null if none of its own does. */
   readonly completing: number | null;
   /** Whether all was tried; false: the time was over. */
+  readonly finished: boolean;
+}
+
+/** What was found to mend a level. */
+export interface Mending {
+  readonly found: readonly Mended[];
+  readonly effort: Effort;
   readonly finished: boolean;
 }
 
@@ -228,6 +237,7 @@ export interface Results {
   /** Confirmed by the separate checker; null and empty: nothing was proved. */
   proofs: { readonly impossible: Proof | null; readonly minerals: readonly LostMineral[] };
   fix: Fixing;
+  mend: Mending;
   check: RunFindings;
   accuracy: { readonly settings: readonly Setting[] };
   thumbnail: {
@@ -253,6 +263,7 @@ export interface Progresses {
   difficulty: Solving;
   proofs: Results['proofs'];
   fix: Fixing;
+  mend: Mending;
   check: never;
   accuracy: never;
   thumbnail: never;

@@ -7,6 +7,7 @@ import { fan } from './fan.ts';
 import { fix } from './fix.ts';
 import { generate } from './generate.ts';
 import { losses, lost } from './lost.ts';
+import { mend } from './mend.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
@@ -25,6 +26,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   accuracy,
   check,
   fix,
+  mend,
   thumbnail,
   generate,
   plays,
