@@ -3,6 +3,7 @@ import { distanceOf, isMove, isNumeric, type TakenBack, type Unit, valueAfter } 
 import { plural } from './plural.ts';
 
 const number = (value: number): string => String(Math.round(value * 100) / 100);
+const px = (value: number): string => `${Math.round(value * 10) / 10} px`;
 
 /** The object of a unit: `asteroid 3`, `the start`, `the black hole`. */
 function objectOf(unit: Unit, after: LevelFile): string {
@@ -21,7 +22,7 @@ function unitInWords(unit: Unit, share: number, after: LevelFile): string {
   if (unit.what === 'removed') return `Put ${object} back`;
   if (unit.what === 'flag') return `Switch ${unit.key} of ${object} back`;
   if (isMove(unit)) {
-    return share === 1 ? `Move ${object} back to where it was` : `Move ${object} back by ${number(distanceOf(unit, share))} px`;
+    return share === 1 ? `Move ${object} back to where it was` : `Move ${object} back by ${px(distanceOf(unit, share))}`;
   }
   const [one] = unit.numbers;
   const to = share === 1 ? one.was : valueAfter(one, share, false);
@@ -35,7 +36,7 @@ function unitInWords(unit: Unit, share: number, after: LevelFile): string {
     return `Set ${one.key} back to ${number(to)} ${RULES[one.key as keyof typeof RULES].unit}, from ${number(one.now)}`;
   }
   const what = unit.what === 'range' ? 'the range' : object;
-  return `Make ${what} ${to > one.now ? 'larger' : 'smaller'} again by ${number(Math.abs(to - one.now))} px`;
+  return `Make ${what} ${to > one.now ? 'larger' : 'smaller'} again by ${px(Math.abs(to - one.now))}`;
 }
 
 const percent = (share: number): string => `${Math.round(100 * share)} %`;
@@ -49,7 +50,7 @@ export function takenBackInWords({ units, share }: TakenBack, after: LevelFile):
   if (units.every(isMove)) {
     const distances = units.map((unit) => distanceOf(unit, share));
     const [least, most] = [Math.min(...distances), Math.max(...distances)];
-    const by = most - least < 0.5 ? `by ${number(most)} px` : `by ${number(least)} to ${number(most)} px`;
+    const by = most - least < 0.5 ? `by ${px(most)}` : `by ${number(Math.round(least * 10) / 10)} to ${px(most)}`;
     return share === 1
       ? `Move ${plural(units.length, 'object')} back to where they were.`
       : `Move ${plural(units.length, 'object')} back ${by}.`;

@@ -19,7 +19,8 @@ export function aliveInWords(state: AliveState): string | null {
     }
     case 'alive': {
       const { edges, most, lost, certified, slack, others } = state;
-      const moved = edges === 0 ? 'with the old holds' : `${plural(edges, 'edge')} moved, at most ${plural(most, 'tick')}`;
+      const by = `${edges === 1 ? 'by' : 'at most'} ${plural(most, 'tick')}`;
+      const moved = edges === 0 ? 'with the old holds' : `${plural(edges, 'edge')} moved${edges === 1 ? '' : ','} ${by}`;
       const forgives =
         certified !== null
           ? `; certified ${certified.exhausted ? 'at least ' : ''}${plural(certified.ticks, 'tick')}`

@@ -2,6 +2,7 @@ import { Tabs, Tooltip } from 'radix-ui';
 import { useEffect } from 'react';
 import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
+import { AliveStatus } from '../alive/index.ts';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys } from '../commands/index.ts';
 import { Dialogs } from '../dialogs/index.ts';
@@ -114,7 +115,12 @@ function LevelScreen() {
           <>
             <CanvasView key={key} search={overlay} legend={<HeatLegend />} />
             <Toolbar />
-            {mode === 'edit' && <MendCard key={`mend ${key}`} />}
+            {mode === 'edit' && (
+              <div key={`survival ${key}`} className="survival">
+                <AliveStatus />
+                <MendCard />
+              </div>
+            )}
             {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
           </>
         }

@@ -20,9 +20,17 @@ interface FindProps {
 
 function Find({ own, mended, after, isShown }: FindProps) {
   const { run, time, slack } = mended;
+  const item = useRef<HTMLLIElement>(null);
+  const wasShown = useRef(isShown);
+  // the button that was pressed is gone: the next one takes its place
+  useEffect(() => {
+    const isFree = document.activeElement === document.body || item.current?.parentElement?.contains(document.activeElement);
+    if (isShown !== wasShown.current && isFree) item.current?.querySelector<HTMLElement>('button:last-of-type')?.focus();
+    wasShown.current = isShown;
+  }, [isShown]);
   const forgives = slack === null ? '' : `, slack ${plural(slack, 'tick')}`;
   return (
-    <li className={isShown ? 'mend__find mend__find--previewed' : 'mend__find'}>
+    <li ref={item} className={isShown ? 'mend__find mend__find--previewed' : 'mend__find'}>
       <span>{mendedInWords(mended, after)}</span>
       <div className="mend__row">
         <span className="part__note numbers">{`run ${JSON.stringify(run)}: ${seconds(time)}${forgives}`}</span>
@@ -98,14 +106,9 @@ function Card({ own }: { readonly own: MendSession }) {
           <Progress label="Seeking what mends the level" isRunning={phase === 'seeking'} />
           {mending !== null && after !== null && mending.found.length > 0 && (
             <ol className="mend__finds" aria-label="What mends the level">
-              {mending.found.map((mended) => (
-                <Find
-                  key={mendedInWords(mended, after)}
-                  own={own}
-                  mended={mended}
-                  after={after}
-                  isShown={previewed !== null && mendedInWords(previewed, after) === mendedInWords(mended, after)}
-                />
+              {/* only one of them while it is previewed: the canvas is what matters then */}
+              {(previewed === null ? mending.found : [previewed]).map((mended) => (
+                <Find key={mendedInWords(mended, after)} own={own} mended={mended} after={after} isShown={previewed !== null} />
               ))}
             </ol>
           )}

@@ -1,6 +1,6 @@
 import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward, ZoomIn, ZoomOut } from 'lucide-react';
 import { memo } from 'react';
-import { AliveStatus, AliveToggle } from '../alive/index.ts';
+import { AliveToggle } from '../alive/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
 import { endInWords } from '../proof/index.ts';
 import { RATES } from '../session/index.ts';
@@ -97,7 +97,6 @@ export const Transport = memo(function Transport({ end, reached, isExplained, on
       <span className={good ? 'transport__end transport__end--good' : 'transport__end'} title={summary}>
         {summary}
       </span>
-      <AliveStatus />
     </div>
   );
 });

@@ -57,7 +57,7 @@ describe('what mends a change', () => {
     expect(first.how.kind).toBe('back');
     const y = first.file.novae?.[0].y ?? 0;
     expect(first.file).toEqual({ ...after, novae: [{ id: 'aa', x: 448, y, radius: 32 }, after.novae?.[1]] });
-    expect(mendedInWords(first, after)).toBe(`Move nova 1 back by ${Math.round((y - 320) * 100) / 100} px.`);
+    expect(mendedInWords(first, after)).toBe(`Move nova 1 back by ${Math.round((y - 320) * 10) / 10} px.`);
     expect(outcomeOf(first.file, 'solution').outcome).toBe('completed');
     // a px less is not enough
     expect(outcomeOf(novaeAt(y - 1), 'solution').outcome).toBe('collided');
