@@ -66,6 +66,9 @@ async function showHistory(page) {
   return dialog;
 }
 
+/** The line over the canvas that says how a run was kept alive. */
+const ALIVE = { level: '15-three-swings', width: 1280, height: 800, clip: { x: 251, y: 37, width: 729, height: 603 } };
+
 const levels = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
 cpSync(join(root, 'levels'), levels, { recursive: true });
 /** The level with another run, and a note. */
@@ -129,6 +132,30 @@ try {
     await shown.screenshot({ path: join(root, 'docs', `${name}.png`), clip });
     await context.close();
   }
+  const context = await browser.newContext({ viewport: ALIVE, colorScheme: 'dark' });
+  const page = await context.newPage();
+  await page.addInitScript((level) => {
+    sessionStorage.setItem('gravity-quest-last-level', level);
+    localStorage.setItem('gravity-quest-editor-settings', JSON.stringify({ tourSeen: true, keepAlive: true }));
+  }, ALIVE.level);
+  await page.goto(await address);
+  await page.locator('.canvas canvas').waitFor();
+  await page
+    .getByRole('treeitem', { name: /Hot asteroid 2/ })
+    .first()
+    .click();
+  await page.getByRole('application', { name: 'Level canvas' }).focus();
+  for (let px = 0; px < 8; px++) {
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowDown');
+  }
+  await page
+    .locator('.alive--alive')
+    .filter({ hasText: /certified.*runs complete/ })
+    .waitFor({ timeout: 120_000 });
+  await page.locator('.hold__slack').first().waitFor({ timeout: 120_000 });
+  await page.screenshot({ path: join(root, 'docs', 'keep-alive-dark.png'), clip: ALIVE.clip });
+  await context.close();
 } finally {
   await browser.close();
   server.kill('SIGTERM');

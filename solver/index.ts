@@ -133,6 +133,7 @@ export {
   type RunOrigin,
   type Vector,
 } from './repair/index.ts';
+export { createRetime, type Retime, type Retimed, type RetimeOptions } from './retime/index.ts';
 export {
   BRIEF_CERTIFY_RUNS,
   type Certification,

@@ -1,6 +1,7 @@
 export { type Advice, type CheckCode, explainCodes } from './codes.ts';
 export { closestInWords, effortInWords } from './effort.ts';
 export { holdsInWords } from './holds.ts';
+export { mendedInWords } from './mended.ts';
 export {
   bodyInWords,
   countMinerals,
@@ -11,4 +12,6 @@ export {
 } from './outcome.ts';
 export { plural } from './plural.ts';
 export { proposalInWords, proposalRunInWords, SIZE_MEANS } from './proposal.ts';
+export { retimingInWords } from './retiming.ts';
+export { takenBackInWords } from './taken-back.ts';
 export { VERDICT_MEANS } from './verdict.ts';

@@ -1,6 +1,7 @@
+import { joinHolds } from '../../engine/index.ts';
 import { type Level, objectName } from '../../schema/basics/index.ts';
 import type { Change, ObjectRef, Proposal, Vector } from '../../solver/index.ts';
-import { plural } from './plural.ts';
+import { retimingInWords } from './retiming.ts';
 
 /** A number with at most one decimal place, as proposals have them. */
 const number = (value: number): string => String(Math.round(value * 10) / 10);
@@ -36,10 +37,11 @@ function changeInWords(level: Level, change: Change): string {
  * A proposal as an instruction.
  * @param level the level before the change
  */
-export function proposalInWords(level: Level, { change, origin }: Proposal): string {
+export function proposalInWords(level: Level, { change, run, origin }: Proposal): string {
   if (change !== null) return changeInWords(level, change);
   if (origin.from === 'adjusted') {
-    return `Shift presses and releases of run ${JSON.stringify(level.runs[origin.index].name)} by ${plural(origin.ticks, 'tick')} in all.`;
+    const { name, holds } = level.runs[origin.index];
+    return `In run ${JSON.stringify(name)}: ${retimingInWords(joinHolds(holds), run.holds, run.tick)}`;
   }
   return 'Add a run that a search found: the level can be completed as it is.';
 }

@@ -2,6 +2,7 @@ import { Tabs, Tooltip } from 'radix-ui';
 import { useEffect } from 'react';
 import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
+import { AliveStatus } from '../alive/index.ts';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys, listenToPads } from '../commands/index.ts';
 import { ComparedWatch } from '../compare/index.ts';
@@ -18,6 +19,7 @@ import { Timeline } from '../timeline/index.ts';
 import { Button, keepFocus } from '../ui/index.ts';
 import './app.css';
 import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevelKey, useSession } from '../context/index.ts';
+import { MendCard } from '../mend/index.ts';
 import { appCommands } from './app-commands.ts';
 import { CheatSheet } from './CheatSheet.tsx';
 import { CommandPalette } from './CommandPalette.tsx';
@@ -127,6 +129,12 @@ function LevelScreen() {
           <>
             <CanvasView key={key} search={overlay} legend={<HeatLegend />} onion={onion} />
             <Toolbar />
+            {mode === 'edit' && (
+              <div key={`survival ${key}`} className="survival">
+                <AliveStatus />
+                <MendCard />
+              </div>
+            )}
             {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
           </>
         }

@@ -1,7 +1,9 @@
+import { ALIVE_KEY } from '../alive/index.ts';
 import type { Command } from '../commands/index.ts';
 import type { Editor } from '../context/index.ts';
 import { LEEWAY_KEY } from '../leeway/index.ts';
 import { LOST_KEY } from '../lost/index.ts';
+import { MEND_KEY, mendSessionOf } from '../mend/index.ts';
 import { listHistoryOf } from '../panels/levels/index.ts';
 import { solverSessionOf } from '../panels/solver/index.ts';
 import { LAYERS, type Layer } from '../session/index.ts';
@@ -28,6 +30,12 @@ export function appCommands(editor: Editor): readonly Command[] {
   const { session, settings, open } = editor;
   const history = listHistoryOf(editor);
   const needsLevel = () => (open.getState() === null ? 'open a level first' : null);
+  /** What offers to mend the level; null if nothing does. */
+  const mend = () => {
+    const level = open.getState();
+    const found = level === null ? null : mendSessionOf(level);
+    return found === null || found.store.getState().phase === 'none' ? null : found;
+  };
   const show = (overlay: NonNullable<ReturnType<typeof session.getState>['overlay']>) => () => session.setState({ overlay });
   return [
     {
@@ -69,6 +77,22 @@ export function appCommands(editor: Editor): readonly Command[] {
         solverSessionOf(editor, level).fixes.start();
       },
     },
+    {
+      id: 'level.mend',
+      title: 'Mend what the last change broke',
+      group: 'Solve',
+      keys: [MEND_KEY],
+      needs: () => (mend() === null ? (needsLevel() ?? 'change something that breaks the level first') : null),
+      run: () => mend()?.start(),
+    },
+    {
+      id: 'level.mend-dismiss',
+      title: 'Leave broken what the last change broke',
+      group: 'Solve',
+      keys: ['Escape'],
+      needs: () => (mend() === null ? 'nothing is offered to mend' : null),
+      run: () => mend()?.leave(),
+    },
     { id: 'file.new', title: 'New level', group: 'File', keys: ['Alt+n'], inText: true, run: show('newLevel') },
     { id: 'file.share', title: 'Import, export, link', group: 'File', run: show('share') },
     { id: 'file.publish', title: 'Publish as a page to play', group: 'File', run: show('publish') },
@@ -99,6 +123,13 @@ export function appCommands(editor: Editor): readonly Command[] {
       group: 'View',
       keys: ['Shift+g'],
       run: () => settings.setState({ snapToGrid: !settings.getState().snapToGrid }),
+    },
+    {
+      id: 'run.keep-alive',
+      title: 'Keep the run alive: turn it on or off',
+      group: 'Run',
+      keys: [ALIVE_KEY],
+      run: () => settings.setState({ keepAlive: !settings.getState().keepAlive }),
     },
     ...LAYERS.map(
       (layer): Command => ({

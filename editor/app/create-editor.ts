@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
+import { aliveOf, keepAlive } from '../alive/index.ts';
 import { attemptsAt } from '../attempts/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
@@ -15,6 +16,7 @@ import {
   pageTimers,
   tabName,
 } from '../files/index.ts';
+import { watchMend } from '../mend/index.ts';
 import { createNotices } from '../notices/index.ts';
 import { openHeldBack } from '../panels/levels/index.ts';
 import { afterRest } from '../panels/parts/index.ts';
@@ -83,6 +85,9 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     analysis: createStore<Analysis | null>(() => null),
     playtest: createStore<ReturnType<OpenLevel['playtest']['getState']>>(() => null),
   };
+  const { workers } = editor;
+  const parts = { level, settings, workers, afterRest };
+  stops.push(keepAlive(parts), watchMend({ ...parts, session, alive: aliveOf(level) }));
   const close = () => {
     for (const stop of stops) stop();
     selection.close();

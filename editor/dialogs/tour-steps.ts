@@ -25,7 +25,7 @@ export const TOUR: readonly TourStep[] = [
   },
   {
     title: 'The verdict is always live',
-    text: 'The line shows the path of the run. It follows while you drag, and so does the verdict, which is the one that gq check gives. The dashed line is the path before the drag, with what is better and worse beside it.',
+    text: 'The line shows the path of the run. It follows while you drag, and so does the verdict, which is the one that gq check gives. The dashed line is the path before the drag, with what is better and worse beside it. The heart in the timeline keeps the run alive meanwhile.',
     at: ['[aria-label^="Verdict"]'],
   },
   {

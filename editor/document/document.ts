@@ -1,94 +1,30 @@
 import { freeze, produce } from 'immer';
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import { createStore } from 'zustand/vanilla';
 import { isSame, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
+import type { ChangeResult, DocumentEvent, DocumentState, EditedLevel, Gesture, Recipe, StepMark } from './edited-level.ts';
 import { History } from './history.ts';
 import { createListeners } from './listeners.ts';
 import { objectsOf } from './objects.ts';
 import { applyPatches, diffFiles, type Patch } from './patch.ts';
-import { type Refusal, settle } from './settle.ts';
-
-/** Changes a draft of the file in place, as with immer. The result is settled, so numbers may be out of range. */
-export type Recipe = (draft: LevelFile) => void;
-
-export interface DocumentState {
-  /** A valid level in which every object has an id; frozen. */
-  readonly file: LevelFile;
-  /** A number that is unique to this content and never reused. */
-  readonly revision: number;
-  /** The labels of the steps that undo and redo would apply; null if there is none. */
-  readonly undoLabel: string | null;
-  readonly redoLabel: string | null;
-  /** The number of steps done and of all steps, for a list of the history. */
-  readonly done: number;
-  readonly steps: number;
-}
-
-/** A change of the file. */
-export interface DocumentEvent {
-  readonly kind: 'change' | 'undo' | 'redo';
-  readonly label: string;
-  readonly before: LevelFile;
-  readonly file: LevelFile;
-  /** From `before` to `file`. */
-  readonly patches: readonly Patch[];
-}
-
-export type ChangeResult =
-  | {
-      readonly ok: true;
-      /** Keys of the objects that were added, to select them. */
-      readonly added: readonly string[];
-    }
-  | { readonly ok: false; readonly refusal: Refusal };
-
-/**
- * A change in progress, such as a drag. Every `set` starts from the file as it was when the gesture began, so recipes describe
- * the whole change and nothing accumulates. `commit` makes it one step of the history.
- */
-export interface Gesture {
-  /** Does nothing once the gesture is over. Another change, an undo or a change on disk ends it. */
-  set(recipe: Recipe): ChangeResult;
-  commit(): void;
-  /** Restores the file as it was before the gesture. */
-  cancel(): void;
-  readonly isLive: boolean;
-}
-
-/** The open level: what is edited, undone, saved and simulated. */
-export interface EditedLevel {
-  readonly store: StoreApi<DocumentState>;
-  file(): LevelFile;
-  /** The file as it was before a gesture in progress, else the current file: the version to keep and save. */
-  settledFile(): LevelFile;
-  /**
-   * Makes one step of the history. If the last step has the same `gesture` and is not sealed, it is extended instead: keys held
-   * down, letters typed.
-   */
-  change(label: string, recipe: Recipe, options?: { readonly gesture?: string }): ChangeResult;
-  /** Replaces the file in one step: by a version from disk, a merge, a text. */
-  replace(label: string, file: LevelFile): ChangeResult;
-  begin(label: string): Gesture;
-  /** Whether the last step may still be extended: keys held down, letters typed. */
-  isGrowing(): boolean;
-  /** Seals the last step and ends a gesture in progress: the field lost the focus, the key was released. */
-  seal(): void;
-  undo(): boolean;
-  redo(): boolean;
-  /** Undoes or redoes until `done` steps are done. */
-  goTo(done: number): void;
-  /** The labels of all steps, oldest first; the first `done` of them are done. */
-  labels(): string[];
-  /** Calls back on every visible change, including those within a gesture. @returns stops it */
-  subscribe(listener: (event: DocumentEvent) => void): () => void;
-  /** Calls back on every change to keep: changes outside gestures, committed gestures, undo and redo. @returns stops it */
-  onStep(listener: (event: DocumentEvent) => void): () => void;
-}
+import { settle } from './settle.ts';
 
 /** The last step while it may be extended. */
 interface Growing {
   readonly gesture: string;
   readonly before: LevelFile;
 }
+
+/** The last step, as long as it was not undone. */
+interface LastStep {
+  readonly mark: StepMark;
+  readonly label: string;
+  readonly before: LevelFile;
+}
+
+const NOT_LAST = {
+  ok: false,
+  refusal: { message: 'the step is not the last one any more', hint: 'Something else was done since.' },
+} as const;
 
 /** Keys of the objects that are new in a file. */
 function addedKeys(before: LevelFile, after: LevelFile): string[] {
@@ -115,7 +51,8 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   let revision = 0;
   let current = freeze(first.file, true);
   let growing: Growing | null = null;
-  let open: { readonly start: LevelFile; readonly label: string } | null = null;
+  let open: { readonly start: LevelFile; readonly label: string; readonly gesture: Gesture } | null = null;
+  let last: LastStep | null = null;
   const live = createListeners<DocumentEvent>();
   const steps = createListeners<DocumentEvent>();
 
@@ -125,17 +62,21 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   };
   const store = createStore<DocumentState>(state);
 
-  /**
-   * @param known the patches to the new file; null: computed on demand, which never happens while hundreds of objects are
-   * dragged
-   */
-  const show = (kind: DocumentEvent['kind'], label: string, file: LevelFile, known: readonly Patch[] | null): DocumentEvent => {
-    const event = eventOf(kind, label, current, file, known);
-    current = freeze(file, true);
+  /** @param event its patches are computed on demand, which never happens while hundreds of objects are dragged */
+  const show = (event: DocumentEvent): DocumentEvent => {
+    current = freeze(event.file, true);
     revision++;
     store.setState(state(), true);
     live.call(event);
     return event;
+  };
+  const record = (label: string, before: LevelFile, file: LevelFile, patches: readonly Patch[]) => {
+    history.record(label, before, file, patches);
+    last = { mark: Symbol(label), label, before };
+  };
+  const recordAgain = (label: string, before: LevelFile, file: LevelFile) => {
+    history.recordAgain(label, before, file);
+    last = { mark: Symbol(label), label, before };
   };
   const endGesture = () => {
     if (open === null) return;
@@ -143,28 +84,28 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     open = null;
     const patches = diffFiles(start, current);
     if (patches.length === 0) return;
-    history.record(label, start, current, patches);
+    record(label, start, current, patches);
     store.setState(state(), true);
-    steps.call({ kind: 'change', label, before: start, file: current, patches });
+    steps.call(changed('edited', label, start, start, current, patches));
   };
   const seal = () => {
     endGesture();
     growing = null;
   };
 
-  const put = (label: string, next: LevelFile, gesture: string | null): ChangeResult => {
+  const put = (how: DocumentEvent['how'], label: string, next: LevelFile, gesture: string | null): ChangeResult => {
     const settled = settle(next, current);
     if (!settled.ok) return settled;
     const before = current;
     const patches = diffFiles(before, settled.file);
     if (patches.length === 0) return { ok: true, added: [] };
     if (gesture !== null && growing?.gesture === gesture && history.mayGrow) {
-      history.recordAgain(label, growing.before, settled.file);
+      recordAgain(label, growing.before, settled.file);
     } else {
-      history.record(label, before, settled.file, patches);
+      record(label, before, settled.file, patches);
       growing = gesture === null ? null : { gesture, before };
     }
-    steps.call(show('change', label, settled.file, patches));
+    steps.call(show(changed(how, label, growing?.before ?? before, before, settled.file, patches)));
     return { ok: true, added: addedKeys(before, settled.file) };
   };
 
@@ -172,37 +113,62 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     seal();
     const gone = history.go(kind);
     if (gone === null) return false;
-    steps.call(show(kind, gone.label, applyPatches(current, gone.patches), gone.patches));
+    last = null;
+    const file = applyPatches(current, gone.patches);
+    const { label, patches } = gone;
+    steps.call(show({ kind, how: 'edited', label, start: current, before: current, file, patches }));
     return true;
   };
 
   const begin = (label: string): Gesture => {
     seal();
-    const mine = { start: current, label };
-    open = mine;
-    return {
+    const start = current;
+    let recipes: { readonly main: Recipe | null; readonly also: Recipe | null } = { main: null, also: null };
+    const isLive = () => open?.gesture === gesture;
+    /** Makes the file anew from the one before the gesture. What is refused changes nothing. */
+    const make = (wanted: typeof recipes): ChangeResult => {
+      if (!isLive()) return { ok: true, added: [] };
+      const { main, also } = wanted;
+      const made = main === null ? start : produce(start, (draft) => void main(draft));
+      const settled = settle(also === null ? made : produce(made, (draft) => void also(draft)), start);
+      if (!settled.ok) return settled;
+      recipes = wanted;
+      if (!isSame(current, settled.file)) show(changed('edited', label, start, current, settled.file, null));
+      return { ok: true, added: addedKeys(start, settled.file) };
+    };
+    const gesture: Gesture = {
       get isLive() {
-        return open === mine;
+        return isLive();
       },
-      set(recipe) {
-        if (open !== mine) return { ok: true, added: [] };
-        const settled = settle(
-          produce(mine.start, (draft) => void recipe(draft)),
-          mine.start,
-        );
-        if (!settled.ok) return settled;
-        if (!isSame(current, settled.file)) show('change', label, settled.file, null);
-        return { ok: true, added: addedKeys(mine.start, settled.file) };
-      },
+      set: (main) => make({ ...recipes, main }),
+      also: (also) => make({ ...recipes, also }),
       commit() {
-        if (open === mine) endGesture();
+        if (isLive()) endGesture();
       },
       cancel() {
-        if (open !== mine) return;
+        if (!isLive()) return;
         open = null;
-        if (!isSame(current, mine.start)) show('change', label, mine.start, null);
+        if (!isSame(current, start)) show(changed('edited', label, start, current, start, null));
       },
     };
+    open = { start, label, gesture };
+    return gesture;
+  };
+
+  const amend = (step: StepMark, recipe: Recipe): ChangeResult => {
+    if (open !== null || last?.mark !== step || !history.mayGrow) return NOT_LAST;
+    const { label, before: start } = last;
+    const settled = settle(
+      produce(current, (draft) => void recipe(draft)),
+      current,
+    );
+    if (!settled.ok) return settled;
+    const patches = diffFiles(current, settled.file);
+    if (patches.length === 0) return { ok: true, added: [] };
+    const added = addedKeys(current, settled.file);
+    history.recordAgain(label, start, settled.file);
+    steps.call(show(changed('amended', label, start, current, settled.file, patches)));
+    return { ok: true, added };
   };
 
   return {
@@ -212,6 +178,7 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     change(label, recipe, { gesture } = {}) {
       endGesture();
       return put(
+        'edited',
         label,
         produce(current, (draft) => void recipe(draft)),
         gesture ?? null,
@@ -219,10 +186,13 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
     },
     replace(label, file) {
       seal();
-      return put(label, file, null);
+      return put('replaced', label, file, null);
     },
     begin,
     isGrowing: () => growing !== null,
+    gesture: () => open?.gesture ?? null,
+    lastStep: () => (history.mayGrow ? (last?.mark ?? null) : null),
+    amend,
     seal,
     undo: () => step('undo'),
     redo: () => step('redo'),
@@ -237,17 +207,20 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
 }
 
 /** @param known the patches to the new file; null: computed on demand */
-function eventOf(
-  kind: DocumentEvent['kind'],
+function changed(
+  how: DocumentEvent['how'],
   label: string,
+  start: LevelFile,
   before: LevelFile,
   file: LevelFile,
   known: readonly Patch[] | null,
 ): DocumentEvent {
   let patches = known;
   return {
-    kind,
+    kind: 'change',
+    how,
     label,
+    start,
     before,
     file,
     get patches() {

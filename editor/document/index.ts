@@ -1,12 +1,5 @@
-export {
-  type ChangeResult,
-  createEditedLevel,
-  type DocumentEvent,
-  type DocumentState,
-  type EditedLevel,
-  type Gesture,
-  type Recipe,
-} from './document.ts';
+export { createEditedLevel } from './document.ts';
+export type { ChangeResult, DocumentEvent, DocumentState, EditedLevel, Gesture, Recipe, StepMark } from './edited-level.ts';
 export { levelText } from './level-text.ts';
 export { nameOf, titled } from './names.ts';
 export {

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { EditedLevel } from './document.ts';
+import type { EditedLevel } from './edited-level.ts';
 import { type ObjectKey, objectsOf } from './objects.ts';
 
 /** The selection, which is neither saved nor part of the history. */

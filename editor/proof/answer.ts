@@ -37,6 +37,8 @@ export interface ShownRun extends RunEnd {
 /** Everything that the editor shows about a level besides its file. Arrays in `run.way` are valid until the next answer. */
 export interface LiveProof {
   readonly file: LevelFile;
+  /** The rules of the folder. */
+  readonly rules: OwnRules;
   /** With the rules of its folder where the level sets none. */
   readonly level: Level;
   /** Has the same objects as `level`; its runs may be older. */

@@ -2,7 +2,7 @@ export { endInWords, isWhole, type LiveProof } from './answer.ts';
 export { asGqCheck } from './as-gq-check.ts';
 export { createProofStore, type ProofStore } from './live-proof.ts';
 export { NEAR, type NearMiss } from './margins.ts';
-export { limitInWords } from './patience.ts';
+export { limitInWords, MOST_WORK } from './patience.ts';
 export { type PlayedFile, playsAlike } from './plays-alike.ts';
 export { createProver, type Prover } from './prover.ts';
 export { toPlay, toProve } from './questions.ts';

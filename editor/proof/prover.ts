@@ -34,7 +34,7 @@ function findingsIn(known: SceneRecord, level: Level): RunFindings {
  */
 export function createProver(now: () => number = () => performance.now(), most = MOST_WORK): Prover {
   const scenes = createSceneKeeper();
-  let answer: (LiveProof & { readonly rules: OwnRules; readonly patience: number }) | null = null;
+  let answer: (LiveProof & { readonly patience: number }) | null = null;
   return {
     prove({ file, rules = NO_RULES, run: wanted, accuracy, patience = Number.POSITIVE_INFINITY }) {
       const isSame = answer !== null && answer.file === file && answer.rules === rules && answer.accuracy === accuracy;

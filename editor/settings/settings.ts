@@ -16,6 +16,8 @@ const settingsSchema = z.object({
   gunKey: z.string(),
   /** Whether the run's path is shown in a playtest as well. */
   runInPlay: z.boolean(),
+  /** Whether the holds of the shown run are re-timed when a change of the level breaks it. */
+  keepAlive: z.boolean(),
   reduceMotion: z.enum(['system', 'yes', 'no']),
   accuracy: z.enum(['arcade', 'fast', 'standard', 'precise']),
   tourSeen: z.boolean(),
@@ -37,6 +39,7 @@ const DEFAULTS: Settings = {
   volume: 0.5,
   gunKey: 'KeyX',
   runInPlay: false,
+  keepAlive: false,
   reduceMotion: 'system',
   accuracy: 'precise',
   tourSeen: false,

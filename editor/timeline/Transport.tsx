@@ -1,5 +1,6 @@
 import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward, ZoomIn, ZoomOut } from 'lucide-react';
 import { memo } from 'react';
+import { AliveToggle } from '../alive/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
 import { endInWords } from '../proof/index.ts';
 import { RATE_NAMES, RATES } from '../session/index.ts';
@@ -88,6 +89,7 @@ export const Transport = memo(function Transport({ end, reached, isExplained, on
         <Button hint="Zoom the timeline out" icon={<ZoomOut size={16} />} onClick={() => commands.run('run.zoom-out')} />
         <Button hint="Zoom the timeline in" icon={<ZoomIn size={16} />} onClick={() => commands.run('run.zoom-in')} />
       </div>
+      <AliveToggle />
       <TimelineLegend isOpen={isExplained} onOpen={onExplain} />
       <Moment end={end} />
       <span className={good ? 'transport__end transport__end--good' : 'transport__end'} title={summary}>

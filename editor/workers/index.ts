@@ -25,8 +25,10 @@ export {
   type LostKnown,
   type LostMoment,
   type LostState,
+  type Mending,
   type Requests,
   type Results,
+  type Retiming,
   type Setting,
   type Solving,
 } from './protocol.ts';

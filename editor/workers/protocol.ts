@@ -1,4 +1,4 @@
-import type { LevelVerdict, LostMineral, RunFindings, Softlocks } from '../../check/index.ts';
+import type { LevelVerdict, LostMineral, Mended, MendOptions, RunFindings, Softlocks } from '../../check/index.ts';
 import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
 import type { RunEnd } from '../../check/words/index.ts';
 import type { AccuracyName, Outcome } from '../../engine/index.ts';
@@ -16,6 +16,7 @@ import type {
   Objective,
   Proof,
   Proposal,
+  Retimed,
   Robustness,
   Solution,
   Success,
@@ -59,6 +60,8 @@ export interface Requests {
   proofs: Played & { readonly collected: readonly number[] | null; readonly finer?: number };
   /** Changes that make the level completable, within a budget, ms. */
   fix: Played & { readonly seed: number; readonly budget: number };
+  /** What mends a level that a change has broken. */
+  mend: MendOptions;
   /** The findings of all runs of a level. */
   check: Played;
   /** Errors and costs of all settings for this level and run. */
@@ -109,6 +112,19 @@ export interface Requests {
     /** What is examined: places of the lead, px. */
     readonly seen: { readonly left: number; readonly top: number; readonly right: number; readonly bottom: number };
   };
+  /** Small shifts of a run's presses and releases with which it completes the level, with so much effort, ticks. */
+  retime: Played & {
+    readonly holds: readonly Hold[];
+    /** Indices of the minerals to keep. */
+    readonly minerals: readonly number[];
+    /** Holds that worked a moment ago; null: none. */
+    readonly warm: readonly Hold[] | null;
+    readonly within: number;
+    /** The tick in which the run ended before. */
+    readonly formerEnd: number;
+    readonly effort: number;
+    readonly certifies: boolean;
+  };
   /** Her path with these holds, up to a tick. */
   path: Played & { readonly holds: readonly Hold[]; readonly until: number };
   /** Her trajectory with these holds, and how it ends. */
@@ -127,6 +143,22 @@ export interface Fixing {
   /** Index of a run that completes the level as it is; null if none of its own does. */
   readonly completing: number | null;
   /** Whether all was tried; false: the time was over. */
+  readonly finished: boolean;
+}
+
+/** What was found to mend a level. */
+export interface Mending {
+  readonly found: readonly Mended[];
+  readonly effort: Effort;
+  readonly finished: boolean;
+}
+
+/** What was found to keep a run alive. */
+export interface Retiming {
+  /** null: nothing so far */
+  readonly best: Retimed | null;
+  readonly effort: Effort;
+  /** Whether all was tried; false: the effort was spent. */
   readonly finished: boolean;
 }
 
@@ -278,6 +310,7 @@ export interface Results {
   /** Confirmed by the separate checker; null and empty: nothing was proved. */
   proofs: { readonly impossible: Proof | null; readonly minerals: readonly LostMineral[] };
   fix: Fixing;
+  mend: Mending;
   check: RunFindings;
   accuracy: { readonly settings: readonly Setting[] };
   thumbnail: {
@@ -296,6 +329,7 @@ export interface Results {
   lost: Losing;
   losses: Losses;
   leeway: Leeway;
+  retime: Retiming;
   /** x, y in px at every tick and at the end */
   path: { readonly points: Float32Array };
   trajectory: {
@@ -321,6 +355,7 @@ export interface Progresses {
   grade: never;
   proofs: Results['proofs'];
   fix: Fixing;
+  mend: Mending;
   check: never;
   accuracy: never;
   thumbnail: never;
@@ -331,6 +366,7 @@ export interface Progresses {
   lost: Losing;
   losses: Losses;
   leeway: Leeway;
+  retime: Retiming;
   path: never;
   trajectory: never;
 }

@@ -38,7 +38,7 @@ export interface WorkersOptions {
 }
 
 /** Searches have a worker of their own, so that they do not delay what is shown during editing. */
-const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'grade', 'fix', 'generate', 'accuracy']);
+const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'grade', 'fix', 'mend', 'generate', 'accuracy']);
 
 /**
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
@@ -62,6 +62,9 @@ const LEEWAY: ReadonlySet<JobKind> = new Set(['leeway']);
 /** Runs that are compared with the shown one follow every change. */
 const COMPARED: ReadonlySet<JobKind> = new Set(['trajectory']);
 
+/** A run is kept alive while something is dragged, and must wait for nothing. */
+const ALIVE: ReadonlySet<JobKind> = new Set(['retime']);
+
 /** ms after which a job without a time limit of its own is stopped, as a level can be made to take hours */
 const MOST: Readonly<Record<JobKind, number | null>> = {
   check: 20_000,
@@ -79,11 +82,13 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   solve: null,
   difficulty: null,
   fix: null,
+  mend: 60_000,
   generate: null,
   plays: null,
   lost: null,
   losses: null,
   leeway: null,
+  retime: 20_000,
 };
 
 /** ms that a worker has to answer a cancel; after that it is in a long step, and is ended */
@@ -202,7 +207,7 @@ class Lane {
 }
 
 /** The kinds of jobs that have a worker of their own; all others share one. */
-const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, LEEWAY, COMPARED];
+const OWN: readonly ReadonlySet<JobKind>[] = [LONG, QUICK, PLAYS, LOST, LOSSES, LEEWAY, COMPARED, ALIVE];
 
 /** Workers for what must not wait for other jobs, started on demand; all other jobs share one. */
 export function createWorkers(options: WorkersOptions): Workers {

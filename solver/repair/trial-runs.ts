@@ -47,7 +47,7 @@ export interface Sought {
 export class TrialRuns {
   ticks = 0;
   runs = 0;
-  private readonly accuracy: Accuracy;
+  readonly accuracy: Accuracy;
   private readonly maxTicks: number;
   private readonly state = new Float64Array(STATE_SIZE);
 

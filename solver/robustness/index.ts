@@ -1,9 +1,9 @@
-export { BRIEF_CERTIFY_RUNS, type Certification, type CertifyOptions, certify } from './certify.ts';
+export { BRIEF_CERTIFY_RUNS, type Certification, type CertifyOptions, certify, certifyInSteps } from './certify.ts';
 export { measureRobustness, measureRobustnessInSteps, type Robustness, type RobustnessOptions } from './robustness.ts';
 export { judgeAll } from './script-tree.ts';
 export { clustersOf, ShiftBox, shiftsUpTo } from './shift-box.ts';
 export { shiftHolds } from './shift-holds.ts';
-export { type EdgeSlack, findSlack, findSlackInSteps } from './slack.ts';
+export { type EdgeSlack, findSlack, findSlackInSteps, SLACK_LIMIT, slackOf } from './slack.ts';
 export {
   countSuccesses,
   type SampleOptions,

@@ -85,7 +85,15 @@ describe('the history', () => {
     expect([seen.length, kept.length]).toEqual([2, 0]);
     drag.commit();
     expect(kept).toEqual([
-      { kind: 'change', label: 'Drag', before: first, file: level.file(), patches: diffFiles(first, level.file()) },
+      {
+        kind: 'change',
+        how: 'edited',
+        label: 'Drag',
+        start: first,
+        before: first,
+        file: level.file(),
+        patches: diffFiles(first, level.file()),
+      },
     ]);
     expect(level.settledFile()).toBe(level.file());
     drag.cancel();

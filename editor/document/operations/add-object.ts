@@ -1,5 +1,5 @@
 import { fieldsOf, isRequired, KINDS, listOf, type Placeable, placedAs } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { plainList } from '../objects.ts';
 
 /** distance of a new object's second place from the first, to the right, in radii: enough to grab each */

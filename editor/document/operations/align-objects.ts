@@ -1,5 +1,5 @@
 import type { LevelFile } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { changeObjects, type FoundObject, type ObjectKey, objectsOf } from '../objects.ts';
 import { placesOf, withPlaces } from '../places.ts';
 import { radiusOf } from './resize-objects.ts';

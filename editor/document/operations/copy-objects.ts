@@ -1,5 +1,5 @@
 import { kindOfList, type LevelFile, OBJECT_LISTS, type ObjectList } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { type ObjectKey, type PlacedObject, plainList } from '../objects.ts';
 import { shifted } from '../places.ts';
 

@@ -1,5 +1,5 @@
 import { OBJECT_LISTS } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { type ObjectKey, plainList } from '../objects.ts';
 
 /** Deletes objects. The astronaut and the black hole stay: a level has exactly one of each. */

@@ -1,6 +1,6 @@
 import { joinHolds } from '../../../engine/index.ts';
 import { type Hold, type LevelFile, LIMITS } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { putNotes } from './put-notes.ts';
 
 type Span = [press: number, release: number];

@@ -1,5 +1,5 @@
 import type { FieldName, LevelFile } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { changeObjects, type ObjectKey, type PlacedObject } from '../objects.ts';
 
 /** Properties of the level itself that can be edited. */

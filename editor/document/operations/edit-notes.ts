@@ -1,5 +1,5 @@
 import { type LevelFile, notesInOrder, type RunNote, type RunScript } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { putNotes } from './put-notes.ts';
 
 type RunFile = NonNullable<LevelFile['runs']>[number];

@@ -1,5 +1,5 @@
 import { type LevelFile, RULE_NAMES, type RuleName } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 
 type RulesOfFile = NonNullable<LevelFile['rules']>;
 

@@ -1,7 +1,7 @@
 import { carryNotes } from '../../../check/runs/index.ts';
 import { joinHolds } from '../../../engine/index.ts';
 import type { Hold, LevelFile } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { holdsOf } from './edit-holds.ts';
 import { putNotes } from './put-notes.ts';
 

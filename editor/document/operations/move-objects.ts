@@ -1,4 +1,4 @@
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { changeObjects, type ObjectKey } from '../objects.ts';
 import { shifted } from '../places.ts';
 

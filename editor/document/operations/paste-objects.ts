@@ -1,5 +1,5 @@
 import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { type PlacedObject, plainList } from '../objects.ts';
 import { placesOf, shifted } from '../places.ts';
 import type { Refusal } from '../settle.ts';

@@ -1,5 +1,5 @@
 import { fieldsOf, KINDS, type LevelFile, OBJECT_KINDS, type ObjectKind } from '../../../schema/index.ts';
-import type { Recipe } from '../document.ts';
+import type { Recipe } from '../edited-level.ts';
 import { changeObjects, type FoundObject, type ObjectKey, objectsOf } from '../objects.ts';
 
 /** the default radii, px; null for kinds whose radius is required */

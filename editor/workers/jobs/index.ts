@@ -10,9 +10,11 @@ import { generate } from './generate.ts';
 import { grade } from './grade.ts';
 import { leeway } from './leeway.ts';
 import { losses, lost } from './lost.ts';
+import { mend } from './mend.ts';
 import { path } from './path.ts';
 import { plays } from './plays.ts';
 import { proofs } from './proofs.ts';
+import { retime } from './retime.ts';
 import { robustness } from './robustness.ts';
 import { slack } from './slack.ts';
 import { solve } from './solve.ts';
@@ -31,6 +33,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   accuracy,
   check,
   fix,
+  mend,
   thumbnail,
   compare,
   generate,
@@ -38,6 +41,7 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   lost,
   losses,
   leeway,
+  retime,
   path,
   trajectory,
 };

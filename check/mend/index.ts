@@ -1,0 +1,3 @@
+export { createMend, type Mend, type Mended, type MendOptions } from './mend.ts';
+export { distanceOf, type TakenBack, takenBack, valueAfter } from './take-back.ts';
+export { isMove, isNumeric, type Unit, unitsOf } from './units.ts';

@@ -1,0 +1,1 @@
+export { createRetime, type Retime, type Retimed, type RetimeOptions } from './retime.ts';
