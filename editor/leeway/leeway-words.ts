@@ -8,7 +8,7 @@ const number = (px: number): string => String(Number(px.toFixed(2)));
 /** The names of the places of an object that has several. */
 export const PLACE_NAMES = ['first mouth', 'second mouth'] as const;
 
-/** What is moved: `Asteroid 2`, `First mouth of wormhole 1`, `3 objects, moved together`. */
+/** What is moved: `Asteroid 2`, the same with one of its places, or `3 objects, moved together`. */
 export function movedInWords(question: Pick<Question, 'file' | 'keys' | 'only'>): string {
   const objects = objectsAsked(question);
   if (objects.length !== 1) return `${objects.length} objects, moved together`;

@@ -4,7 +4,7 @@ export { createProofStore, type ProofStore } from './live-proof.ts';
 export { NEAR, type NearMiss } from './margins.ts';
 export { limitInWords, MOST_WORK } from './patience.ts';
 export { type PlayedFile, playsAlike } from './plays-alike.ts';
-export { createProver, type Prover } from './prover.ts';
+export { createProver } from './prover.ts';
 export { toPlay, toProve } from './questions.ts';
 export type { Reach } from './reach.ts';
 export { type FoundByWorker, type Proved, toldProblems, toldVerdict } from './told.ts';

@@ -2,11 +2,7 @@ export {
   CELL_NUMBERS,
   type CellState,
   cornerCompletes,
-  DIRECTIONS,
-  type Direction,
-  type Lattice,
   MOST_REACH,
-  type MovedObject,
   type Reach,
   stateOfCode,
 } from './leeway/index.ts';

@@ -2,8 +2,8 @@ import { CELL_NUMBERS, codeOf } from './cell-codes.ts';
 import { type Cell, type CellState, coarseCells, partsOf, placesIn, type Sample, sideOf, stateOf } from './cells.ts';
 
 /** The four directions in which reach is measured. */
-export const DIRECTIONS = ['left', 'right', 'up', 'down'] as const;
-export type Direction = (typeof DIRECTIONS)[number];
+const DIRECTIONS = ['left', 'right', 'up', 'down'] as const;
+type Direction = (typeof DIRECTIONS)[number];
 
 const STEPS: Readonly<Record<Direction, readonly [x: number, y: number]>> = {
   left: [-1, 0],
