@@ -18,7 +18,7 @@ import { moveTo } from '../../editor/panels/levels/level-menu.ts';
 import { listHistoryOf } from '../../editor/panels/levels/list-history.ts';
 import { editPack } from '../../editor/panels/levels/pack-steps.ts';
 import { formatLevel, formatPack, type LevelEntry, type LevelFile, type PackFile } from '../../schema/index.ts';
-import { breathe, createChannels, createKeyValues, createLine, LockKeeper, TurnedClock } from './stage.ts';
+import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 
 const fileOf = (name: string): LevelFile => ({ version: 1, name, astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } });
 const packOf = (...levels: PackFile['levels']): PackFile => ({ version: 1, name: 'Test', levels });
@@ -33,7 +33,7 @@ async function start(ids: readonly string[] = ['a', 'b', 'c']): Promise<void> {
   for (const id of ids) await disk.write(id, formatLevel(fileOf(id)), null);
   line = createLine(disk);
   workspace = createWorkspace({
-    ...{ storage: line, journal: createJournal(createMemoryStore(), () => 0), timers: new TurnedClock() },
+    ...{ storage: line, journal: createJournal(createMemoryStore(), () => 0), versions: passingVersions(), timers: new TurnedClock() },
     ...{ channel: createChannels(), locks: new LockKeeper().of('page') },
   });
   await workspace.start();
