@@ -46,11 +46,11 @@ export function RunLine({ row, minerals, compared, onCompare, isRenamed, problem
               </span>
             )}
             {row.summary !== null && <span className="runs__time numbers">{row.summary.time.toFixed(2)} s</span>}
+            {onCompare !== null && <CompareButton isInList name={row.key} compared={compared} onCompare={onCompare} />}
           </span>
           <span className="runs__facts numbers">{facts(row, minerals)}</span>
         </span>
       )}
-      {onCompare !== null && !isRenamed && <CompareButton name={row.key} compared={compared} onCompare={onCompare} />}
       <MoreButton />
     </>
   );
