@@ -35,6 +35,7 @@ const SHOTS = [
   },
 ];
 const wanted = process.argv.slice(2);
+const isWanted = (name) => wanted.length === 0 || wanted.includes(name);
 
 /** Makes some versions of the level, and shows what has changed since one of them. */
 async function showHistory(page) {
@@ -91,10 +92,53 @@ const address = new Promise((resolve) => {
     });
   }
 });
+
+/** A run that is kept alive while an asteroid is nudged. */
+async function takeAlive() {
+  const context = await browser.newContext({ viewport: ALIVE, colorScheme: 'dark' });
+  const page = await context.newPage();
+  await page.addInitScript((level) => {
+    sessionStorage.setItem('gravity-quest-last-level', level);
+    localStorage.setItem('gravity-quest-editor-settings', JSON.stringify({ tourSeen: true, keepAlive: true }));
+  }, ALIVE.level);
+  await page.goto(await address);
+  await page.locator('.canvas canvas').waitFor();
+  await page
+    .getByRole('treeitem', { name: /Hot asteroid 2/ })
+    .first()
+    .click();
+  await page.getByRole('application', { name: 'Level canvas' }).focus();
+  for (let px = 0; px < 8; px++) {
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowDown');
+  }
+  await page
+    .locator('.alive--alive')
+    .filter({ hasText: /certified.*runs complete/ })
+    .waitFor({ timeout: 120_000 });
+  await page.locator('.hold__slack').first().waitFor({ timeout: 120_000 });
+  await page.screenshot({ path: join(root, 'docs', 'keep-alive-dark.png'), clip: ALIVE.clip });
+  await context.close();
+}
+
+/** The view of all levels, with the grades of all: measuring them takes minutes. */
+async function takePack() {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, colorScheme: 'dark' });
+  const page = await context.newPage();
+  await page.addInitScript(() => localStorage.setItem('gravity-quest-editor-settings', JSON.stringify({ tourSeen: true })));
+  await page.goto(await address);
+  await page.locator('.canvas canvas').waitFor();
+  await page.keyboard.press('Shift+P');
+  await page.getByRole('button', { name: 'Measure', exact: true }).click();
+  await page.getByRole('button', { name: 'Measured' }).waitFor({ timeout: 1_200_000 });
+  await page.screenshot({ path: join(root, 'docs', 'pack.png') });
+  await context.close();
+}
+
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 try {
   for (const { name, width, height, theme, show, compared = false, clip } of SHOTS) {
-    if (wanted.length > 0 && !wanted.includes(name)) continue;
+    if (!isWanted(name)) continue;
     if (compared) withRuns();
     const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, hasTouch: width < 800 });
     const page = await context.newPage();
@@ -132,30 +176,8 @@ try {
     await shown.screenshot({ path: join(root, 'docs', `${name}.png`), clip });
     await context.close();
   }
-  const context = await browser.newContext({ viewport: ALIVE, colorScheme: 'dark' });
-  const page = await context.newPage();
-  await page.addInitScript((level) => {
-    sessionStorage.setItem('gravity-quest-last-level', level);
-    localStorage.setItem('gravity-quest-editor-settings', JSON.stringify({ tourSeen: true, keepAlive: true }));
-  }, ALIVE.level);
-  await page.goto(await address);
-  await page.locator('.canvas canvas').waitFor();
-  await page
-    .getByRole('treeitem', { name: /Hot asteroid 2/ })
-    .first()
-    .click();
-  await page.getByRole('application', { name: 'Level canvas' }).focus();
-  for (let px = 0; px < 8; px++) {
-    await page.keyboard.press('ArrowRight');
-    await page.keyboard.press('ArrowDown');
-  }
-  await page
-    .locator('.alive--alive')
-    .filter({ hasText: /certified.*runs complete/ })
-    .waitFor({ timeout: 120_000 });
-  await page.locator('.hold__slack').first().waitFor({ timeout: 120_000 });
-  await page.screenshot({ path: join(root, 'docs', 'keep-alive-dark.png'), clip: ALIVE.clip });
-  await context.close();
+  if (isWanted('keep-alive-dark')) await takeAlive();
+  if (isWanted('pack')) await takePack();
 } finally {
   await browser.close();
   server.kill('SIGTERM');

@@ -6,12 +6,11 @@ export {
   removeEntries,
   removeLevels,
   renameLevel,
-  type ShownEntry,
   setChapter,
   shownEntries,
 } from './arrange.ts';
 export { EFFECT_NAMES, effectInWords, effectsToMeet, introductionsOf, type MetLevel } from './introductions.ts';
-export { JUMP, type Jump, jumpsOf } from './jumps.ts';
+export { JUMP, jumpsOf } from './jumps.ts';
 export { chaptersOf, inPackOrder } from './order.ts';
 export { type Pack, packedLevel, packScript } from './pack.ts';
 export { packProblems } from './pack-problems.ts';

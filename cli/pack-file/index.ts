@@ -1,3 +1,3 @@
-export { type CheckedPack, checkPackFile, type PackSettings } from './check-pack-file.ts';
+export { type CheckedPack, checkPackFile } from './check-pack-file.ts';
 export { orderFiles } from './order-files.ts';
-export { type PackOnDisk, readPackFile } from './read-pack-file.ts';
+export { readPackFile } from './read-pack-file.ts';

@@ -101,6 +101,7 @@ describe('gq init', () => {
     expect(JSON.parse(after['.vscode/settings.json'])['json.schemas']).toEqual([
       { fileMatch: ['*.level.json'], url: './mine.json' },
       { fileMatch: ['gq.config.json'], url: './node_modules/gravity-quest-toolkit/schema/config.schema.json' },
+      { fileMatch: ['levels/pack.json'], url: './node_modules/gravity-quest-toolkit/schema/pack.schema.json' },
     ]);
     expect(Object.keys(after)).not.toContain('.gitignore');
     mkdirSync(join(cwd, 'node_modules'));
