@@ -59,7 +59,7 @@ export function compareCommands(editor: Editor, level: OpenLevel): readonly Comm
       id: 'compare.parting',
       title: 'Go to where the compared runs part',
       group: 'Run',
-      keys: ['j'],
+      keys: ['p'],
       needs: () => needsOne() ?? (partingTick(level) === null ? 'the runs do not part' : null),
       run: () => {
         const tick = partingTick(level);

@@ -84,7 +84,7 @@ inChromium('runs side by side, in Chromium', ({ on }) => {
         await row('slack').getByText(/tick/).first().waitFor();
 
         await page.getByRole('application', { name: 'Level canvas' }).focus();
-        await page.keyboard.press('j');
+        await page.keyboard.press('p');
         await until(async () => {
           const now = Number(await page.getByRole('slider', { name: 'Time' }).getAttribute('aria-valuenow'));
           const apart = (tick: number) => {

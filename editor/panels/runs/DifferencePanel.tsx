@@ -57,7 +57,7 @@ export function DifferencePanel() {
         </h3>
         <Button
           hint="Go to where they part"
-          shortcut="J"
+          shortcut="P"
           icon={<ArrowRightToLine size={14} />}
           disabled={partings.parts === null}
           onClick={() => commands.run('compare.parting')}
