@@ -171,14 +171,14 @@ describe('jobs', () => {
     expect(was.words).toContain('completable in');
     expect(result.effects).toEqual(effectsInWords(was.judged, is.judged, level.range));
     expect(result.effects).not.toEqual([]);
-    // names do not matter to what is true
+    // a version that only names its runs anew is judged once
     const renamed = JSON.stringify({
       ...file,
       runs: file.runs.map((run: object, i: number) => ({ ...run, name: `other ${i}` })),
     });
     expect(doJob('compare', { ...request, before: text, after: renamed }).result).toMatchObject({
       after: was.words,
-      effects: [],
+      effects: ['completed by run "other 0" instead of run "solution"'],
     });
     const conflicts = [{ what: 'the name', key: 'name', base: 'a', ours: 'b', theirs: 'c' }];
     const undecided = JSON.stringify({ ...file, conflicts });
