@@ -46,7 +46,7 @@ try {
     .waitFor({ timeout: 120_000 });
   await page.getByRole('treeitem', { name: ASTEROID }).first().click();
   await canvas.focus();
-  await page.keyboard.press('p');
+  await page.keyboard.press('Shift+L');
   const legend = page.getByRole('figure', { name: 'Where the selection may stand' });
   await legend.getByText(/edges every 1 px\.$/).waitFor({ timeout: 120_000 });
   // the selection is brought into the middle of the view, so that it can be grabbed there

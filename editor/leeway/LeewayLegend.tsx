@@ -1,11 +1,13 @@
 import { EyeOff } from 'lucide-react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useSelectedKeys, useSession } from '../context/index.ts';
+import { keyLabel } from '../commands/index.ts';
+import { IS_MAC, useEditor, useLevel, useSelectedKeys, useSession } from '../context/index.ts';
 import { objectsOf, placesOf } from '../document/index.ts';
 import { Segments } from '../panels/parts/index.ts';
 import { Button } from '../ui/index.ts';
 import { leewayOf } from './leeway-store.ts';
 import { meaningInWords, movedInWords, noteInWords, PLACE_NAMES, reachInWords, samplingInWords } from './leeway-words.ts';
+import { LEEWAY_KEY } from './watch-leeway.ts';
 import './leeway.css';
 
 /** The legend of the places where the selection may stand, and how far it may go. Empty while they are not shown. */
@@ -36,7 +38,7 @@ export function LeewayLegend() {
       </figcaption>
       <Button
         hint="Hide where the selection may stand"
-        shortcut="P"
+        shortcut={keyLabel(LEEWAY_KEY, IS_MAC)}
         icon={<EyeOff size={14} />}
         onClick={() => commands.run('view.layer-leeway')}
       />

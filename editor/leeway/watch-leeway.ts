@@ -7,7 +7,7 @@ import { leewayOf } from './leeway-store.ts';
 import { asksSame, contains, isOnlyMoved, objectsAsked, type Question, questionOf, type Seen } from './question.ts';
 
 /** Shows or hides where the selection may stand. */
-export const LEEWAY_KEY = 'p';
+export const LEEWAY_KEY = 'Shift+l';
 
 /** ms without a change before anything is sampled */
 const SETTLE = 120;

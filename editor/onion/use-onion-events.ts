@@ -12,7 +12,7 @@ export function useOnionEvents(onion: OnionSession): void {
     () =>
       commands.register([
         {
-          id: 'view.compare',
+          id: 'view.before',
           title: 'Compare with before the last change',
           group: 'View',
           keys: [COMPARE_KEY],

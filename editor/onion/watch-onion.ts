@@ -12,7 +12,7 @@ import { rowsInWords, rowsOf, whyUnknown } from './rows.ts';
 import { MEASURING } from './slack.ts';
 
 /** Compares with before the last change. */
-export const COMPARE_KEY = 'c';
+export const COMPARE_KEY = 'Shift+b';
 
 /** ms that a comparison stays after the change has ended: enough to read it */
 export const STAYS = 6000;

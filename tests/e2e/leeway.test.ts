@@ -54,7 +54,7 @@ inChromium('where the selection may stand in Chromium', ({ on }) => {
         await saved();
         const before = text('01');
         await canvas.fit(file('01'));
-        await page.keyboard.press('p');
+        await page.keyboard.press('Shift+L');
         await legend(page).getByText('Select an object').waitFor();
         await canvas.click({ x: 600, y: 620 });
         await legend(page)

@@ -100,7 +100,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
   );
 
   it(
-    'keys do the same: nudges, a drag at the crosshair, holds; C shows the last one again',
+    'keys do the same: nudges, a drag at the crosshair, holds; Shift B shows the last one again',
     on({ '01': LEVEL }, async ({ page, canvas, file, saved }) => {
       await saved();
       await canvas.fit(file('01'));
@@ -120,7 +120,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
       await page.keyboard.press('Escape');
       await card(page).waitFor({ state: 'detached' });
 
-      await page.keyboard.press('c');
+      await page.keyboard.press('Shift+B');
       await figure(page, 'time')
         .filter({ hasText: `${timeOf(LEVEL)} s → ${timeOf(moved(602))} s` })
         .waitFor();
@@ -128,7 +128,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
       await canvas.click({ x: 700, y: 900 });
       await nextFrames(page);
       expect(await card(page).count()).toBe(1);
-      await page.keyboard.press('c');
+      await page.keyboard.press('Shift+B');
       await card(page).waitFor({ state: 'detached' });
 
       // a drag at the crosshair: it begins at the selected object
