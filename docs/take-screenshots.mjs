@@ -17,9 +17,11 @@ const SHOTS = [
   { name: 'editor-phone-light', width: 390, height: 844, theme: 'light' },
 ];
 
-const levels = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
-cpSync(join(root, 'levels'), levels, { recursive: true });
-const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', levels, '--port', '0'], {
+const folder = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
+cpSync(join(root, 'levels'), join(folder, 'levels'), { recursive: true });
+// the page shows the path as it is given here
+const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', 'levels', '--port', '0'], {
+  cwd: folder,
   stdio: ['ignore', 'pipe', 'pipe'],
 });
 const address = new Promise((resolve) => {
@@ -33,7 +35,7 @@ const address = new Promise((resolve) => {
 
 /** The view of all levels, with the grades of all: measuring them takes minutes. */
 async function takePack() {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, colorScheme: 'dark' });
+  const context = await browser.newContext({ viewport: { width: 1060, height: 700 }, colorScheme: 'dark' });
   const page = await context.newPage();
   await page.addInitScript(() => localStorage.setItem('gravity-quest-editor-settings', JSON.stringify({ tourSeen: true })));
   await page.goto(await address);
@@ -78,5 +80,5 @@ try {
 } finally {
   await browser.close();
   server.kill('SIGTERM');
-  rmSync(levels, { recursive: true, force: true });
+  rmSync(folder, { recursive: true, force: true });
 }
