@@ -70,18 +70,20 @@ async function showHistory(page) {
 /** The line over the canvas that says how a run was kept alive. */
 const ALIVE = { level: '15-three-swings', width: 1280, height: 800, clip: { x: 251, y: 37, width: 729, height: 603 } };
 
-const levels = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
-cpSync(join(root, 'levels'), levels, { recursive: true });
+const folder = mkdtempSync(join(tmpdir(), 'gq-screenshots-'));
+cpSync(join(root, 'levels'), join(folder, 'levels'), { recursive: true });
 /** The level with another run, and a note. */
 function withRuns() {
-  const path = join(levels, `${LEVEL}.level.json`);
+  const path = join(folder, 'levels', `${LEVEL}.level.json`);
   const file = JSON.parse(readFileSync(path, 'utf8'));
   file.runs[0].notes = [{ tick: 110, text: 'first swing' }];
   file.runs.push(EARLY);
   writeFileSync(path, JSON.stringify(file));
 }
 
-const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', levels, '--port', '0'], {
+// the page shows the path as it is given here
+const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', 'levels', '--port', '0'], {
+  cwd: folder,
   stdio: ['ignore', 'pipe', 'pipe'],
 });
 const address = new Promise((resolve) => {
@@ -123,7 +125,7 @@ async function takeAlive() {
 
 /** The view of all levels, with the grades of all: measuring them takes minutes. */
 async function takePack() {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 860 }, colorScheme: 'dark' });
+  const context = await browser.newContext({ viewport: { width: 1060, height: 700 }, colorScheme: 'dark' });
   const page = await context.newPage();
   await page.addInitScript(() => localStorage.setItem('gravity-quest-editor-settings', JSON.stringify({ tourSeen: true })));
   await page.goto(await address);
@@ -181,5 +183,5 @@ try {
 } finally {
   await browser.close();
   server.kill('SIGTERM');
-  rmSync(levels, { recursive: true, force: true });
+  rmSync(folder, { recursive: true, force: true });
 }

@@ -3,6 +3,7 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { LEVEL_ID_PART, type RefusedLevel } from '../../schema/index.ts';
 import { useEditor } from '../context/index.ts';
+import { folderPackIn } from '../files/index.ts';
 import { VerdictSign } from '../panels/levels/index.ts';
 import { Button } from '../ui/index.ts';
 import { type Published, publish, type Target } from './publish.ts';
@@ -45,7 +46,9 @@ export function PublishTab() {
   const isAlone = target === 'levelFolder' || target === 'levelFile';
   const isFolder = target === 'folder' || target === 'levelFolder';
   const name = useStore(workspace.store, ({ list: known, opened }) => known?.levels.find(({ id }) => id === opened?.id())?.name);
-  const title = typed ?? (isAlone ? (name ?? 'Gravity Quest') : 'Gravity Quest');
+  const pack = useStore(workspace.store, folderPackIn);
+  const game = pack.kind === 'valid' ? pack.reading.pack.name : 'Gravity Quest';
+  const title = typed ?? (isAlone ? (name ?? 'Gravity Quest') : game);
   const count = list?.levels.length ?? 0;
   const badSite = isFolder && !LEVEL_ID_PART.test(site);
   const isReady = progress === null && title.trim() !== '' && !badSite && (isAlone ? level !== null : count > 0);

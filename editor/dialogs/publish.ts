@@ -1,7 +1,8 @@
+import { chaptersOf } from '../../check/pack/index.ts';
 import { plural } from '../../check/words/index.ts';
-import type { RefusedLevel } from '../../schema/index.ts';
+import { levelsOfPack, type RefusedLevel } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
-import { errorInWords, folderRulesIn } from '../files/index.ts';
+import { errorInWords, folderPackIn, folderRulesIn } from '../files/index.ts';
 import { downloadFile, fetchGame, singlePage, slugOf } from '../share/index.ts';
 import { collectLevels } from './collect-levels.ts';
 
@@ -57,8 +58,13 @@ async function intoFolder({ workspace }: Editor, { target, site, title, withRuns
 async function asFile(editor: Editor, { target, title, withRuns, force, onProgress }: PublishWish): Promise<Published> {
   const { workspace, workers, settings } = editor;
   const { list, opened } = workspace.store.getState();
-  const entries = (list?.levels ?? []).filter(({ id }) => target === 'file' || id === opened?.id());
-  if (entries.length === 0) throw new Error('there is no level');
+  const pack = folderPackIn({ list });
+  if (target === 'file' && (pack.kind === 'invalid' || pack.kind === 'unreadable'))
+    throw new Error(`${pack.file} is not valid, so the order of the levels is not known`);
+  const order = target === 'file' && pack.kind === 'valid' ? pack.reading.pack : null;
+  const listed = order === null ? null : new Set(levelsOfPack(order));
+  const entries = (list?.levels ?? []).filter(({ id }) => (target === 'file' ? listed?.has(id) !== false : id === opened?.id()));
+  if (entries.length === 0) throw new Error(order === null ? 'there is no level' : 'pack.json lists no level');
   const { accuracy } = settings.getState();
   const { levels, refused } = await collectLevels(entries, {
     storage: workspace.storage,
@@ -71,7 +77,12 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
   if (refused.some(({ verdict }) => verdict === 'invalid') || (refused.length > 0 && !force))
     return { kind: 'refused', levels: refused };
   const game = await fetchGame(new URL('game/', document.baseURI).href);
-  const blob = new Blob([singlePage(game, { title, accuracy, levels })], { type: 'text/html' });
+  const chapters = order === null ? null : chaptersOf(order);
+  const inChapters = levels.map((level) => {
+    const chapter = chapters?.get(level.id);
+    return chapter === undefined ? level : { ...level, chapter };
+  });
+  const blob = new Blob([singlePage(game, { title, accuracy, levels: inChapters })], { type: 'text/html' });
   const name = `${slugOf(title)}.html`;
   downloadFile({ name, blob });
   const message = `Downloaded ${name}: ${plural(levels.length, 'level')}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;

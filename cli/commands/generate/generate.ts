@@ -224,7 +224,8 @@ async function generatePack(
       await uncut(() => void done.push(keep(out, one, packPath(out, name, index + 1, pack.count))));
     });
     const levels = done.flatMap(({ file, status }) => (file === null || status === 'in the way' ? [] : [file]));
-    const order = await uncut(() => keepPack(out, levels));
+    // an order of nothing would only be in the way of the next one
+    const order = levels.length === 0 ? null : await uncut(() => keepPack(out, levels));
     return say(done, made, pack.count, alike > 0 ? { alike } : {}, format, order);
   } finally {
     progress.clear();
