@@ -12,6 +12,4 @@ export {
 } from './outcome.ts';
 export { plural } from './plural.ts';
 export { proposalInWords, proposalRunInWords, SIZE_MEANS } from './proposal.ts';
-export { retimingInWords } from './retiming.ts';
-export { takenBackInWords } from './taken-back.ts';
 export { VERDICT_MEANS } from './verdict.ts';

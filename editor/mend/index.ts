@@ -1,2 +1,2 @@
 export { MendCard } from './MendCard.tsx';
-export { MEND_KEY, type MendSession, mendSessionOf, watchMend } from './watch-mend.ts';
+export { MEND_KEY, mendSessionOf, watchMend } from './watch-mend.ts';

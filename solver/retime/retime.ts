@@ -16,7 +16,7 @@ import type { Steps } from '../steps.ts';
 import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
 import { seek } from './seek.ts';
 import { centre, shrink } from './settle.ts';
-import { type Preference, Task } from './task.ts';
+import { Task } from './task.ts';
 
 /** What {@link createRetime} looks for. */
 export interface RetimeOptions {
@@ -29,7 +29,7 @@ export interface RetimeOptions {
   /** The tick in which the run ended before the level was changed: a run that lasts 5 s longer is given up. */
   readonly formerEnd?: number;
   /** Whether the smallest shift of all edges together is preferred, which is so by default, or that of the fewest edges. */
-  readonly prefers?: Preference;
+  readonly prefers?: 'smallest' | 'fewest';
   /** Whether edges that could hardly slip are moved to where they can; true by default. */
   readonly centres?: boolean;
   /** Whether all shifts of the result are tried, for its certified ticks; false by default. */

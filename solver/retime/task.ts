@@ -25,7 +25,7 @@ export interface Sought {
 }
 
 /** What is smaller: a smaller shift of all edges together, or one of fewer edges. */
-export type Preference = 'smallest' | 'fewest';
+type Preference = 'smallest' | 'fewest';
 
 /** A run that failed, and by how much. */
 export interface Point {
