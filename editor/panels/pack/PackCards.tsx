@@ -55,6 +55,7 @@ export function PackCards(props: PackCardsProps) {
   const passing = new Set(shown.map(({ key }) => key));
   const active = shown.find(({ key }) => key === selection.active)?.key ?? shown[0]?.key ?? null;
   const taken = useRef<ReadonlySet<string>>(new Set());
+  const wasFocused = useRef(false);
 
   const take = (key: string): ReadonlySet<string> => {
     taken.current = selection.keys.has(key) ? selection.keys : new Set([key]);
@@ -72,8 +73,10 @@ export function PackCards(props: PackCardsProps) {
     const element = focus.current === null ? null : cardElement(box.current, focus.current);
     if (element === null) return;
     focus.current = null;
-    element.focus();
-    element.scrollIntoView({ block: 'nearest' });
+    element.focus({ preventScroll: true });
+    // the view opens at its top, with the curve and the problems
+    if (wasFocused.current) element.scrollIntoView({ block: 'nearest' });
+    wasFocused.current = true;
   });
 
   const between = (a: string | null, b: string): Set<string> => {
