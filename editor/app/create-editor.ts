@@ -70,6 +70,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     isPlayingBack: false,
     mode: 'edit',
     lookAt: null,
+    renaming: null,
     accuracy: settings.getState().accuracy,
   });
   const level: OpenLevel = {

@@ -9,9 +9,13 @@ import './canvas.css';
 import { CROSSHAIR_HELP } from './crosshair/index.ts';
 import { DeathLegend } from './DeathLegend.tsx';
 import { DeathTip } from './DeathTip.tsx';
+import { HiddenNote } from './HiddenNote.tsx';
+import { HoverName } from './HoverName.tsx';
 import type { SearchPicture } from './layers/index.ts';
+import { CanvasMenu } from './menu/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
 import { RunLossLabel } from './RunLossLabel.tsx';
+import { Measures, ToldLabel } from './ToldLabel.tsx';
 
 interface CanvasViewProps {
   /** What searches show on the canvas; read every frame. */
@@ -54,7 +58,12 @@ export function CanvasView({ search, legend }: CanvasViewProps) {
       </p>
       <EndReason canvas={canvas} />
       <RunLossLabel canvas={canvas} />
+      <HoverName canvas={canvas} />
+      <ToldLabel canvas={canvas} />
+      <Measures canvas={canvas} />
+      <CanvasMenu canvas={canvas} host={host} />
       <div className="legends">
+        <HiddenNote />
         {legend}
         <LostLegend />
         <DeathLegend />

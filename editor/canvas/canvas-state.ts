@@ -1,6 +1,13 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { MenuPart } from './menu-entry.ts';
 import type { Guide } from './snapping.ts';
 import type { Box, Point, View } from './view.ts';
+
+/** A figure beside a place of the level. */
+export interface Measure {
+  readonly words: string;
+  readonly at: Point;
+}
 
 /** What the canvas shows besides the level: the view, and the transient state of gestures. */
 export interface CanvasState {
@@ -11,6 +18,12 @@ export interface CanvasState {
   readonly placing: Point | null;
   /** Where keys use the current tool; null: the crosshair is hidden. */
   readonly crosshair: Point | null;
+  /** Figures of a gesture in progress, beside places of the level. */
+  readonly measures: readonly Measure[];
+  /** What was said beside a place of the level; null: nothing. */
+  readonly told: Measure | null;
+  /** The open menu, and where it stands, in px of the screen; null: none. */
+  readonly menu: { readonly screen: Point; readonly parts: readonly MenuPart[] } | null;
   /** CSS cursor */
   readonly cursor: string;
 }
@@ -22,6 +35,9 @@ export function createCanvasState(): StoreApi<CanvasState> {
     guides: [],
     placing: null,
     crosshair: null,
+    measures: [],
+    told: null,
+    menu: null,
     cursor: 'default',
   }));
 }

@@ -7,7 +7,21 @@ export {
   type Gesture,
   type Recipe,
 } from './document.ts';
-export { nameOf, titled } from './names.ts';
+export { enteredGroup, freeGroupName, groupOf, unitOf, withGroups } from './groups.ts';
+export {
+  grabbableIn,
+  groupsIn,
+  hiddenIn,
+  LONGEST_NAME,
+  lockedIn,
+  MARK_KEYS,
+  type Mark,
+  type Marks,
+  marksOf,
+  unlocked,
+  visibleIn,
+} from './marks.ts';
+export { nameOf, ownNameOf, titled } from './names.ts';
 export {
   ASTRONAUT,
   BLACK_HOLE,

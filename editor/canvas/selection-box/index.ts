@@ -1,0 +1,4 @@
+export { centreOf, type SelectionBox, selectionBox } from './box.ts';
+export { cursorOf, drawnBox, type Grip, handleAt, handlesOf, type ScaleHandle } from './handles.ts';
+export { scalingOf } from './scaling.ts';
+export { transformCommands } from './transform-commands.ts';
