@@ -15,6 +15,7 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   heatMap: 'search heat map',
   deaths: 'heat map of deaths',
   lost: 'states that are already lost',
+  notes: 'notes',
 };
 
 /** Commands that work whatever is shown. */
@@ -93,6 +94,20 @@ export function appCommands(editor: Editor): readonly Command[] {
       group: 'View',
       keys: ['Shift+g'],
       run: () => settings.setState({ snapToGrid: !settings.getState().snapToGrid }),
+    },
+    {
+      id: 'view.rulers',
+      title: 'Show or hide the rulers',
+      group: 'View',
+      keys: ['Shift+r'],
+      run: () => settings.setState({ rulers: !settings.getState().rulers }),
+    },
+    {
+      id: 'view.minimap',
+      title: 'Show or hide the minimap',
+      group: 'View',
+      keys: ['Shift+m'],
+      run: () => settings.setState({ minimap: !settings.getState().minimap }),
     },
     ...LAYERS.map(
       (layer): Command => ({

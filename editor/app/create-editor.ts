@@ -71,6 +71,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     mode: 'edit',
     lookAt: null,
     renaming: null,
+    openNote: null,
     accuracy: settings.getState().accuracy,
   });
   const level: OpenLevel = {

@@ -13,8 +13,12 @@ import { HiddenNote } from './HiddenNote.tsx';
 import { HoverName } from './HoverName.tsx';
 import type { SearchPicture } from './layers/index.ts';
 import { CanvasMenu } from './menu/index.ts';
+import { Minimap } from './minimap/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
+import { NotePins } from './notes/index.ts';
+import { RepeatPanel } from './RepeatPanel.tsx';
 import { RunLossLabel } from './RunLossLabel.tsx';
+import { Rulers } from './rulers/index.ts';
 import { Measures, ToldLabel } from './ToldLabel.tsx';
 
 interface CanvasViewProps {
@@ -32,6 +36,7 @@ export function CanvasView({ search, legend }: CanvasViewProps) {
   const canvas = useRef(createCanvasState()).current;
   const cursor = useStore(canvas, (state) => state.cursor);
   const hasCrosshair = useStore(canvas, (state) => state.crosshair !== null);
+  const isRepeating = useStore(canvas, (state) => state.isRepeating);
   const said = useRef(createStore<string>(() => '')).current;
   const words = useStore(said);
 
@@ -61,6 +66,10 @@ export function CanvasView({ search, legend }: CanvasViewProps) {
       <HoverName canvas={canvas} />
       <ToldLabel canvas={canvas} />
       <Measures canvas={canvas} />
+      <Rulers canvas={canvas} host={host} />
+      <Minimap canvas={canvas} />
+      <NotePins canvas={canvas} host={host} />
+      {isRepeating && <RepeatPanel onClose={() => canvas.setState({ isRepeating: false })} />}
       <CanvasMenu canvas={canvas} host={host} />
       <div className="legends">
         <HiddenNote />

@@ -8,7 +8,7 @@ import { arrangeCommands } from './arrange-commands.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { clipboardCommands } from './clipboard-commands.ts';
 import { type Crosshair, crosshairCommands } from './crosshair/index.ts';
-import { menuCommands } from './menu/index.ts';
+import { menuCommands, placeMeant } from './menu/index.ts';
 import type { ObjectChanges } from './object-changes.ts';
 import { overlapCommands } from './overlap-commands.ts';
 import type { PointerContext, PointerListening } from './pointer/index.ts';
@@ -84,6 +84,24 @@ export function canvasCommands(parts: CanvasParts): readonly Command[] {
     ...crosshairCommands(crosshair, () => selection.keys().length > 0),
     ...arrangeCommands(editor, level, changes),
     ...transformCommands(level, changes),
+    {
+      id: 'note.add',
+      title: 'Add a note at the crosshair or the selected object',
+      group: 'Edit',
+      keys: ['Shift+n'],
+      run() {
+        const { x, y } = placeMeant(context, crosshair);
+        session.setState({ openNote: { x: Math.round(x), y: Math.round(y) } });
+      },
+    },
+    {
+      id: 'object.repeat',
+      title: 'Repeat the selection along a line or around a centre',
+      group: 'Object',
+      keys: ['$mod+Shift+d'],
+      needs: changes.needsSelected(1),
+      run: () => changes.free().length > 0 && canvas.setState({ isRepeating: true }),
+    },
     ...viewCommands({ selection, canvas, setView, bringIntoView }, changes),
   ];
 }

@@ -1,13 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Measure } from './measure.ts';
 import type { MenuPart } from './menu-entry.ts';
 import type { Guide } from './snapping.ts';
 import type { Box, Point, View } from './view.ts';
-
-/** A figure beside a place of the level. */
-export interface Measure {
-  readonly words: string;
-  readonly at: Point;
-}
 
 /** What the canvas shows besides the level: the view, and the transient state of gestures. */
 export interface CanvasState {
@@ -18,6 +13,8 @@ export interface CanvasState {
   readonly placing: Point | null;
   /** Where keys use the current tool; null: the crosshair is hidden. */
   readonly crosshair: Point | null;
+  /** Whether the panel that repeats the selection is open. */
+  readonly isRepeating: boolean;
   /** Figures of a gesture in progress, beside places of the level. */
   readonly measures: readonly Measure[];
   /** What was said beside a place of the level; null: nothing. */
@@ -35,6 +32,7 @@ export function createCanvasState(): StoreApi<CanvasState> {
     guides: [],
     placing: null,
     crosshair: null,
+    isRepeating: false,
     measures: [],
     told: null,
     menu: null,

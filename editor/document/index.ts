@@ -22,6 +22,7 @@ export {
   visibleIn,
 } from './marks.ts';
 export { nameOf, ownNameOf, titled } from './names.ts';
+export { addNote, deleteNote, editNote, LONGEST_NOTE, type Note, noteProblem, notesIn } from './notes.ts';
 export {
   ASTRONAUT,
   BLACK_HOLE,

@@ -7,7 +7,7 @@ export type Tool = 'select' | 'hand' | Placeable;
 export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
 
 /** Optional layers over the level. */
-export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths', 'lost'] as const;
+export const LAYERS = ['ranges', 'margins', 'nearMisses', 'slackFan', 'ghosts', 'heatMap', 'deaths', 'lost', 'notes'] as const;
 export type Layer = (typeof LAYERS)[number];
 
 /** Speeds of the timeline and the playtest, relative to real time. */
@@ -66,6 +66,8 @@ export interface Session {
   readonly panels: { readonly left: string; readonly right: string; readonly phone: string | null };
   /** The row of the outline whose name is being edited: the key of an object, or that of a group's row; null: none. */
   readonly renaming: string | null;
+  /** The note whose text is being edited: an existing one, or a new one at a place, px; null: none. */
+  readonly openNote: string | { readonly x: number; readonly y: number } | null;
   /** A rule to focus as soon as it is shown; null: none. */
   readonly askedRule: RuleName | null;
   /** A point of the level to bring into view as soon as the canvas is shown; null: none. */
@@ -98,10 +100,12 @@ export function createSession(accuracy: AccuracyName): SessionStore {
       heatMap: false,
       deaths: true,
       lost: false,
+      notes: true,
     },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
     renaming: null,
+    openNote: null,
     askedRule: null,
     lookAt: null,
     zoom: 1,

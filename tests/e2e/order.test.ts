@@ -178,6 +178,7 @@ inChromium('groups in Chromium', ({ on }) => {
       await field.fill('ring');
       await field.press('Enter');
       await row(page, /^ring/).waitFor();
+      await row(page, /^ring/).hover();
       await row(page, /^ring/).getByTitle('Lock', { exact: true }).click();
       await until(() =>
         expect(file('01').asteroids?.slice(0, 2)).toEqual([

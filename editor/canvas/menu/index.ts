@@ -1,3 +1,3 @@
 export { CanvasMenu } from './CanvasMenu.tsx';
-export { menuCommands } from './menu-commands.ts';
+export { menuCommands, placeMeant } from './menu-commands.ts';
 export { menuEntries } from './menu-entries.ts';

@@ -4,15 +4,17 @@ import type { Crosshair } from '../crosshair/index.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import { isInView, type Point, toScreen } from '../view.ts';
 
-/** Opens the menu by key: at the crosshair, else at the selected object, else in the middle of the view. */
+/** The place that keys mean: the crosshair, else the selected object, else the middle of the view. */
+export function placeMeant(context: PointerContext, crosshair: Crosshair): Point {
+  const view = context.view();
+  if (crosshair.isShown()) return crosshair.place();
+  const [key] = context.selection.keys();
+  const object = key === undefined ? undefined : objectsOf(context.document.file()).get(key)?.object;
+  return object !== undefined && isInView(view, object) ? object : { x: view.x, y: view.y };
+}
+
+/** Opens the menu by key. */
 export function menuCommands(context: PointerContext, crosshair: Crosshair): readonly Command[] {
-  const place = (): Point => {
-    const view = context.view();
-    if (crosshair.isShown()) return crosshair.place();
-    const [key] = context.selection.keys();
-    const object = key === undefined ? undefined : objectsOf(context.document.file()).get(key)?.object;
-    return object !== undefined && isInView(view, object) ? object : { x: view.x, y: view.y };
-  };
   return [
     {
       id: 'edit.menu',
@@ -21,7 +23,7 @@ export function menuCommands(context: PointerContext, crosshair: Crosshair): rea
       keys: ['Shift+F10', 'ContextMenu'],
       needs: () => (crosshair.hasFocus() ? null : 'go to the canvas first'),
       run() {
-        const at = place();
+        const at = placeMeant(context, crosshair);
         context.openMenu(at, toScreen(context.view(), at));
       },
     },

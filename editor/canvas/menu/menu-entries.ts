@@ -21,6 +21,8 @@ export interface MenuParts {
 const ALIGN = ['left', 'centre', 'right', 'top', 'middle', 'bottom'].map((edge) => `object.align-${edge}`);
 const DISTRIBUTE = ['object.distribute-x', 'object.distribute-y'];
 
+const TURN = ['object.turn-left-far', 'object.turn-right-far', 'object.mirror-x', 'object.mirror-y'];
+
 /** The entry of a command; null where it is not registered. */
 function ofCommand({ commands }: Editor, id: string, title?: string): MenuAction | null {
   const command = commands.all().find((one) => one.id === id);
@@ -83,6 +85,8 @@ function forSelection({ editor, level }: MenuParts): MenuPart[] {
     ...of('edit.delete'),
     null,
     ...(count > 1 ? [{ title: 'Align', entries: all([...ALIGN, ...DISTRIBUTE]) }] : []),
+    { title: 'Turn and mirror', entries: all(TURN) },
+    ...of('object.repeat', 'Repeat…'),
     ...of('view.fit-selection', 'Bring into view'),
   ];
 }
@@ -97,6 +101,10 @@ function forPlace({ editor, context, changes, pasteAt }: MenuParts, place: Point
   return [
     { title: 'Add here', entries: add },
     { title: 'Paste here', run: () => pasteAt(place) },
+    {
+      title: 'Add a note here',
+      run: () => editor.session.setState({ openNote: { x: Math.round(place.x), y: Math.round(place.y) } }),
+    },
     ...[ofCommand(editor, 'edit.select-all'), ofCommand(editor, 'view.fit')],
   ];
 }

@@ -55,7 +55,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
     if (!result.ok) context.refused(result.refusal.message);
     else if (isLive) selection.select(result.added.length > 0 ? result.added : selected);
   };
-  const done = () => canvas.setState({ guides: [] });
+  const done = () => canvas.setState({ guides: [], measures: [] });
   return {
     name: 'moving',
     cursor: 'grabbing',
@@ -67,9 +67,9 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
       const fixed = input.shift && input.by !== 'keys' ? (Math.abs(move.x) > Math.abs(move.y) ? 'y' : 'x') : null;
       const reach = REACH[input.by] / context.view().zoom;
       const snapping = input.mod ? { grid: null, toObjects: false } : context.snapping();
-      const { dx, dy, guides } = snapMove(start, move, drag.targets, { ...snapping, reach, fixed });
+      const { dx, dy, guides, measures } = snapMove(start, move, drag.targets, { ...snapping, reach, fixed });
       show(dx, dy);
-      canvas.setState({ guides, cursor: drag.areCopies ? 'copy' : 'grabbing' });
+      canvas.setState({ guides, measures, cursor: drag.areCopies ? 'copy' : 'grabbing' });
       return undefined;
     },
     up() {

@@ -2,8 +2,9 @@ import type { StoreApi } from 'zustand/vanilla';
 import type { Box as HerBox } from '../../../engine/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../../document/index.ts';
 import type { Tool } from '../../session/index.ts';
-import type { CanvasState, Measure } from '../canvas-state.ts';
+import type { CanvasState } from '../canvas-state.ts';
 import type { Device, Hit } from '../hit-test.ts';
+import type { Measure } from '../measure.ts';
 import type { SnapOptions } from '../snapping.ts';
 import type { Point, View } from '../view.ts';
 

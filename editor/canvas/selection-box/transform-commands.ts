@@ -1,9 +1,7 @@
 import type { Command } from '../../commands/index.ts';
 import type { OpenLevel } from '../../context/index.ts';
-import { type LinearMap, mapObjects, mapProblem, mirrorAlong, turnBy } from '../../document/index.ts';
-import { extentOf } from '../extent.ts';
 import type { ObjectChanges } from '../object-changes.ts';
-import { centreOf } from './box.ts';
+import { transformActions } from './transform-actions.ts';
 
 const TURNS: readonly (readonly [id: string, title: string, keys: readonly string[], degrees: number])[] = [
   ['turn-left', 'Turn the selection by 1° to the left', ['Alt+Comma'], -1],
@@ -13,19 +11,10 @@ const TURNS: readonly (readonly [id: string, title: string, keys: readonly strin
 ];
 
 /** Turns and mirrors the selection about the middle of its box. */
-export function transformCommands(
-  { document, selection, proof }: OpenLevel,
-  { needsSelected, free, change, refuse }: ObjectChanges,
-): readonly Command[] {
-  const mapBy = (label: string, map: LinearMap, gesture?: string) => {
-    const keys = free();
-    const file = document.file();
-    const box = extentOf(file, proof.proof().scene.box, keys);
-    if (box === null) return;
-    const problem = mapProblem(file, keys, map);
-    if (problem !== null) refuse(problem);
-    else change(label, mapObjects(keys, centreOf(box), map), gesture);
-  };
+export function transformCommands(level: OpenLevel, changes: ObjectChanges): readonly Command[] {
+  const { selection } = level;
+  const actions = transformActions(level, changes);
+  const needs = changes.needsSelected(1);
   return [
     ...TURNS.map(
       ([id, title, keys, degrees]): Command => ({
@@ -33,8 +22,8 @@ export function transformCommands(
         title,
         group: 'Object',
         keys,
-        needs: needsSelected(1),
-        run: () => mapBy('Turn', turnBy(degrees), `turn ${selection.keys().join()}`),
+        needs,
+        run: () => actions.turn(degrees, `turn ${selection.keys().join()}`),
       }),
     ),
     {
@@ -42,16 +31,16 @@ export function transformCommands(
       title: 'Mirror the selection from left to right',
       group: 'Object',
       keys: ['Shift+h'],
-      needs: needsSelected(1),
-      run: () => mapBy('Mirror', mirrorAlong('x')),
+      needs,
+      run: () => actions.mirror('x'),
     },
     {
       id: 'object.mirror-y',
       title: 'Mirror the selection from top to bottom',
       group: 'Object',
       keys: ['Shift+v'],
-      needs: needsSelected(1),
-      run: () => mapBy('Mirror', mirrorAlong('y')),
+      needs,
+      run: () => actions.mirror('y'),
     },
   ];
 }

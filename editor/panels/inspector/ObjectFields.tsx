@@ -34,6 +34,7 @@ import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';
 import { MarkButtons, MarkNotes, NameRow } from './ObjectMarks.tsx';
 import { runFactsOf } from './run-facts.ts';
+import { TransformFields } from './TransformFields.tsx';
 
 /** Commands of the canvas for several objects. */
 const ARRANGE = [
@@ -165,6 +166,7 @@ export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
         )}
       </Section>
       {!one && <Arrange count={objects.length} />}
+      {!one && <TransformFields />}
       {one && <RunFacts objectKey={first.key} />}
     </>
   );

@@ -5,6 +5,7 @@ import { useEditor, useLevel, useSelectedKeys, useSession, useWhenIdle } from '.
 import { type DocumentState, groupsIn, type ObjectKey, objectsOf, reorderObject } from '../../document/index.ts';
 import { orderActions } from '../../order/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
+import { NoteList } from './NoteList.tsx';
 import { type LineActions, ObjectLine } from './ObjectLine.tsx';
 import { type ObjectRow, objectRows } from './object-rows.ts';
 import { outlineMenu } from './outline-menu.ts';
@@ -119,6 +120,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
           <ObjectLine row={row} problems={problems.get(row.key)} isRenaming={row.key === renaming} actions={actions} />
         )}
       />
+      <NoteList file={file} />
     </section>
   );
 });
