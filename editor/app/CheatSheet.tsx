@@ -13,6 +13,8 @@ const POINTER: readonly (readonly [gesture: string, what: string])[] = [
   ['drag a handle of the box', 'scale the selection; with Shift freely, with Alt radii too'],
   ['drag the circle above the box', 'turn the selection; with Shift by steps of 15°'],
   ['double-click on a tool', 'keep it after placing'],
+  ['drag a note', 'move it; click it to edit it'],
+  ['drag in the minimap', 'move the view'],
   ['drag on empty space', 'select what lies inside'],
   ['Shift + click', 'add to the selection or remove from it'],
   ['Alt + drag', 'move a copy'],

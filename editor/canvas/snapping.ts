@@ -140,8 +140,8 @@ function ofGap({ axis, from, to, at }: Gap): { readonly guide: Guide; readonly m
 }
 
 /**
- * Where a drag of objects goes: to edges and centres of other objects within reach, else to where gaps are equal, else to the
- * grid.
+ * Where a drag of objects goes: to edges and centres of other objects within reach or to where gaps are equal, whichever is
+ * nearer, else to the grid.
  * @param lead the place of the grabbed object: its centre snaps to the grid
  */
 export function snapMove(lead: Point, move: Point, targets: SnapTargets, options: SnapOptions): Snapped {
@@ -157,10 +157,13 @@ export function snapMove(lead: Point, move: Point, targets: SnapTargets, options
     right: box.right + dx,
     bottom: box.bottom + dy,
   });
+  /** Equal gaps, where they are nearer than what it aligns with. */
   const spacingOf = (axis: 'x' | 'y') => {
-    if (!options.toObjects || options.fixed === axis || aligned[axis].line !== null) return null;
+    if (!options.toObjects || options.fixed === axis) return null;
     const moved = axis === 'x' ? at(move.x, aligned.y.by) : at(aligned.x.by, move.y);
-    return equalSpacing(moved, targets.boxes, axis, options.reach);
+    const spacing = equalSpacing(moved, targets.boxes, axis, options.reach);
+    const { line, by } = aligned[axis];
+    return spacing !== null && (line === null || Math.abs(spacing.by) < Math.abs(by - move[axis])) ? spacing : null;
   };
   const spaced = { x: spacingOf('x'), y: spacingOf('y') };
   const dx = spaced.x === null ? aligned.x.by : move.x + spaced.x.by;
@@ -171,7 +174,7 @@ export function snapMove(lead: Point, move: Point, targets: SnapTargets, options
   const add = (axis: 'x' | 'y', line: Line | null, from: number, to: number) => {
     if (line !== null) guides.push({ axis, at: line.at, from: Math.min(line.from, from), to: Math.max(line.to, to) });
   };
-  add('x', aligned.x.line, box.top + dy, box.bottom + dy);
-  add('y', aligned.y.line, box.left + dx, box.right + dx);
+  if (spaced.x === null) add('x', aligned.x.line, box.top + dy, box.bottom + dy);
+  if (spaced.y === null) add('y', aligned.y.line, box.left + dx, box.right + dx);
   return { dx, dy, guides, measures: gaps.map(({ measure }) => measure) };
 }

@@ -71,7 +71,8 @@ function useLevelPicture(map: MapView) {
       }
     }
     context.globalAlpha = 1;
-    context.strokeStyle = colours.way;
+    // says nothing about how the run ends
+    context.strokeStyle = colours.wayLost;
     context.lineWidth = 1 / map.scale;
     context.beginPath();
     for (let k = 0; k < way.count; k += EACH) context.lineTo(way.states[k * STATE_SIZE], way.states[k * STATE_SIZE + 1]);

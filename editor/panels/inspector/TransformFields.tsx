@@ -29,7 +29,7 @@ export function TransformFields() {
         <input type="checkbox" checked={withRadii} onChange={(event) => setWithRadii(event.target.checked)} />
         Scale radii, too
       </label>
-      <div className="arrange" role="toolbar" aria-label="Transform">
+      <div className="transform__buttons" role="toolbar" aria-label="Transform">
         <Button
           hint="Mirror from left to right"
           shortcut="Shift+H"
