@@ -56,7 +56,7 @@ try {
   for (let i = 0; i < 2; i++) await page.keyboard.press('Equal');
   await page.locator('.minimap').waitFor();
   await page.waitForTimeout(1000);
-  await page.screenshot({ path: join(root, 'docs', 'editor-order.png') });
+  await page.screenshot({ path: join(root, 'docs', 'editor-order.png'), clip: { x: 0, y: 36, width: 800, height: 430 } });
 } finally {
   await browser.close();
   server.kill('SIGTERM');
