@@ -20,6 +20,7 @@ const LAYER_TITLES: Readonly<Record<Layer, string>> = {
   lost: 'states that are already lost',
   onion: 'run before and after a change',
   leeway: 'places where the selection may stand',
+  notes: 'notes',
 };
 
 /** The key that shows or hides a layer, if it has one. */
@@ -130,6 +131,20 @@ export function appCommands(editor: Editor): readonly Command[] {
       group: 'Run',
       keys: [ALIVE_KEY],
       run: () => settings.setState({ keepAlive: !settings.getState().keepAlive }),
+    },
+    {
+      id: 'view.rulers',
+      title: 'Show or hide the rulers',
+      group: 'View',
+      keys: ['Shift+r'],
+      run: () => settings.setState({ rulers: !settings.getState().rulers }),
+    },
+    {
+      id: 'view.minimap',
+      title: 'Show or hide the minimap',
+      group: 'View',
+      keys: ['Shift+o'],
+      run: () => settings.setState({ minimap: !settings.getState().minimap }),
     },
     ...LAYERS.map(
       (layer): Command => ({

@@ -72,6 +72,8 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     isPlayingBack: false,
     mode: 'edit',
     lookAt: null,
+    renaming: null,
+    openNote: null,
     accuracy: settings.getState().accuracy,
   });
   const level: OpenLevel = {

@@ -1,7 +1,7 @@
 import { RULES } from '../../schema/index.ts';
 import { comparedOf, compareOrTell, isCompared } from '../compare/index.ts';
 import type { Editor } from '../context/index.ts';
-import { titled } from '../document/index.ts';
+import { nameOf, titled } from '../document/index.ts';
 import { folderRulesIn } from '../files/index.ts';
 import { ruleLabel, ruleValues } from '../panels/inspector/index.ts';
 import { openListed } from '../panels/levels/index.ts';
@@ -101,7 +101,7 @@ function objects({ open, commands }: Editor): Destination[] {
         key: `object ${key}`,
         group: 'Object',
         title,
-        detail: `${found.list === null ? '' : `${key}, `}at ${Math.round(x)}, ${Math.round(y)}`,
+        detail: `${title === nameOf(found) ? '' : `${nameOf(found).toLowerCase()}, `}${found.list === null ? '' : `${key}, `}at ${Math.round(x)}, ${Math.round(y)}`,
         go: () => {
           level.selection.select([key]);
           commands.run('view.fit-selection');

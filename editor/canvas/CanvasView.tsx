@@ -11,12 +11,20 @@ import './canvas.css';
 import { CROSSHAIR_HELP } from './crosshair/index.ts';
 import { DeathLegend } from './DeathLegend.tsx';
 import { DeathTip } from './DeathTip.tsx';
+import { HiddenNote } from './HiddenNote.tsx';
+import { HoverName } from './HoverName.tsx';
 import { LeewayShade } from './LeewayShade.tsx';
 import type { SearchPicture } from './layers/index.ts';
+import { CanvasMenu } from './menu/index.ts';
+import { Minimap } from './minimap/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
+import { NotePins } from './notes/index.ts';
 import { OnionLabel } from './OnionLabel.tsx';
 import { placesOnPage } from './places-on-page.ts';
+import { RepeatPanel } from './RepeatPanel.tsx';
 import { RunLossLabel } from './RunLossLabel.tsx';
+import { Rulers } from './rulers/index.ts';
+import { Measures, ToldLabel } from './ToldLabel.tsx';
 import { useLeeway } from './use-leeway.ts';
 
 interface CanvasViewProps {
@@ -36,6 +44,7 @@ export function CanvasView({ search, legend, onion }: CanvasViewProps) {
   const canvas = useRef(createCanvasState()).current;
   const cursor = useStore(canvas, (state) => state.cursor);
   const hasCrosshair = useStore(canvas, (state) => state.crosshair !== null);
+  const isRepeating = useStore(canvas, (state) => state.isRepeating);
   const said = useRef(createStore<string>(() => '')).current;
   const words = useStore(said);
 
@@ -67,7 +76,16 @@ export function CanvasView({ search, legend, onion }: CanvasViewProps) {
       <EndReason canvas={canvas} />
       <RunLossLabel canvas={canvas} />
       <OnionLabel canvas={canvas} />
+      <HoverName canvas={canvas} />
+      <ToldLabel canvas={canvas} />
+      <Measures canvas={canvas} />
+      <Rulers canvas={canvas} host={host} />
+      <Minimap canvas={canvas} />
+      <NotePins canvas={canvas} host={host} />
+      {isRepeating && <RepeatPanel onClose={() => canvas.setState({ isRepeating: false })} />}
+      <CanvasMenu canvas={canvas} host={host} />
       <div className="legends">
+        <HiddenNote />
         {legend}
         <LostLegend />
         <LeewayLegend />

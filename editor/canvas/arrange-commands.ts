@@ -17,7 +17,7 @@ const ALIGNMENTS: readonly (readonly [edge: Edge, title: string])[] = [
 export function arrangeCommands(
   { settings }: Editor,
   { document, selection }: OpenLevel,
-  { needsSelected, change }: ObjectChanges,
+  { needsSelected, free, change }: ObjectChanges,
 ): readonly Command[] {
   const nudge = (id: string, how: string, keys: readonly string[], size: () => number): Command => ({
     id: `object.${id}`,
@@ -28,7 +28,7 @@ export function arrangeCommands(
     hidden: true,
     run(press) {
       const { x, y } = stepOf(press);
-      change('Nudge', moveObjects(selection.keys(), x * size(), y * size()), `nudge ${selection.keys().join()}`);
+      change('Nudge', moveObjects(free(), x * size(), y * size()), `nudge ${selection.keys().join()}`);
     },
   });
   return [
@@ -40,7 +40,7 @@ export function arrangeCommands(
         title,
         group: 'Object',
         needs: needsSelected(2),
-        run: () => change(title, alignObjects(document.file(), selection.keys(), edge)),
+        run: () => change(title, alignObjects(document.file(), free(), edge)),
       }),
     ),
     ...(['x', 'y'] as const).map(
@@ -49,7 +49,7 @@ export function arrangeCommands(
         title: axis === 'x' ? 'Distribute horizontally' : 'Distribute vertically',
         group: 'Object',
         needs: needsSelected(3),
-        run: () => change('Distribute', distributeObjects(document.file(), selection.keys(), axis)),
+        run: () => change('Distribute', distributeObjects(document.file(), free(), axis)),
       }),
     ),
   ];

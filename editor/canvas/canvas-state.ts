@@ -1,4 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Measure } from './measure.ts';
+import type { MenuPart } from './menu-entry.ts';
 import type { Guide } from './snapping.ts';
 import type { Box, Point, View } from './view.ts';
 
@@ -11,6 +13,14 @@ export interface CanvasState {
   readonly placing: Point | null;
   /** Where keys use the current tool; null: the crosshair is hidden. */
   readonly crosshair: Point | null;
+  /** Whether the panel that repeats the selection is open. */
+  readonly isRepeating: boolean;
+  /** Figures of a gesture in progress, beside places of the level. */
+  readonly measures: readonly Measure[];
+  /** What was said beside a place of the level; null: nothing. */
+  readonly told: Measure | null;
+  /** The open menu, and where it stands, in px of the screen; null: none. */
+  readonly menu: { readonly screen: Point; readonly parts: readonly MenuPart[] } | null;
   /** CSS cursor */
   readonly cursor: string;
 }
@@ -22,6 +32,10 @@ export function createCanvasState(): StoreApi<CanvasState> {
     guides: [],
     placing: null,
     crosshair: null,
+    isRepeating: false,
+    measures: [],
+    told: null,
+    menu: null,
     cursor: 'default',
   }));
 }

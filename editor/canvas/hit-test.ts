@@ -1,6 +1,6 @@
 import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../document/index.ts';
+import { type FoundObject, grabbableIn, type ObjectKey, placesOf, radiusOf } from '../document/index.ts';
 import { boxesOf } from './extent.ts';
 import type { Box, Point } from './view.ts';
 
@@ -12,20 +12,23 @@ export interface Hit {
   readonly part: 'body' | 'rim';
 }
 
+/** The input device; keys move the crosshair, which presses and drags like a pointer. */
+export type Device = 'mouse' | 'touch' | 'keys';
+
 /** px of screen from an object within which a pointer grabs it */
-export const REACH = { mouse: 5, touch: 18, keys: 5 } as const;
+export const REACH: Readonly<Record<Device, number>> = { mouse: 5, touch: 18, keys: 5 };
 
 /** With more selected objects than this, none can be resized by its rim: a drag is more likely meant to move them. */
 const MOST_RESIZED = 12;
 
 /**
- * The selected objects that can be resized by their rims: only a few, and each large enough on the screen to tell its rim from
- * its middle.
+ * The selected objects that can be resized by their rims: only a few, neither locked nor hidden, and each large enough on the
+ * screen to tell its rim from its middle.
  * @param reach px of the level
  */
 export function resizedByRim(file: LevelFile, selected: readonly ObjectKey[], reach: number): FoundObject[] {
   if (selected.length > MOST_RESIZED) return [];
-  const objects = objectsOf(file);
+  const objects = grabbableIn(file);
   return selected.flatMap((key) => {
     const found = objects.get(key);
     const radius = found === undefined ? null : radiusOf(found);
@@ -41,38 +44,75 @@ function distanceOutside(radius: number | null, her: HerBox, at: Point, { x, y }
   return Math.max(Math.abs(dx) - her.halfWidth, Math.abs(dy) - her.halfHeight);
 }
 
+/** An object at a point of the level. */
+interface Body {
+  readonly hit: Hit;
+  /** px; of several objects the smallest is meant, so that objects in a field stay reachable */
+  readonly size: number;
+  /** Whether the point is beside it, within reach. */
+  readonly isBeside: boolean;
+  /** Its place in the file: what is drawn later lies above. */
+  readonly order: number;
+}
+
+/** Objects that contain the point come before those beside it, small ones before large ones, upper ones before lower ones. */
+const byNearness = (a: Body, b: Body): number => Number(a.isBeside) - Number(b.isBeside) || a.size - b.size || b.order - a.order;
+
 /**
- * What lies at a point of the level. Only selected objects can be grabbed by the rim; of several bodies the smallest wins, so
- * that objects in a field stay reachable.
+ * All objects at a point of the level, the one that a click means first.
+ * @param objects those that count
+ * @param her the astronaut's box under the rules of the level
+ * @param reach px of the level
+ */
+export function hitsAt(objects: Iterable<FoundObject>, her: HerBox, place: Point, reach: number): Hit[] {
+  const bodies: Body[] = [];
+  let order = 0;
+  for (const found of objects) {
+    const radius = radiusOf(found);
+    let nearest: { readonly place: number; readonly outside: number } | null = null;
+    for (const [i, at] of placesOf(found).entries()) {
+      const outside = distanceOutside(radius, her, at, place);
+      if (outside <= reach && (nearest === null || outside < nearest.outside)) nearest = { place: i, outside };
+    }
+    order++;
+    if (nearest === null) continue;
+    const hit: Hit = { key: found.key, place: nearest.place, part: 'body' };
+    bodies.push({ hit, size: radius ?? her.halfHeight, isBeside: nearest.outside > 0, order });
+  }
+  return bodies.sort(byNearness).map(({ hit }) => hit);
+}
+
+/** The rim at a point, of the objects that can be resized by it; null: none. */
+function rimAt(objects: readonly FoundObject[], her: HerBox, place: Point, reach: number): Hit | null {
+  let best: { readonly hit: Hit; readonly gap: number } | null = null;
+  for (const found of objects) {
+    const radius = radiusOf(found);
+    if (radius === null) continue;
+    for (const [i, at] of placesOf(found).entries()) {
+      const outside = distanceOutside(radius, her, at, place);
+      const gap = Math.abs(outside);
+      // a small object must keep a middle to move it by
+      if (outside > reach || outside <= -Math.min(reach, radius / 2) || (best !== null && gap >= best.gap)) continue;
+      best = { hit: { key: found.key, place: i, part: 'rim' }, gap };
+    }
+  }
+  return best?.hit ?? null;
+}
+
+/**
+ * What a press at a point of the level grabs: the rim of a selected object, or an object that is neither locked nor hidden.
  * @param her the astronaut's box under the rules of the level
  * @param reach px of the level
  */
 export function hitTest(file: LevelFile, her: HerBox, place: Point, reach: number, selected: readonly ObjectKey[]): Hit | null {
-  const resizable = new Set(resizedByRim(file, selected, reach).map(({ key }) => key));
-  let rim: { hit: Hit; gap: number } | null = null;
-  let body: { hit: Hit; size: number; outside: boolean } | null = null;
-  for (const found of objectsOf(file).values()) {
-    const { key } = found;
-    const radius = radiusOf(found);
-    const size = radius ?? her.halfHeight;
-    for (const [i, at] of placesOf(found).entries()) {
-      const outside = distanceOutside(radius, her, at, place);
-      if (outside > reach) continue;
-      // a small object must keep a middle to move it by
-      const onRim = radius !== null && outside > -Math.min(reach, radius / 2);
-      const gap = Math.abs(outside);
-      if (onRim && resizable.has(key) && (rim === null || gap < rim.gap)) rim = { hit: { key, place: i, part: 'rim' }, gap };
-      const better = body === null || (body.outside && outside <= 0) || (body.outside === outside > 0 && size <= body.size);
-      if (better) body = { hit: { key, place: i, part: 'body' }, size, outside: outside > 0 };
-    }
-  }
-  return rim?.hit ?? body?.hit ?? null;
+  const rim = rimAt(resizedByRim(file, selected, reach), her, place, reach);
+  return rim ?? hitsAt(grabbableIn(file).values(), her, place, reach)[0] ?? null;
 }
 
-/** The objects that a marquee selects: all that overlap it. @param her the astronaut's box under the rules of the level */
+/** The objects that a marquee selects: all that overlap it and are neither locked nor hidden. @param her the astronaut's box under the rules of the level */
 export function objectsIn(file: LevelFile, her: HerBox, marquee: Box): ObjectKey[] {
   const caught: ObjectKey[] = [];
-  for (const found of objectsOf(file).values()) {
+  for (const found of grabbableIn(file).values()) {
     const radius = radiusOf(found);
     if (boxesOf(her, found).some((box) => isCaught(box, radius, marquee))) caught.push(found.key);
   }

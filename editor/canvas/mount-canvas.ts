@@ -1,15 +1,19 @@
-import type { StoreApi } from 'zustand/vanilla';
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Editor, OpenLevel } from '../context/index.ts';
+import { chooseTool } from '../session/index.ts';
 import { canvasCommands } from './canvas-commands.ts';
 import { pictureOf } from './canvas-picture.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { createCrosshair } from './crosshair/index.ts';
 import { extentOf } from './extent.ts';
 import type { SearchPicture } from './layers/index.ts';
+import { menuEntries } from './menu/index.ts';
+import { objectChanges } from './object-changes.ts';
 import { stageOf } from './page-stage.ts';
-import { listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
+import { paste } from './paste.ts';
+import { type LastClick, listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
 import type { Stage } from './stage.ts';
-import { fitBox, lookAt, type View } from './view.ts';
+import { fitBox, lookAt, type Point, type View } from './view.ts';
 
 interface MountParts {
   readonly element: HTMLElement;
@@ -33,6 +37,7 @@ export function mountCanvas({ element, editor, level, canvas, said, search }: Mo
   const stage = stageOf(editor);
   const unmount = stage.mount(element, pictureOf(editor, level, canvas, search));
   const { bringIntoView, stop: stopFitting } = fitView({ element, editor, level, canvas, stage, setView });
+  const changes = objectChanges(editor, level);
   const context: PointerContext = {
     document,
     her: () => level.proof.proof().scene.box,
@@ -42,17 +47,27 @@ export function mountCanvas({ element, editor, level, canvas, said, search }: Mo
     view: () => canvas.getState().view,
     setView,
     tool: () => session.getState().tool,
-    setTool: (tool) => session.setState({ tool }),
+    setTool: (tool) => chooseTool(session, tool),
     snapping: () => {
       const { snapToGrid, grid, snapToObjects } = settings.getState();
       return { grid: snapToGrid ? grid : null, toObjects: snapToObjects };
     },
+    isToolLocked: () => session.getState().isToolLocked,
+    clicks: createStore<LastClick | null>(() => null),
+    openMenu(place, screen) {
+      const pasteAt = (at: Point) => void paste(editor, changes, canvas.getState().view, at);
+      canvas.setState({ menu: { screen, parts: menuEntries({ editor, level, context, changes, pasteAt }, place) } });
+    },
+    measure: (measures) => canvas.setState({ measures }),
+    tell: (words, at) => canvas.setState({ told: { words, at } }),
     refused: (message) => notices.show('warning', message, { topic: 'refused' }),
   };
   const pointer = listenToPointer(element, context, () => session.getState().mode === 'edit');
   const stopDrops = listenToDrops(element, context);
   const crosshair = createCrosshair({ element, context, pointer, grid: () => settings.getState().grid, said });
-  const forget = editor.commands.register(canvasCommands({ editor, level, canvas, setView, bringIntoView, pointer, crosshair }));
+  const forget = editor.commands.register(
+    canvasCommands({ editor, level, canvas, context, changes, setView, bringIntoView, pointer, crosshair }),
+  );
   return () => {
     forget();
     stopDrops();

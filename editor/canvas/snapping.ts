@@ -2,6 +2,8 @@ import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { type ObjectKey, objectsOf } from '../document/index.ts';
 import { boxesOf, extentOf } from './extent.ts';
+import type { Measure } from './measure.ts';
+import { equalSpacing, type Gap } from './spacing.ts';
 import type { Box, Point } from './view.ts';
 
 /** A line that shows what an object snapped to: at `at` px on one axis, from `from` to `to` on the other. */
@@ -18,6 +20,8 @@ export interface Snapped {
   readonly dx: number;
   readonly dy: number;
   readonly guides: readonly Guide[];
+  /** The sizes of equal gaps. */
+  readonly measures: readonly Measure[];
 }
 
 export interface SnapOptions {
@@ -46,6 +50,8 @@ const linesOfBox = ({ left, top, right, bottom }: Box, axis: 'x' | 'y'): Line[] 
 export interface SnapTargets {
   /** the box around the moving objects where they were when the drag began; null: nothing moves */
   readonly own: Box | null;
+  /** the boxes of everything else */
+  readonly boxes: readonly Box[];
   readonly x: readonly Line[];
   readonly y: readonly Line[];
 }
@@ -70,7 +76,7 @@ export function snapTargets(
     return only === undefined ? [] : boxesOf(her, found).filter((_, i) => i !== only);
   });
   const sorted = (axis: 'x' | 'y') => boxes.flatMap((box) => linesOfBox(box, axis)).sort((a, b) => a.at - b.at);
-  return { own: extentOf(file, her, moving, only), x: sorted('x'), y: sorted('y') };
+  return { own: extentOf(file, her, moving, only), boxes, x: sorted('x'), y: sorted('y') };
 }
 
 /** The line nearest to a value, by binary search: a drag of many objects among thousands asks often. */
@@ -123,21 +129,52 @@ function snapAxis(own: readonly Line[], lead: number, move: number, targets: rea
 
 const STILL: AxisSnap = { by: 0, line: null };
 
+/** The lines and figures of a gap. */
+function ofGap({ axis, from, to, at }: Gap): { readonly guide: Guide; readonly measure: Measure } {
+  const middle = (from + to) / 2;
+  const words = `${Number((to - from).toFixed(2))} px`;
+  // a gap from left to right is a horizontal line
+  return axis === 'x'
+    ? { guide: { axis: 'y', at, from, to }, measure: { words, at: { x: middle, y: at } } }
+    : { guide: { axis: 'x', at, from, to }, measure: { words, at: { x: at, y: middle } } };
+}
+
 /**
- * Where a drag of objects goes: to edges and centres of other objects within reach, else to the grid.
+ * Where a drag of objects goes: to edges and centres of other objects within reach or to where gaps are equal, whichever is
+ * nearer, else to the grid.
  * @param lead the place of the grabbed object: its centre snaps to the grid
  */
 export function snapMove(lead: Point, move: Point, targets: SnapTargets, options: SnapOptions): Snapped {
   const box = targets.own;
-  if (box === null) return { dx: move.x, dy: move.y, guides: [] };
-  const x = options.fixed === 'x' ? STILL : snapAxis(linesOfBox(box, 'x'), lead.x, move.x, targets.x, options);
-  const y = options.fixed === 'y' ? STILL : snapAxis(linesOfBox(box, 'y'), lead.y, move.y, targets.y, options);
+  if (box === null) return { dx: move.x, dy: move.y, guides: [], measures: [] };
+  const aligned = {
+    x: options.fixed === 'x' ? STILL : snapAxis(linesOfBox(box, 'x'), lead.x, move.x, targets.x, options),
+    y: options.fixed === 'y' ? STILL : snapAxis(linesOfBox(box, 'y'), lead.y, move.y, targets.y, options),
+  };
+  const at = (dx: number, dy: number): Box => ({
+    left: box.left + dx,
+    top: box.top + dy,
+    right: box.right + dx,
+    bottom: box.bottom + dy,
+  });
+  /** Equal gaps, where they are nearer than what it aligns with. */
+  const spacingOf = (axis: 'x' | 'y') => {
+    if (!options.toObjects || options.fixed === axis) return null;
+    const moved = axis === 'x' ? at(move.x, aligned.y.by) : at(aligned.x.by, move.y);
+    const spacing = equalSpacing(moved, targets.boxes, axis, options.reach);
+    const { line, by } = aligned[axis];
+    return spacing !== null && (line === null || Math.abs(spacing.by) < Math.abs(by - move[axis])) ? spacing : null;
+  };
+  const spaced = { x: spacingOf('x'), y: spacingOf('y') };
+  const dx = spaced.x === null ? aligned.x.by : move.x + spaced.x.by;
+  const dy = spaced.y === null ? aligned.y.by : move.y + spaced.y.by;
   // A guide connects the moved box, at its new place, with what it is aligned with.
-  const guides: Guide[] = [];
+  const gaps = [...(spaced.x?.gaps ?? []), ...(spaced.y?.gaps ?? [])].map(ofGap);
+  const guides: Guide[] = gaps.map(({ guide }) => guide);
   const add = (axis: 'x' | 'y', line: Line | null, from: number, to: number) => {
     if (line !== null) guides.push({ axis, at: line.at, from: Math.min(line.from, from), to: Math.max(line.to, to) });
   };
-  add('x', x.line, box.top + y.by, box.bottom + y.by);
-  add('y', y.line, box.left + x.by, box.right + x.by);
-  return { dx: x.by, dy: y.by, guides };
+  if (spaced.x === null) add('x', aligned.x.line, box.top + dy, box.bottom + dy);
+  if (spaced.y === null) add('y', aligned.y.line, box.left + dx, box.right + dx);
+  return { dx, dy, guides, measures: gaps.map(({ measure }) => measure) };
 }

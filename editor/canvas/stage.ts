@@ -110,7 +110,7 @@ class LevelScene extends Scene {
       this.cameras.main.setZoom(view.zoom).centerOn(view.x, view.y);
       space.show(view);
     }
-    objects.show(picture.file);
+    objects.show(picture.file, picture.editing);
     const zoomed = fresh || last.canvas.view.zoom !== view.zoom;
     const same = (...names: readonly (keyof Picture)[]) => !fresh && names.every((name) => last[name] === picture[name]);
     if (!same('file', 'her', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
@@ -121,7 +121,7 @@ class LevelScene extends Scene {
     if (!same('deaths', 'layers')) deaths.show(picture.layers.deaths ? picture.deaths : null);
     if (zoomed || !same('lost')) lost.show(picture.lost, view.zoom);
     if (zoomed || !same('onion')) onion.show(picture.onion, view.zoom);
-    if (zoomed || !same('file', 'pose')) objects.pose(picture.pose, view.zoom);
+    if (zoomed || !same('file', 'pose', 'editing')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
     astronaut.show(picture.pose, picture.file.astronaut, picture.her, seconds, picture.calm);

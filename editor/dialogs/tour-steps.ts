@@ -12,8 +12,9 @@ export interface TourStep {
 export const TOUR: readonly TourStep[] = [
   {
     title: 'Build the level here',
-    text: 'Drag an object to move it, drag its rim to resize it. Scroll to zoom, drag with the right button to move the view.',
-    touch: 'Drag an object to move it, drag its rim to resize it. Drag on empty space to move the view, pinch to zoom.',
+    text: 'Drag an object to move it, drag its rim to resize it. Scroll to zoom, drag with the right button to move the view, click with it for a menu.',
+    touch:
+      'Drag an object to move it, drag its rim to resize it. Drag on empty space to move the view, pinch to zoom, rest a finger for a menu.',
     at: ['[aria-label="Level canvas"]'],
   },
   {

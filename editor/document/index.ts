@@ -1,7 +1,30 @@
 export { createEditedLevel } from './document.ts';
 export type { ChangeResult, DocumentEvent, DocumentState, EditedLevel, Gesture, Recipe, StepMark } from './edited-level.ts';
 export { levelText } from './level-text.ts';
-export { nameOf, titled } from './names.ts';
+export { enteredGroup, freeGroupName, groupOf, unitOf, withGroups } from './groups.ts';
+export {
+  grabbableIn,
+  groupsIn,
+  hiddenIn,
+  LONGEST_NAME,
+  lockedIn,
+  MARK_KEYS,
+  type Mark,
+  type Marks,
+  marksOf,
+  unlocked,
+  visibleIn,
+} from './marks.ts';
+export { nameOf, ownNameOf, titled } from './names.ts';
+export {
+  editPinnedNote,
+  LONGEST_PINNED_NOTE,
+  type PinnedNote,
+  pinNote,
+  pinnedNotesIn,
+  pinProblem,
+  unpinNote,
+} from './pinned-notes.ts';
 export {
   ASTRONAUT,
   BLACK_HOLE,

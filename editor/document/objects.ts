@@ -1,4 +1,4 @@
-import { current, isDraft } from 'immer';
+import { current, isDraft, original } from 'immer';
 import {
   kindOfList,
   type LevelFile,
@@ -71,6 +71,9 @@ export function keyAt(file: LevelFile, pointer: string): ObjectKey | null {
   const list = OBJECT_LISTS.find((name) => name === part);
   return list === undefined ? null : (file[list]?.[Number(index)]?.id ?? null);
 }
+
+/** The file that a recipe is changing, as it was before. */
+export const fileBefore = (draft: LevelFile): LevelFile => (isDraft(draft) ? (original(draft) as LevelFile) : draft);
 
 /**
  * The current list of a file that a recipe is changing, without drafts, to be replaced as a whole. A thousand drafts would take

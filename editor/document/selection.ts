@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { EditedLevel } from './edited-level.ts';
+import { grabbableIn } from './marks.ts';
 import { type ObjectKey, objectsOf } from './objects.ts';
 
 /** The selection, which is neither saved nor part of the history. */
@@ -18,8 +19,9 @@ export interface SelectionStore {
   /** Selects exactly these objects; missing ones are skipped. Holds are deselected. */
   select(keys: Iterable<ObjectKey>): void;
   add(keys: Iterable<ObjectKey>): void;
-  /** Removes a selected object from the selection, adds any other. */
-  toggle(key: ObjectKey): void;
+  /** Removes objects from the selection if all of them are selected, else adds them. */
+  toggle(keys: readonly ObjectKey[]): void;
+  /** Selects all objects that are neither locked nor hidden. */
   selectAll(): void;
   selectHolds(run: string, holds: Iterable<number>): void;
   clear(): void;
@@ -54,8 +56,12 @@ export function createSelection(level: EditedLevel): SelectionStore {
     keys,
     select: (wanted) => set({ ...NONE, keys: existing(wanted) }),
     add: (more) => set({ ...NONE, keys: existing([...keys(), ...more]) }),
-    toggle: (key) => set({ ...NONE, keys: keys().includes(key) ? keys().filter((k) => k !== key) : existing([...keys(), key]) }),
-    selectAll: () => set({ ...NONE, keys: [...objectsOf(level.file()).keys()] }),
+    toggle(wanted) {
+      const old = new Set(keys());
+      const all = wanted.every((key) => old.has(key));
+      set({ ...NONE, keys: all ? keys().filter((key) => !wanted.includes(key)) : existing([...keys(), ...wanted]) });
+    },
+    selectAll: () => set({ ...NONE, keys: [...grabbableIn(level.file()).keys()] }),
     selectHolds(run, holds) {
       const chosen = [...new Set(holds)].sort((a, b) => a - b);
       set({ keys: [], holds: chosen, run: chosen.length === 0 ? null : run });

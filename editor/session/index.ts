@@ -1,4 +1,5 @@
 export {
+  chooseTool,
   createSession,
   LAYERS,
   type Layer,

@@ -18,6 +18,7 @@ export const LAYERS = [
   'lost',
   'onion',
   'leeway',
+  'notes',
 ] as const;
 export type Layer = (typeof LAYERS)[number];
 
@@ -63,6 +64,8 @@ export interface Session {
   /** Where a playtest begins: at the start, or at the current tick of the shown run. A replay is shown instead of a playtest. */
   readonly playFrom: 'start' | 'scrubbed' | Replay;
   readonly tool: Tool;
+  /** Whether a tool stays selected after it has placed an object. */
+  readonly isToolLocked: boolean;
   /** The run that is shown and edited; null if the level has none. */
   readonly run: string | null;
   /** The current tick of 1/60 s; may be fractional during playback. */
@@ -77,6 +80,10 @@ export interface Session {
   readonly overlay: Overlay | null;
   /** The ids of the panels in front: on the sides of a wide screen, and on a phone (null: none). */
   readonly panels: { readonly left: string; readonly right: string; readonly phone: string | null };
+  /** The row of the outline whose name is being edited: the key of an object, or that of a group's row; null: none. */
+  readonly renaming: string | null;
+  /** The note whose text is being edited: an existing one, or a new one at a place, px; null: none. */
+  readonly openNote: string | { readonly x: number; readonly y: number } | null;
   /** A rule to focus as soon as it is shown; null: none. */
   readonly askedRule: RuleName | null;
   /** A point of the level to bring into view as soon as the canvas is shown; null: none. */
@@ -94,6 +101,7 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     mode: 'edit',
     playFrom: 'start',
     tool: 'select',
+    isToolLocked: false,
     run: null,
     tick: 0,
     hoverTick: null,
@@ -111,11 +119,20 @@ export function createSession(accuracy: AccuracyName): SessionStore {
       lost: false,
       onion: true,
       leeway: false,
+      notes: true,
     },
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
+    renaming: null,
+    openNote: null,
     askedRule: null,
     lookAt: null,
     zoom: 1,
   }));
+}
+
+/** Chooses a tool. Tools that place nothing end the lock. */
+export function chooseTool(session: SessionStore, tool: Tool): void {
+  const places = tool !== 'select' && tool !== 'hand';
+  session.setState({ tool, isToolLocked: places && session.getState().isToolLocked });
 }

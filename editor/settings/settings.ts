@@ -9,6 +9,10 @@ const settingsSchema = z.object({
   grid: z.number().min(1).max(256),
   snapToGrid: z.boolean(),
   snapToObjects: z.boolean(),
+  /** Whether rulers stand along the canvas. */
+  rulers: z.boolean(),
+  /** Whether the whole level is shown in a corner while part of it is out of view. */
+  minimap: z.boolean(),
   sound: z.boolean(),
   /** 0 to 1 */
   volume: z.number().min(0).max(1),
@@ -35,6 +39,8 @@ const DEFAULTS: Settings = {
   grid: 8,
   snapToGrid: true,
   snapToObjects: true,
+  rulers: false,
+  minimap: true,
   sound: true,
   volume: 0.5,
   gunKey: 'KeyX',

@@ -158,7 +158,7 @@ test('the outline lists every object once, and none of a collapsed kind', () => 
   const shown = objectRows(file, new Set()).filter(({ found }) => found !== null);
   expect(shown).toHaveLength(2 + 7 + 3);
   expect(new Set(shown.map(({ key }) => key)).size).toBe(12);
-  const folded = objectRows(file, new Set(['asteroid']));
+  const folded = objectRows(file, new Set(['@kind asteroid']));
   expect(folded.filter(({ found, kind }) => found !== null && kind === 'asteroid')).toHaveLength(0);
   expect(folded.find(({ kind }) => kind === 'asteroid')?.keys).toHaveLength(7);
 });

@@ -313,10 +313,10 @@ describe('the selection', () => {
     expect(selection.keys()).toEqual(['cc', 'aa']);
     selection.add(['bb', 'aa', 'nowhere']);
     expect(selection.keys()).toEqual(['cc', 'aa', 'bb']);
-    selection.toggle('aa');
+    selection.toggle(['aa']);
     expect(selection.keys()).toEqual(['cc', 'bb']);
-    selection.toggle('aa');
-    selection.toggle('nowhere');
+    selection.toggle(['aa']);
+    selection.toggle(['nowhere']);
     expect(selection.keys()).toEqual(['cc', 'bb', 'aa']);
     selection.selectAll();
     expect(selection.keys()).toEqual([ASTRONAUT, BLACK_HOLE, 'aa', 'bb', 'cc']);
@@ -329,7 +329,7 @@ describe('the selection', () => {
     for (const act of [
       () => selection.select(['aa']),
       () => selection.add(['aa']),
-      () => selection.toggle('aa'),
+      () => selection.toggle(['aa']),
       () => selection.selectAll(),
     ]) {
       selection.selectHolds('run', [3, 1, 3, 7]);

@@ -11,6 +11,8 @@ import { placeInWords } from './words.ts';
  */
 export interface Crosshair {
   isShown(): boolean;
+  /** Where it is, or would be shown. */
+  place(): Point;
   /** Whether the canvas has the focus, so that keys are meant for it. */
   hasFocus(): boolean;
   /** Shows the crosshair and focuses the canvas. @param why announced first */
@@ -49,7 +51,7 @@ class KeyboardPointer implements Crosshair {
   private readonly grid: () => number;
   private readonly reports: CrosshairReports;
   private readonly stops: readonly (() => void)[];
-  private place: Point = { x: 0, y: 0 };
+  private at: Point = { x: 0, y: 0 };
   private wasUsed = false;
   private isOut = false;
   /** Where the mouse pointer rested when the crosshair was shown; the page moving under it is no move of the pointer. */
@@ -68,6 +70,10 @@ class KeyboardPointer implements Crosshair {
     this.stops = [this.listen(), context.selection.store.subscribe(draw), context.document.subscribe(draw)];
   }
 
+  place(): Point {
+    return this.isShown() ? this.at : startingPlace(this.context, this.grid(), this.wasUsed ? this.at : null);
+  }
+
   isShown(): boolean {
     return this.isOut && this.hasFocus();
   }
@@ -79,17 +85,17 @@ class KeyboardPointer implements Crosshair {
   show(why?: string): void {
     const { context, reports } = this;
     if (!this.isOut) {
-      this.place = startingPlace(context, this.grid(), this.wasUsed ? this.place : null);
+      this.at = startingPlace(context, this.grid(), this.wasUsed ? this.at : null);
       this.wasUsed = true;
       this.rest = null;
     }
     this.isOut = true;
     this.element.focus({ preventScroll: true });
     if (!this.hasFocus()) return;
-    context.setView(withinView(context.view(), this.place));
+    context.setView(withinView(context.view(), this.at));
     this.draw();
-    if (why === undefined) reports.reportStep(this.place, this.held);
-    else reports.reportPlace(this.place, why);
+    if (why === undefined) reports.reportStep(this.at, this.held);
+    else reports.reportPlace(this.at, why);
   }
 
   hide(): boolean {
@@ -103,16 +109,16 @@ class KeyboardPointer implements Crosshair {
   move(to: Point, stride: Stride, isRepeated: boolean): void {
     const { context, reports } = this;
     if (!this.isShown()) this.show();
-    this.place = stepped(this.place, to, stride, this.grid());
-    context.setView(withinView(context.view(), this.place));
+    this.at = stepped(this.at, to, stride, this.grid());
+    context.setView(withinView(context.view(), this.at));
     if (this.held !== null) this.pointer.keys.move(this.input(this.held.shift));
     this.draw();
     if (isRepeated) reports.isPending = true;
-    else reports.reportStep(this.place, this.held);
+    else reports.reportStep(this.at, this.held);
   }
 
   use(shift: boolean): void {
-    const { context, reports, pointer, place } = this;
+    const { context, reports, pointer, at: place } = this;
     if (pointer.keys.isHolding()) {
       this.release(shift);
       return;
@@ -137,12 +143,12 @@ class KeyboardPointer implements Crosshair {
     }
     // a drag at the crosshair can't move the view that it moves over
     if (context.tool() === 'hand') return;
-    const what = context.tool() === 'select' ? reports.thing(this.place) : null;
+    const what = context.tool() === 'select' ? reports.thing(this.at) : null;
     this.held = { ...this.moment(), shift };
     pointer.keys.press(this.input(shift), () => this.putBack());
     this.draw();
-    if (what === null) reports.reportStep(this.place, this.held);
-    else reports.report(what === 'empty' ? `Selecting from ${placeInWords(this.place)}` : `Holding ${what}`);
+    if (what === null) reports.reportStep(this.at, this.held);
+    else reports.report(what === 'empty' ? `Selecting from ${placeInWords(this.at)}` : `Holding ${what}`);
   }
 
   stop(): void {
@@ -168,7 +174,7 @@ class KeyboardPointer implements Crosshair {
       if (Math.hypot(x - this.rest.x, y - this.rest.y) > CLICK_SLOP.mouse) this.hide();
     };
     const onKeyUp = () => {
-      if (reports.isPending) reports.reportStep(this.place, this.held);
+      if (reports.isPending) reports.reportStep(this.at, this.held);
     };
     element.addEventListener('focus', onFocus, options);
     element.addEventListener('blur', onBlur, options);
@@ -182,13 +188,13 @@ class KeyboardPointer implements Crosshair {
     const { canvas, hovered } = this.context;
     const shown = this.isShown();
     if (!shown && canvas.getState().crosshair === null) return;
-    canvas.setState({ crosshair: shown ? this.place : null });
-    const key = shown && !this.pointer.keys.isHolding() ? (under(this.context, this.place)?.key ?? null) : null;
+    canvas.setState({ crosshair: shown ? this.at : null });
+    const key = shown && !this.pointer.keys.isHolding() ? (under(this.context, this.at)?.key ?? null) : null;
     hovered.setState(key, true);
   }
 
   private input(shift: boolean): PointerInput {
-    const { place } = this;
+    const { at: place } = this;
     // the crosshair stands exactly where the user wants it: nothing snaps
     return { screen: toScreen(this.context.view(), place), place, shift, alt: false, mod: true, by: 'keys', button: 0 };
   }
@@ -203,13 +209,13 @@ class KeyboardPointer implements Crosshair {
     this.held = null;
     this.pointer.keys.release(this.input(shift || before?.shift === true));
     this.draw();
-    if (before !== null) this.reports.reportDone(this.place, before);
+    if (before !== null) this.reports.reportDone(this.at, before);
   }
 
   /** Called when the drag was cancelled. */
   private putBack(): void {
     this.held = null;
     this.draw();
-    this.reports.reportPlace(this.place, 'Put back');
+    this.reports.reportPlace(this.at, 'Put back');
   }
 }

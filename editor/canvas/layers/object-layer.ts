@@ -2,7 +2,7 @@ import type { Scene } from 'phaser';
 import type { Part } from '../../../phaser/index.ts';
 import { KINDS, type LevelFile } from '../../../schema/index.ts';
 import type { Pose } from '../../context/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../document/index.ts';
 import { type Figure, ON_CANVAS, put } from '../kinds/index.ts';
 import { TEXTURE_UNIT } from '../textures/index.ts';
 import type { Thing } from '../thing.ts';
@@ -32,6 +32,7 @@ export class ObjectLayer {
   private readonly shown = new Map<ObjectKey, readonly Shown[]>();
   private readonly layer: ThingLayer;
   private file: LevelFile | null = null;
+  private isEditing = true;
   /** The figures that turn by themselves. */
   private turning: readonly Shown[] = [];
 
@@ -48,10 +49,12 @@ export class ObjectLayer {
     this.file = null;
   }
 
-  show(file: LevelFile): void {
-    if (file === this.file) return;
+  /** @param isEditing whether hidden objects are left out */
+  show(file: LevelFile, isEditing: boolean): void {
+    if (file === this.file && isEditing === this.isEditing) return;
     this.file = file;
-    const objects = objectsOf(file);
+    this.isEditing = isEditing;
+    const objects = isEditing ? visibleIn(file) : objectsOf(file);
     for (const [key, figures] of this.shown) {
       if (objects.has(key)) continue;
       destroy(figures);

@@ -1,13 +1,15 @@
 import type { GameObjects, Scene } from 'phaser';
 import type { Box } from '../../../engine/index.ts';
 import { appearanceOfObject, DEFAULT_RANGE, type Disc, type LevelFile } from '../../../schema/index.ts';
-import { type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
+import { type FoundObject, hiddenIn, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxesOf } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
+import { selectionBox } from '../selection-box/index.ts';
 import { type Point, toLevel, type View } from '../view.ts';
+import { drawSelectionBox } from './draw-selection-box.ts';
 import { Rings } from './rings.ts';
 
 /** px of screen below which grid lines are too close to be drawn */
@@ -43,6 +45,10 @@ export interface OverlayInput {
   /** Whether the level is being edited: selection, grid and guides are hidden in a playtest. */
   readonly editing: boolean;
 }
+
+/** The objects that are shown: hidden ones only in a playtest. */
+const shownIn = ({ file, editing }: OverlayInput): ReadonlyMap<ObjectKey, FoundObject> =>
+  editing ? visibleIn(file) : objectsOf(file);
 
 /** The ends of a line between two discs of equal radius, from rim to rim; from centre to centre if they overlap. */
 function betweenRims(from: Point, to: Point, radius: number): [Point, Point] {
@@ -118,10 +124,11 @@ export class OverlayLayer {
   }
 
   /** The reach of the gun: she is lost outside all of these discs. */
-  private ranges({ file, canvas, selected }: OverlayInput): void {
+  private ranges({ file, canvas, selected, editing }: OverlayInput): void {
+    const hidden: ReadonlySet<ObjectKey | undefined> = hiddenIn(file);
     const range = file.range ?? DEFAULT_RANGE;
     const colour = colourNumber(this.colours.range);
-    const asteroids = file.asteroids ?? [];
+    const asteroids = (file.asteroids ?? []).filter(({ id }) => !editing || !hidden.has(id));
     // Hundreds of overlapping discs show nothing, so only those of selected asteroids are drawn, if there are few enough.
     const chosen: ReadonlySet<ObjectKey | undefined> = new Set(selected);
     const shown = asteroids.length > MOST_RANGES ? asteroids.filter(({ id }) => chosen.has(id)) : asteroids;
@@ -134,9 +141,10 @@ export class OverlayLayer {
   }
 
   /** Dashed lines between the places of one object, to show that they belong together. */
-  private links({ file, canvas, selected, hovered }: OverlayInput): void {
+  private links(input: OverlayInput): void {
+    const { canvas, selected, hovered } = input;
     const { zoom } = canvas.view;
-    for (const found of objectsOf(file).values()) {
+    for (const found of shownIn(input).values()) {
       const [first, ...others] = placesOf(found);
       if (others.length === 0) continue;
       const isMeant = found.key === hovered || selected.includes(found.key);
@@ -170,11 +178,12 @@ export class OverlayLayer {
     const around = { still: [] as Disc[], chosen: [] as Disc[], outlined: [] as Disc[] };
     const { halfWidth, halfHeight } = input.her;
     const least = Math.min(halfWidth, halfHeight);
+    const shown = shownIn(input);
     for (const found of objectsOf(input.file).values()) {
       const radius = radiusOf(found);
       if (radius === null) continue;
       const isChosen = chosen.has(found.key);
-      const hasMargin = input.layers.margins && appearanceOfObject(found.kind, found.object).deadly;
+      const hasMargin = input.layers.margins && shown.has(found.key) && appearanceOfObject(found.kind, found.object).deadly;
       for (const { x, y } of placesOf(found)) {
         if (isChosen) around.outlined.push({ x, y, radius });
         // how close her centre may come to a hazard at the most favourable rotation of her box
@@ -209,6 +218,7 @@ export class OverlayLayer {
       // round objects have rings instead
       if (found !== undefined && radiusOf(found) === null) outline(key, 2, 1);
     }
+    drawSelectionBox(this.above, selectionBox(file, her, selected), zoom, colourNumber(this.colours.select));
     const half = 3.5 / zoom;
     for (const found of resizedByRim(file, selected, REACH.mouse / zoom)) {
       const radius = radiusOf(found) ?? 0;

@@ -15,15 +15,7 @@ export function listenToDrops(element: HTMLElement, context: PointerContext): ()
     const box = element.getBoundingClientRect();
     const screen = { x: event.clientX - box.left, y: event.clientY - box.top };
     const mod = event.ctrlKey || event.metaKey;
-    return placeFor(context, {
-      screen,
-      place: toLevel(context.view(), screen),
-      shift: event.shiftKey,
-      alt: event.altKey,
-      mod,
-      by: 'mouse',
-      button: 0,
-    });
+    return placeFor(context, { place: toLevel(context.view(), screen), mod });
   };
   element.addEventListener(
     'dragover',

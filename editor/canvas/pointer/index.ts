@@ -1,3 +1,5 @@
+export { clickAgain, clickAt, hitsOf } from './click.ts';
 export { DRAGGED_TOOL, listenToDrops } from './drop.ts';
 export { listenToPointer, type PointerListening } from './listen.ts';
-export { CLICK_SLOP, type PointerContext, type PointerInput } from './state.ts';
+export { placeFor } from './place-object.ts';
+export { CLICK_SLOP, type LastClick, type PointerContext, type PointerInput } from './state.ts';

@@ -1,4 +1,6 @@
 import { type Point, toLevel } from '../view.ts';
+import { enterGroup } from './click.ts';
+import { longPress } from './long-press.ts';
 import { PointerMachine } from './pointer-machine.ts';
 import type { PointerContext, PointerInput } from './state.ts';
 import { pinched, wheeled } from './zoom-gestures.ts';
@@ -47,13 +49,19 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     };
   };
 
+  const long = longPress((input) => {
+    machine.cancel();
+    context.openMenu(input.place, input.screen);
+  });
   const onDown = (event: PointerEvent) => {
     if (!enabled()) return;
+    context.canvas.setState({ told: null });
     element.focus({ preventScroll: true });
     element.setPointerCapture(event.pointerId);
     if (event.pointerType === 'touch') {
       fingers.set(event.pointerId, screenOf(event));
       if (fingers.size > 1) {
+        long.end();
         machine.cancel();
         return;
       }
@@ -62,7 +70,9 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     machine.releaseKeys();
     if (machine.isBusy) return;
     event.preventDefault();
-    machine.press(inputOf(event));
+    const input = inputOf(event);
+    machine.press(input);
+    if (input.by === 'touch') long.begin(input);
   };
   const onMove = (event: PointerEvent) => {
     if (!enabled()) return;
@@ -74,12 +84,14 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     }
     if (machine.isByKeys) return;
     const input = inputOf(event);
+    long.move(input);
     // No other listener needs the event, and the dividers of the panels would measure the page each time.
     if (machine.isBusy) event.stopPropagation();
     machine.move(input);
   };
   const onUp = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
+    long.end();
     if (!machine.isBusy || machine.isByKeys || !enabled()) return;
     const input = inputOf(event);
     machine.release(input);
@@ -87,11 +99,17 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   };
   const onCancel = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
+    long.end();
     if (!machine.isByKeys) machine.cancel();
   };
   const onLeave = () => {
     context.hovered.setState(null, true);
     context.canvas.setState({ placing: null });
+  };
+  const onDoubleClick = (event: MouseEvent) => {
+    if (!enabled() || machine.isBusy || event.button !== 0) return;
+    const screen = screenOf(event);
+    enterGroup(context, { screen, place: toLevel(context.view(), screen), ...modifiersOf(event), by: 'mouse', button: 0 });
   };
   const onWheel = (event: WheelEvent) => {
     event.preventDefault();
@@ -111,6 +129,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   element.addEventListener('pointerup', onUp, options);
   element.addEventListener('pointercancel', onCancel, options);
   element.addEventListener('pointerleave', onLeave, options);
+  element.addEventListener('dblclick', onDoubleClick, options);
   element.addEventListener('wheel', onWheel, { ...options, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), options);
   window.addEventListener('resize', () => (corner = null), options);
@@ -131,13 +150,14 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     },
     cancel: () => machine.cancel(),
     stop() {
+      long.end();
       machine.cancel();
       stopping.abort();
     },
   };
 }
 
-const modifiersOf = (event: PointerEvent | KeyboardEvent): Pick<PointerInput, 'shift' | 'alt' | 'mod'> => ({
+const modifiersOf = (event: MouseEvent | KeyboardEvent): Pick<PointerInput, 'shift' | 'alt' | 'mod'> => ({
   shift: event.shiftKey,
   alt: event.altKey,
   mod: event.ctrlKey || event.metaKey,

@@ -1,8 +1,8 @@
-import type { ObjectKey } from '../../document/index.ts';
+import { type ObjectKey, withGroups } from '../../document/index.ts';
 import { objectsIn } from '../hit-test.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
-/** Selects what lies in a rectangle; with Shift it is added to the selection. */
+/** Selects what lies in a rectangle, with whole groups; with Shift it is added to the selection. */
 export function drawingMarquee(context: PointerContext, from: PointerInput): PointerState {
   const { document, selection, canvas } = context;
   const before: readonly ObjectKey[] = selection.keys();
@@ -17,7 +17,8 @@ export function drawingMarquee(context: PointerContext, from: PointerInput): Poi
         bottom: Math.max(from.place.y, place.y),
       };
       canvas.setState({ marquee: box });
-      selection.select([...(shift ? before : []), ...objectsIn(document.file(), context.her(), box)]);
+      const file = document.file();
+      selection.select([...(shift ? before : []), ...withGroups(file, objectsIn(file, context.her(), box))]);
       return undefined;
     },
     up() {

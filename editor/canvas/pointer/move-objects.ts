@@ -1,4 +1,4 @@
-import { duplicateObjects, type Gesture, moveObjects, objectsOf, placesOf } from '../../document/index.ts';
+import { duplicateObjects, type Gesture, moveObjects, objectsOf, placesOf, unlocked } from '../../document/index.ts';
 import { type Hit, REACH } from '../hit-test.ts';
 import { type SnapTargets, snapMove, snapTargets } from '../snapping.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
@@ -13,14 +13,15 @@ interface Drag {
 const NOT_COPIED = 'A level has one astronaut and one black hole: they can be moved, not copied. Release Alt to move them.';
 
 /**
- * Drags the selection. While Alt is held, the objects stay in place, and copies of them are moved and selected. If a single
+ * Drags the selection. While Alt is held, the objects stay in place, and copies of them are moved and selected. Locked objects stay. If a single
  * object with several places is selected, only the grabbed place moves.
  * @param hit what is under the pointer
  */
 export function movingObjects(context: PointerContext, from: PointerInput, { key: lead, place }: Hit): PointerState {
   const { document, selection, canvas } = context;
-  const keys = selection.keys();
   const file = document.file();
+  const selected = selection.keys();
+  const keys = unlocked(file, selected);
   const objects = objectsOf(file);
   const found = objects.get(lead);
   const places = found === undefined ? [] : placesOf(found);
@@ -52,9 +53,9 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
     const { isLive } = drag.gesture;
     const result = drag.gesture.set(recipe);
     if (!result.ok) context.refused(result.refusal.message);
-    else if (isLive) selection.select(result.added.length > 0 ? result.added : keys);
+    else if (isLive) selection.select(result.added.length > 0 ? result.added : selected);
   };
-  const done = () => canvas.setState({ guides: [] });
+  const done = () => canvas.setState({ guides: [], measures: [] });
   return {
     name: 'moving',
     cursor: 'grabbing',
@@ -66,9 +67,9 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
       const fixed = input.shift && input.by !== 'keys' ? (Math.abs(move.x) > Math.abs(move.y) ? 'y' : 'x') : null;
       const reach = REACH[input.by] / context.view().zoom;
       const snapping = input.mod ? { grid: null, toObjects: false } : context.snapping();
-      const { dx, dy, guides } = snapMove(start, move, drag.targets, { ...snapping, reach, fixed });
+      const { dx, dy, guides, measures } = snapMove(start, move, drag.targets, { ...snapping, reach, fixed });
       show(dx, dy);
-      canvas.setState({ guides, cursor: drag.areCopies ? 'copy' : 'grabbing' });
+      canvas.setState({ guides, measures, cursor: drag.areCopies ? 'copy' : 'grabbing' });
       return undefined;
     },
     up() {
@@ -78,7 +79,7 @@ export function movingObjects(context: PointerContext, from: PointerInput, { key
     },
     cancel() {
       drag.gesture.cancel();
-      selection.select(keys);
+      selection.select(selected);
       done();
     },
   };

@@ -4,13 +4,16 @@ import type { Point } from '../view.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
 
 /** Where a new object goes: on the grid, unless Ctrl is held. */
-export function placeFor(context: PointerContext, { place, mod }: PointerInput): Point {
+export function placeFor(context: PointerContext, { place, mod }: Pick<PointerInput, 'place' | 'mod'>): Point {
   const { grid } = context.snapping();
   if (mod || grid === null) return place;
   return { x: Math.round(place.x / grid) * grid, y: Math.round(place.y / grid) * grid };
 }
 
-/** Adds an object where the pointer was pressed; a drag sets its radius. With Shift the tool stays selected afterwards. */
+/**
+ * Adds an object where the pointer was pressed; a drag sets its radius. With Shift, or while the tool is
+ * locked, it stays selected afterwards.
+ */
 export function placingObject(context: PointerContext, from: PointerInput, kind: Placeable): PointerState {
   const { document, selection } = context;
   const at = placeFor(context, from);
@@ -34,7 +37,7 @@ export function placingObject(context: PointerContext, from: PointerInput, kind:
     up(input) {
       gesture.commit();
       selection.select(added.filter((key) => objectsOf(document.file()).has(key)));
-      if (!input.shift) context.setTool('select');
+      if (!input.shift && !context.isToolLocked()) context.setTool('select');
       return undefined;
     },
     cancel: () => gesture.cancel(),

@@ -1,20 +1,28 @@
-import type { ObjectKey } from '../../document/index.ts';
+import { type ObjectKey, unitOf } from '../../document/index.ts';
 import { type Hit, hitTest, REACH } from '../hit-test.ts';
+import { cursorOf, type Grip, handleAt, selectionBox } from '../selection-box/index.ts';
+import { clickAt, lastClickAt } from './click.ts';
 import { drawingMarquee } from './marquee.ts';
 import { movingObjects } from './move-objects.ts';
 import { panning } from './pan.ts';
 import { placingObject } from './place-object.ts';
 import { resizingObjects } from './resize-objects.ts';
+import { scalingSelection } from './scale-selection.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
+import { turningSelection } from './turn-selection.ts';
 
-/** A press on an object: a click selects it, a drag moves the selection, or resizes it if the rim was grabbed. */
+/**
+ * A press on an object: a click selects it with its group, a drag moves the selection, or resizes it if the rim was grabbed. With
+ * Alt, a click selects the object alone.
+ */
 function pressedObject(context: PointerContext, from: PointerInput, hit: Hit): PointerState {
   const { key, part } = hit;
   const { selection } = context;
+  const unit = unitOf(context.document.file(), key, selection.keys());
   const wasSelected = selection.keys().includes(key);
   if (!wasSelected) {
-    if (from.shift) selection.add([key]);
-    else selection.select([key]);
+    if (from.shift) selection.add(unit);
+    else selection.select(unit);
   }
   return {
     name: 'pressed',
@@ -24,11 +32,32 @@ function pressedObject(context: PointerContext, from: PointerInput, hit: Hit): P
       return part === 'rim' ? resizingObjects(context, hit) : movingObjects(context, from, hit);
     },
     up() {
-      if (!wasSelected) return undefined;
-      if (from.shift) selection.toggle(key);
-      else selection.select([key]);
+      if (from.shift && wasSelected) selection.toggle(unit);
+      else if (part === 'rim') selection.select(unit);
+      else if (!from.shift) clickAt(context, from, from.alt);
       return undefined;
     },
+    cancel: () => {},
+  };
+}
+
+/** A handle of the selection's box under the pointer, with the box; null: none. */
+function gripAt(context: PointerContext, { place, by }: PointerInput): Grip | null {
+  const box = selectionBox(context.document.file(), context.her(), context.selection.keys());
+  const handle = handleAt(box, place, context.view().zoom, by);
+  return box === null || handle === null ? null : { box, handle };
+}
+
+/** A press on a handle of the selection's box: a drag scales or turns the selection. */
+function pressedHandle(context: PointerContext, from: PointerInput, { box, handle }: Grip): PointerState {
+  return {
+    name: 'pressed',
+    cursor: cursorOf(handle),
+    move(input) {
+      if (!hasMoved(from, input)) return undefined;
+      return handle.does === 'turn' ? turningSelection(context, from, box) : scalingSelection(context, from, box, handle);
+    },
+    up: () => undefined,
     cancel: () => {},
   };
 }
@@ -55,8 +84,13 @@ export function pressed(context: PointerContext, input: PointerInput): PointerSt
   const tool = context.tool();
   if (input.button !== 0 || tool === 'hand') return panning(context, input);
   if (tool !== 'select') return placingObject(context, input, tool);
+  const grip = gripAt(context, input);
+  if (grip !== null) return pressedHandle(context, input, grip);
   const reach = REACH[input.by] / context.view().zoom;
   const hit = hitTest(context.document.file(), context.her(), input.place, reach, context.selection.keys());
+  // what lies below and was selected by clicking again can be dragged from there
+  const last = hit?.part === 'body' ? lastClickAt(context, input) : null;
+  if (last !== null) return pressedObject(context, input, last.hit);
   if (hit === null) return pressedSpace(context, input);
   return pressedObject(context, input, hit);
 }
@@ -66,6 +100,8 @@ export function hovered(context: PointerContext, input: PointerInput): { key: Ob
   const tool = context.tool();
   if (tool === 'hand') return { key: null, cursor: 'grab' };
   if (tool !== 'select') return { key: null, cursor: 'crosshair' };
+  const grip = gripAt(context, input);
+  if (grip !== null) return { key: null, cursor: cursorOf(grip.handle) };
   const hit = hitTest(
     context.document.file(),
     context.her(),

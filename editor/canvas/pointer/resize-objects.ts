@@ -1,4 +1,4 @@
-import { objectsOf, placesOf, radiusOf, scaleRadius, setRadius } from '../../document/index.ts';
+import { objectsOf, placesOf, radiusOf, scaleRadius, setRadius, unlocked } from '../../document/index.ts';
 import type { Hit } from '../hit-test.ts';
 import type { PointerContext, PointerState } from './state.ts';
 
@@ -11,7 +11,7 @@ export function resizingObjects(context: PointerContext, { key: lead, place }: H
   const file = document.file();
   const found = objectsOf(file).get(lead);
   const before = found === undefined ? null : radiusOf(found);
-  const keys = selection.keys().includes(lead) ? selection.keys() : [lead];
+  const keys = selection.keys().includes(lead) ? unlocked(file, selection.keys()) : [lead];
   const gesture = document.begin(keys.length === 1 ? 'Resize' : `Resize ${keys.length} objects`);
   return {
     name: 'resizing',

@@ -3,11 +3,10 @@ import type { Box as HerBox } from '../../../engine/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../../document/index.ts';
 import type { Tool } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
+import type { Device, Hit } from '../hit-test.ts';
+import type { Measure } from '../measure.ts';
 import type { SnapOptions } from '../snapping.ts';
 import type { Point, View } from '../view.ts';
-
-/** The input device; keys move the crosshair, which presses and drags like a pointer. */
-export type Device = 'mouse' | 'touch' | 'keys';
 
 /** The current input of the pointer. */
 export interface PointerInput {
@@ -24,6 +23,16 @@ export interface PointerInput {
   readonly button: number;
 }
 
+/** Where the last click was, and what it selected. */
+export interface LastClick {
+  /** px of the level */
+  readonly place: Point;
+  readonly isSingle: boolean;
+  readonly hit: Hit;
+  /** the selection after it; another one makes the next click a first one */
+  readonly selected: readonly ObjectKey[];
+}
+
 /** What the states of the pointer may use. */
 export interface PointerContext {
   readonly document: EditedLevel;
@@ -38,7 +47,17 @@ export interface PointerContext {
   setView(view: View): void;
   tool(): Tool;
   setTool(tool: Tool): void;
+  /** Whether the tool stays selected after an object was placed. */
+  isToolLocked(): boolean;
   snapping(): Omit<SnapOptions, 'reach'>;
+  /** The last click that selected something; null: none. */
+  readonly clicks: StoreApi<LastClick | null>;
+  /** Opens the menu of a place. @param screen px of screen from the canvas's top left */
+  openMenu(place: Point, screen: Point): void;
+  /** Shows figures of the gesture in progress; they are not read out. */
+  measure(measures: readonly Measure[]): void;
+  /** Says something beside a place, until the next press. */
+  tell(words: string, at: Point): void;
   /** Shows why a change was refused. */
   refused(message: string): void;
 }

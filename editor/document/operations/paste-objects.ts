@@ -1,9 +1,10 @@
 import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS } from '../../../schema/index.ts';
 import type { Recipe } from '../edited-level.ts';
-import { type PlacedObject, plainList } from '../objects.ts';
+import { fileBefore, type PlacedObject, plainList } from '../objects.ts';
 import { placesOf, shifted } from '../places.ts';
 import type { Refusal } from '../settle.ts';
 import type { Clipping } from './copy-objects.ts';
+import { marksOfCopies } from './edit-marks.ts';
 
 export type ClippingReading =
   | { readonly ok: true; readonly clipping: Clipping; readonly count: number }
@@ -52,11 +53,12 @@ export function middleOf(clipping: Clipping): { x: number; y: number } {
   return { x: middle(all.map(({ x }) => x)), y: middle(all.map(({ y }) => y)) };
 }
 
-/** Adds the objects of a clipping, moved by `dx`, `dy` px; they get new ids. */
+/** Adds the objects of a clipping, moved by `dx`, `dy` px; they get new ids, and their groups free names. */
 export function pasteObjects(clipping: Clipping, dx = 0, dy = 0): Recipe {
   return (draft) => {
+    const own = marksOfCopies(fileBefore(draft), () => true);
     for (const list of OBJECT_LISTS) {
-      const added = clipping[list]?.map((object) => shifted(kindOfList(list), object, dx, dy));
+      const added = clipping[list]?.map((object) => own(shifted(kindOfList(list), object, dx, dy)));
       if (added !== undefined) draft[list] = [...plainList(draft, list), ...added] as never;
     }
   };

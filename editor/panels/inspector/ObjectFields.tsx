@@ -13,8 +13,18 @@ import {
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
 import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
-import { useEditor } from '../../context/index.ts';
-import { type FoundObject, nameOf, type ObjectKey, objectsOf, radiusOf, setObjectProperty } from '../../document/index.ts';
+import { useEditor, useLevel } from '../../context/index.ts';
+import {
+  type FoundObject,
+  marksOf,
+  nameOf,
+  type ObjectKey,
+  objectsOf,
+  ownNameOf,
+  radiusOf,
+  setObjectProperty,
+  unlocked,
+} from '../../document/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, plural } from '../figures/index.ts';
@@ -22,7 +32,9 @@ import { Facts, Section, useThrottledProof } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';
+import { MarkButtons, MarkNotes, NameRow } from './ObjectMarks.tsx';
 import { runFactsOf } from './run-facts.ts';
+import { TransformFields } from './TransformFields.tsx';
 
 /** Commands of the canvas for several objects. */
 const ARRANGE = [
@@ -44,7 +56,13 @@ function countsOf(objects: readonly FoundObject[]): string {
 }
 
 /** Buttons for the selection. @param isFixed whether it contains only objects that every level has exactly once */
-const Interactions = memo(function Interactions({ isFixed }: { readonly isFixed: boolean }) {
+const Interactions = memo(function Interactions({
+  isFixed,
+  isLocked,
+}: {
+  readonly isFixed: boolean;
+  readonly isLocked: boolean;
+}) {
   const { commands } = useEditor();
   return (
     <span className="inspector__does">
@@ -54,10 +72,11 @@ const Interactions = memo(function Interactions({ isFixed }: { readonly isFixed:
         icon={<Crosshair size={14} />}
         onClick={() => commands.run('view.fit-selection')}
       />
+      <MarkButtons />
       {!isFixed && (
         <>
           <Button hint="Duplicate" icon={<CopyPlus size={14} />} onClick={() => commands.run('edit.duplicate')} />
-          <Button hint="Delete" icon={<Trash2 size={14} />} onClick={() => commands.run('edit.delete')} />
+          <Button hint="Delete" icon={<Trash2 size={14} />} disabled={isLocked} onClick={() => commands.run('edit.delete')} />
         </>
       )}
     </span>
@@ -112,21 +131,34 @@ interface ObjectFieldsProps {
  * little.
  */
 export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
+  const { document } = useLevel();
   const recipe = useCallback(
-    (key: string, value: Field['fallback']) => setObjectProperty(keys, key as FieldName, value as number | boolean | undefined),
-    [keys],
+    (key: string, value: Field['fallback']) =>
+      setObjectProperty(unlocked(document.file(), keys), key as FieldName, value as number | boolean | undefined),
+    [document, keys],
   );
   const [first] = objects;
   const one = objects.length === 1;
   const isFixed = objects.every(({ list }) => list === null);
+  const isLocked = objects.every((found) => marksOf(found).isLocked);
   const whose = one ? `of ${nameOf(first).toLowerCase()}` : `of ${objects.length} objects`;
   return (
     <>
-      <Section title={one ? nameOf(first) : plural(objects.length, 'object')} aside={<Interactions isFixed={isFixed} />}>
-        <p className="part__note">{one ? aboutObject(first) : countsOf(objects)}</p>
-        {sharedFields(objects.map(({ kind }) => kind)).map((field) => (
-          <FieldRow key={field.key} field={field} {...valueOfObjects(objects, field)} whose={whose} recipe={recipe} />
-        ))}
+      <Section
+        title={one ? ownNameOf(first) : plural(objects.length, 'object')}
+        aside={<Interactions isFixed={isFixed} isLocked={isLocked} />}
+      >
+        <p className="part__note">
+          {one && ownNameOf(first) !== nameOf(first) && `${nameOf(first)}. `}
+          {one ? aboutObject(first) : countsOf(objects)}
+        </p>
+        <MarkNotes objects={objects} />
+        {one && <NameRow found={first} whose={whose} />}
+        <fieldset className="inspector__fields" disabled={isLocked} aria-label="Fields">
+          {sharedFields(objects.map(({ kind }) => kind)).map((field) => (
+            <FieldRow key={field.key} field={field} {...valueOfObjects(objects, field)} whose={whose} recipe={recipe} />
+          ))}
+        </fieldset>
         {one && first.list !== null && (
           <p className="part__note numbers">
             id <code>{first.key}</code>
@@ -134,6 +166,7 @@ export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
         )}
       </Section>
       {!one && <Arrange count={objects.length} />}
+      {!one && <TransformFields />}
       {one && <RunFacts objectKey={first.key} />}
     </>
   );

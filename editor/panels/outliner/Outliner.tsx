@@ -1,12 +1,14 @@
-import { ChevronRight, TriangleAlert } from 'lucide-react';
 import { memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { isVariant, type LevelFile, type ObjectKind } from '../../../schema/index.ts';
-import { signOf } from '../../canvas/index.ts';
-import { useEditor, useLevel, useSelectedKeys, useWhenIdle } from '../../context/index.ts';
-import { type DocumentState, type ObjectKey, reorderObject } from '../../document/index.ts';
-import { leavesBetween, type MenuEntry, type Modifiers, MoreButton, Tree } from '../tree/index.ts';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useEditor, useLevel, useSelectedKeys, useSession, useWhenIdle } from '../../context/index.ts';
+import { type DocumentState, groupsIn, type ObjectKey, objectsOf, reorderObject } from '../../document/index.ts';
+import { orderActions } from '../../order/index.ts';
+import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
+import { NoteList } from './NoteList.tsx';
+import { type LineActions, ObjectLine } from './ObjectLine.tsx';
 import { type ObjectRow, objectRows } from './object-rows.ts';
+import { outlineMenu } from './outline-menu.ts';
 import './outliner.css';
 import { useProblems } from './use-problems.ts';
 
@@ -15,7 +17,7 @@ const rowHeight = () => 26;
 
 const fileOf = ({ file }: DocumentState): LevelFile => file;
 
-/** All objects of the level by kind; the selection is shared with the canvas. */
+/** All objects of the level by group and kind; the selection is shared with the canvas. */
 export function Outliner() {
   // The canvas has priority during a drag.
   const file = useWhenIdle(useLevel().document.store, fileOf);
@@ -24,16 +26,20 @@ export function Outliner() {
 }
 
 const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile; readonly keys: readonly ObjectKey[] }) {
-  const { commands } = useEditor();
-  const { document, selection, hovered } = useLevel();
+  const editor = useEditor();
+  const level = useLevel();
+  const { commands, session } = editor;
+  const { document, selection, hovered } = level;
   const selected = useMemo(() => new Set(keys), [keys]);
   const problems = useProblems();
   const pointedAt = useStore(hovered);
-  const [folded, setFolded] = useState<ReadonlySet<ObjectKind>>(new Set());
+  const renaming = useSession((state) => state.renaming);
+  const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
   const [active, setActive] = useState<string | null>(null);
   /** The start of the range that Shift selects. */
   const anchor = useRef<string | null>(null);
   const rows = useMemo(() => objectRows(file, folded), [file, folded]);
+  const order = useMemo(() => orderActions(editor, level), [editor, level]);
 
   const last = keys[keys.length - 1] ?? null;
   useEffect(() => {
@@ -41,9 +47,18 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
     setActive((now) => (now !== null && selection.keys().includes(now) ? now : last));
     anchor.current ??= last;
   }, [last, selection]);
+  // A row whose name is edited must be shown.
+  useEffect(() => {
+    if (renaming === null) return;
+    const all = objectRows(document.file(), new Set());
+    const index = all.findIndex(({ key }) => key === renaming);
+    const folder = all[index]?.depth === 2 ? all.slice(0, index).findLast(({ depth }) => depth === 1) : undefined;
+    if (folder !== undefined) setFolded((now) => new Set([...now].filter((key) => key !== folder.key)));
+    setActive(renaming);
+  }, [renaming, document]);
 
-  const toggle = ({ kind }: ObjectRow) =>
-    setFolded((now) => (now.has(kind) ? new Set([...now].filter((other) => other !== kind)) : new Set([...now, kind])));
+  const toggle = ({ key }: ObjectRow) =>
+    setFolded((now) => (now.has(key) ? new Set([...now].filter((other) => other !== key)) : new Set([...now, key])));
   const pick = ({ key, expanded }: ObjectRow, { shift, mod }: Modifiers) => {
     if (expanded !== null) return;
     if (shift && anchor.current !== null) {
@@ -51,51 +66,34 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
       return;
     }
     anchor.current = key;
-    if (mod) selection.toggle(key);
+    if (mod) selection.toggle([key]);
     else selection.select([key]);
   };
   const show = ({ keys }: ObjectRow) => {
     selection.select(keys);
     commands.run('view.fit-selection');
   };
+  const rename = (row: ObjectRow) => {
+    if (row.found !== null || row.group !== null) session.setState({ renaming: row.key });
+  };
   const move = ({ key, title }: ObjectRow, place: number) => document.change(`Reorder ${title}`, reorderObject(key, place));
-  const menu = (row: ObjectRow): readonly MenuEntry[] => {
-    if (row.found === null) {
-      return [
-        { title: `Select all ${row.title.toLowerCase()}`, run: () => selection.select(row.keys) },
-        { title: row.expanded === true ? 'Collapse' : 'Expand', run: () => toggle(row) },
-      ];
-    }
-    const { list, place, siblings } = row;
-    const withIt = (id: string) => () => {
-      if (!selection.keys().includes(row.key)) selection.select([row.key]);
-      commands.run(id);
-    };
-    const fixed = list === null;
-    return [
-      { title: 'Bring into view', keys: 'Enter', run: () => show(row) },
-      {
-        title: `Select all of this kind`,
-        run: () => selection.select(rows.filter(({ kind }) => kind === row.kind).flatMap((r) => r.keys)),
-      },
-      null,
-      { title: 'Duplicate', disabled: fixed, run: withIt('edit.duplicate') },
-      { title: 'Copy', disabled: fixed, run: withIt('edit.copy') },
-      { title: 'Delete', keys: 'Del', disabled: fixed, run: withIt('edit.delete') },
-      null,
-      { title: 'Move to top', disabled: fixed || place === 0, run: () => move(row, 0) },
-      { title: 'Move up', keys: 'Alt ↑', disabled: fixed || place === 0, run: () => move(row, place - 1) },
-      { title: 'Move down', keys: 'Alt ↓', disabled: fixed || place === siblings - 1, run: () => move(row, place + 1) },
-    ];
+  const actions: LineActions = {
+    onLock: ({ keys, marks }) => order.lock(keys, !marks.isLocked),
+    onHide: ({ keys, marks }) => order.hide(keys, !marks.isHidden),
+    onRename: ({ key, group }, name) => (group === null ? order.name(key, name) : order.renameGroup(group, name)),
+    problemOf({ group }, name) {
+      if (group === null) return null;
+      if (name === '') return 'A group needs a name: type one, or press Esc.';
+      return groupsIn(document.file()).has(name) ? `There is a group ${name}: type another name.` : null;
+    },
+    onRenamed: () => session.setState({ renaming: null }),
   };
 
   return (
     <section className="panel outliner" aria-label="Objects">
       <div className="panel__head">
         <h2 className="panel__title">Objects</h2>
-        <span className="outliner__count numbers">
-          {rows.reduce((sum, row) => sum + (row.found === null ? row.keys.length : 0), 2)}
-        </span>
+        <span className="outliner__count numbers">{objectsOf(file).size}</span>
       </div>
       <Tree
         label="Objects of the level"
@@ -112,40 +110,17 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
         onToggle={toggle}
         onMove={move}
         onHover={(row) => hovered.setState(row === null || row.found === null ? null : row.key, true)}
-        menu={menu}
-        render={(row) => <ObjectLine row={row} problems={problems.get(row.key)} />}
+        onKey={(event, row) => {
+          if (event.key !== 'F2') return false;
+          rename(row);
+          return true;
+        }}
+        menu={(row) => outlineMenu(row, { editor, level, rows, order, onShow: show, onToggle: toggle, onRename: rename })}
+        render={(row) => (
+          <ObjectLine row={row} problems={problems.get(row.key)} isRenaming={row.key === renaming} actions={actions} />
+        )}
       />
+      <NoteList file={file} />
     </section>
   );
 });
-
-function ObjectLine({ row, problems }: { row: ObjectRow; problems: readonly string[] | undefined }) {
-  const { title, kind, found, expanded, keys } = row;
-  if (found === null) {
-    return (
-      <>
-        <ChevronRight size={13} className={`outliner__fold${expanded === true ? ' outliner__fold--open' : ''}`} aria-hidden />
-        <span className="outliner__kind">{title}</span>
-        <span className="outliner__count numbers">{keys.length}</span>
-      </>
-    );
-  }
-  const { Icon, tone } = signOf(kind, isVariant(kind, found.object));
-  return (
-    <>
-      <Icon size={14} className={`outliner__icon outliner__icon--${tone}`} />
-      <span className="outliner__name">{title}</span>
-      {found.list !== null && <span className="outliner__id">{found.key}</span>}
-      {problems !== undefined && (
-        <span className="outliner__problem" role="img" aria-label={problems.join('; ')} title={problems.join('\n')}>
-          <TriangleAlert size={13} />
-        </span>
-      )}
-      <span className="outliner__place numbers">
-        <span className="unseen">at </span>
-        {Math.round(found.object.x)}, {Math.round(found.object.y)}
-      </span>
-      <MoreButton />
-    </>
-  );
-}

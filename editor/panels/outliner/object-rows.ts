@@ -1,47 +1,106 @@
 import { KINDS, type LevelFile, type ObjectKind } from '../../../schema/index.ts';
-import { type FoundObject, nameOf, type ObjectKey, objectsOf, titled } from '../../document/index.ts';
+import {
+  type FoundObject,
+  groupsIn,
+  type Marks,
+  marksOf,
+  nameOf,
+  type ObjectKey,
+  objectsOf,
+  titled,
+} from '../../document/index.ts';
+import { groupRowKey } from '../../order/index.ts';
 import type { TreeRow } from '../tree/index.ts';
 
 export interface ObjectRow extends TreeRow {
   readonly title: string;
-  readonly kind: ObjectKind;
-  /** null for the row of a kind */
+  /** null for the row of a group */
+  readonly kind: ObjectKind | null;
+  /** The name of the group, for its row; else null. */
+  readonly group: string | null;
+  /** null for the row of a kind or a group */
   readonly found: FoundObject | null;
-  /** The key of the object, or those of all objects of the kind. */
+  /** The key of the object, or those of all objects in the folder. */
   readonly keys: readonly ObjectKey[];
+  /** Of the object; whether all of a folder are locked or hidden. */
+  readonly marks: Pick<Marks, 'isLocked' | 'isHidden'>;
 }
 
-function objectRow(found: FoundObject, depth: number, place: number, siblings: number): ObjectRow {
+type Place = Pick<TreeRow, 'depth' | 'place' | 'siblings'>;
+
+function objectRow(found: FoundObject, at: Place): ObjectRow {
   const { key, kind, list, object } = found;
-  const title = nameOf(found);
+  const marks = marksOf(found);
+  const title = marks.name ?? nameOf(found);
   const label = `${title}${list === null ? '' : `, ${key}`}, at ${Math.round(object.x)}, ${Math.round(object.y)}`;
-  return { key, depth, label, expanded: null, list, place, siblings, title, kind, found, keys: [key] };
+  return { ...at, key, label, expanded: null, list, title, kind, group: null, found, keys: [key], marks };
 }
 
-/** The objects of a level by kind, as a tree. @param folded kinds whose objects are hidden */
-export function objectRows(file: LevelFile, folded: ReadonlySet<ObjectKind>): ObjectRow[] {
-  const objects = [...objectsOf(file).values()];
-  const singles = objects.filter(({ list }) => list === null);
-  const kinds = [...new Set(objects.filter(({ list }) => list !== null).map(({ kind }) => kind))];
-  const roots = singles.length + kinds.length;
-  const rows = singles.map((found, place) => objectRow(found, 1, place, roots));
-  for (const [i, kind] of kinds.entries()) {
-    const members = objects.filter((found) => found.kind === kind && found.list !== null);
-    const title = titled(KINDS[kind].many);
-    rows.push({
+interface Folder {
+  readonly key: string;
+  readonly title: string;
+  readonly kind: ObjectKind | null;
+  readonly group: string | null;
+  readonly members: readonly FoundObject[];
+}
+
+function folderRow({ key, title, kind, group, members }: Folder, isOpen: boolean, place: number, siblings: number): ObjectRow {
+  const marks = members.map(marksOf);
+  return {
+    key,
+    depth: 1,
+    label: `${title}, ${members.length}`,
+    expanded: isOpen,
+    list: null,
+    place,
+    siblings,
+    title,
+    kind,
+    group,
+    found: null,
+    keys: members.map((found) => found.key),
+    marks: { isLocked: marks.every(({ isLocked }) => isLocked), isHidden: marks.every(({ isHidden }) => isHidden) },
+  };
+}
+
+/**
+ * The objects of a level as a tree: what exists once, the groups, then the others by kind.
+ * @param folded keys of the folders whose objects are not shown
+ */
+export function objectRows(file: LevelFile, folded: ReadonlySet<string>): ObjectRow[] {
+  const objects = objectsOf(file);
+  const groups = groupsIn(file);
+  const grouped = new Set([...groups.values()].flat());
+  const others = [...objects.values()].filter(({ key }) => !grouped.has(key));
+  const singles = others.filter(({ list }) => list === null);
+  const kinds = [...new Set(others.filter(({ list }) => list !== null).map(({ kind }) => kind))];
+  const folders: Folder[] = [
+    ...[...groups].map(([group, keys]) => ({
+      key: groupRowKey(group),
+      title: group,
+      kind: null,
+      group,
+      members: keys.flatMap((key) => objects.get(key) ?? []),
+    })),
+    ...kinds.map((kind) => ({
       key: `@kind ${kind}`,
-      depth: 1,
-      label: `${title}, ${members.length}`,
-      expanded: !folded.has(kind),
-      list: null,
-      place: singles.length + i,
-      siblings: roots,
-      title,
+      title: titled(KINDS[kind].many),
       kind,
-      found: null,
-      keys: members.map(({ key }) => key),
-    });
-    if (!folded.has(kind)) rows.push(...members.map((found) => objectRow(found, 2, found.index, members.length)));
+      group: null,
+      members: others.filter((found) => found.kind === kind && found.list !== null),
+    })),
+  ];
+  const roots = singles.length + folders.length;
+  const rows = singles.map((found, place) => objectRow(found, { depth: 1, place, siblings: roots }));
+  for (const [i, folder] of folders.entries()) {
+    const isOpen = !folded.has(folder.key);
+    rows.push(folderRow(folder, isOpen, singles.length + i, roots));
+    if (!isOpen) continue;
+    // the place of an object is that in its list of the file, wherever it is shown
+    for (const found of folder.members) {
+      const siblings = found.list === null ? 1 : (file[found.list]?.length ?? 1);
+      rows.push(objectRow(found, { depth: 2, place: found.index, siblings }));
+    }
   }
   return rows;
 }

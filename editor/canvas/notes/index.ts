@@ -1,0 +1,1 @@
+export { NotePins } from './NotePins.tsx';

@@ -1,0 +1,1 @@
+export { Rulers } from './Rulers.tsx';

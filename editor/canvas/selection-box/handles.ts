@@ -1,0 +1,91 @@
+import type { Device } from '../hit-test.ts';
+import type { Box, Point } from '../view.ts';
+import type { SelectionBox } from './box.ts';
+
+/** A side of the box that a handle moves: -1 the left or top one, 1 the right or bottom one, 0 neither. */
+type Side = -1 | 0 | 1;
+
+export interface ScaleHandle {
+  readonly does: 'scale';
+  readonly across: Side;
+  readonly along: Side;
+}
+
+export type Handle = ScaleHandle | { readonly does: 'turn' };
+
+/** A handle that is grabbed, and the box that it belongs to. */
+export interface Grip {
+  readonly box: SelectionBox;
+  readonly handle: Handle;
+}
+
+export interface PlacedHandle {
+  readonly handle: Handle;
+  /** px of the level */
+  readonly at: Point;
+}
+
+/** px of screen between the box and its objects, and from the box to the handle that turns it */
+const AWAY = 14;
+const STEM = 26;
+/** px of screen from a handle within which it is grabbed */
+const REACH: Readonly<Record<Device, number>> = { mouse: 7, touch: 22, keys: 7 };
+/** px of screen: a smaller box has handles at its corners only */
+const ROOM = 56;
+
+const CORNERS: readonly (readonly [Side, Side])[] = [
+  [-1, -1],
+  [1, -1],
+  [1, 1],
+  [-1, 1],
+];
+const EDGES: readonly (readonly [Side, Side])[] = [
+  [0, -1],
+  [1, 0],
+  [0, 1],
+  [-1, 0],
+];
+
+/** The box as drawn, somewhat larger than what is selected. @param zoom px of screen per px of the level */
+export function drawnBox({ box: { left, top, right, bottom } }: SelectionBox, zoom: number): Box {
+  const away = AWAY / zoom;
+  return { left: left - away, top: top - away, right: right + away, bottom: bottom + away };
+}
+
+/** All handles of a box. @param zoom px of screen per px of the level */
+export function handlesOf(selection: SelectionBox, zoom: number): PlacedHandle[] {
+  const { left, top, right, bottom } = drawnBox(selection, zoom);
+  const at = (across: Side, along: Side): Point => ({
+    x: (left + right) / 2 + (across * (right - left)) / 2,
+    y: (top + bottom) / 2 + (along * (bottom - top)) / 2,
+  });
+  const turn: PlacedHandle = { handle: { does: 'turn' }, at: { x: (left + right) / 2, y: top - STEM / zoom } };
+  if (!selection.scales) return [turn];
+  const edges = EDGES.filter(([across]) => (across === 0 ? right - left : bottom - top) * zoom >= ROOM);
+  const scale = [...CORNERS, ...edges].map(
+    ([across, along]): PlacedHandle => ({
+      handle: { does: 'scale', across, along },
+      at: at(across, along),
+    }),
+  );
+  return [turn, ...scale];
+}
+
+/** The handle at a point of the level; null: none. @param zoom px of screen per px of the level */
+export function handleAt(selection: SelectionBox | null, { x, y }: Point, zoom: number, by: Device): Handle | null {
+  if (selection === null) return null;
+  let best: { readonly handle: Handle; readonly apart: number } | null = null;
+  for (const { handle, at } of handlesOf(selection, zoom)) {
+    const apart = Math.hypot(x - at.x, y - at.y) * zoom;
+    if (apart <= REACH[by] && (best === null || apart < best.apart)) best = { handle, apart };
+  }
+  return best?.handle ?? null;
+}
+
+/** CSS cursor over a handle */
+export function cursorOf(handle: Handle): string {
+  if (handle.does === 'turn') return 'grab';
+  if (handle.across === 0) return 'ns-resize';
+  if (handle.along === 0) return 'ew-resize';
+  return handle.across === handle.along ? 'nwse-resize' : 'nesw-resize';
+}

@@ -1,0 +1,113 @@
+import { ChevronRight, Eye, EyeOff, Group, Lock, LockOpen, TriangleAlert } from 'lucide-react';
+import type { ReactNode } from 'react';
+import { isVariant } from '../../../schema/index.ts';
+import { signOf } from '../../canvas/index.ts';
+import { LONGEST_NAME, nameOf } from '../../document/index.ts';
+import { InlineName, MoreButton } from '../tree/index.ts';
+import type { ObjectRow } from './object-rows.ts';
+
+/** What can be done in a row. */
+export interface LineActions {
+  onLock(row: ObjectRow): void;
+  onHide(row: ObjectRow): void;
+  onRename(row: ObjectRow, name: string): void;
+  /** Why a row can't have a name, and what to do; null: it can. */
+  problemOf(row: ObjectRow, name: string): string | null;
+  onRenamed(): void;
+}
+
+interface ObjectLineProps {
+  readonly row: ObjectRow;
+  readonly problems: readonly string[] | undefined;
+  /** Whether its name is being edited. */
+  readonly isRenaming: boolean;
+  readonly actions: LineActions;
+}
+
+/** A toggle at the end of a row. The keyboard has the menu of the row and the commands instead. */
+function Toggle({ title, isOn, onClick, children }: { title: string; isOn: boolean; onClick: () => void; children: ReactNode }) {
+  return (
+    <button
+      type="button"
+      className={isOn ? 'tree__more outliner__toggle outliner__toggle--on' : 'tree__more outliner__toggle'}
+      tabIndex={-1}
+      aria-hidden
+      title={title}
+      // the focus stays in the tree, which handles the keys
+      onMouseDown={(event) => event.preventDefault()}
+      onDoubleClick={(event) => event.stopPropagation()}
+      onClick={(event) => {
+        event.stopPropagation();
+        onClick();
+      }}
+    >
+      {children}
+    </button>
+  );
+}
+
+function Signs({ row, actions }: Pick<ObjectLineProps, 'row' | 'actions'>) {
+  const { isLocked, isHidden } = row.marks;
+  return (
+    <>
+      {(isLocked || isHidden) && (
+        <span className="unseen">{[isLocked && 'locked', isHidden && 'hidden'].filter(Boolean).join(', ')}</span>
+      )}
+      <Toggle title={isHidden ? 'Show' : 'Hide'} isOn={isHidden} onClick={() => actions.onHide(row)}>
+        {isHidden ? <EyeOff size={13} /> : <Eye size={13} />}
+      </Toggle>
+      <Toggle title={isLocked ? 'Unlock' : 'Lock'} isOn={isLocked} onClick={() => actions.onLock(row)}>
+        {isLocked ? <Lock size={13} /> : <LockOpen size={13} />}
+      </Toggle>
+    </>
+  );
+}
+
+/** A row of the outline: a folder, or an object with its name, place and signs. */
+export function ObjectLine({ row, problems, isRenaming, actions }: ObjectLineProps) {
+  const { title, kind, found, expanded, keys, group } = row;
+  const name = (
+    <InlineName
+      label={group === null ? `Name of ${title}` : `Name of the group ${title}`}
+      value={title}
+      longest={LONGEST_NAME}
+      problemOf={(wanted) => actions.problemOf(row, wanted)}
+      onDone={(wanted) => actions.onRename(row, wanted)}
+      onEnd={actions.onRenamed}
+    />
+  );
+  if (found === null || kind === null) {
+    return (
+      <>
+        <ChevronRight size={13} className={`outliner__fold${expanded === true ? ' outliner__fold--open' : ''}`} aria-hidden />
+        {group !== null && <Group size={14} className="outliner__icon" aria-hidden />}
+        {isRenaming ? name : <span className={group === null ? 'outliner__kind' : 'outliner__group'}>{title}</span>}
+        {group !== null && <span className="unseen">group</span>}
+        {group !== null && <Signs row={row} actions={actions} />}
+        <span className="outliner__count numbers">{keys.length}</span>
+        {group !== null && <MoreButton />}
+      </>
+    );
+  }
+  const { Icon, tone } = signOf(kind, isVariant(kind, found.object));
+  const usual = nameOf(found);
+  return (
+    <>
+      <Icon size={14} className={`outliner__icon outliner__icon--${tone}`} />
+      {isRenaming ? name : <span className="outliner__name">{title}</span>}
+      {!isRenaming && title !== usual && <span className="outliner__id outliner__usual">{usual}</span>}
+      {!isRenaming && title === usual && found.list !== null && <span className="outliner__id">{found.key}</span>}
+      {problems !== undefined && (
+        <span className="outliner__problem" role="img" aria-label={problems.join('; ')} title={problems.join('\n')}>
+          <TriangleAlert size={13} />
+        </span>
+      )}
+      <span className="outliner__place numbers">
+        <span className="unseen">at </span>
+        {Math.round(found.object.x)}, {Math.round(found.object.y)}
+      </span>
+      <Signs row={row} actions={actions} />
+      <MoreButton />
+    </>
+  );
+}
