@@ -213,11 +213,11 @@ inChromium('what lies at a place in Chromium', ({ on }) => {
       await page.keyboard.press('Control+z');
       await canvas.click({ x: 300, y: 100 });
       await canvas.click(A);
-      await page.keyboard.press('c');
+      await page.keyboard.press('j');
       await told.getByText('2 of 3 here: Repulsor 1').waitFor();
-      await page.keyboard.press('c');
+      await page.keyboard.press('j');
       await told.getByText('3 of 3 here: Wind 1').waitFor();
-      await page.keyboard.press('c');
+      await page.keyboard.press('j');
       await told.getByText('1 of 3 here: Asteroid 1').waitFor();
       // elsewhere it begins anew
       await canvas.click({ x: 300, y: 100 });

@@ -33,7 +33,12 @@ async function start(ids: readonly string[] = ['a', 'b', 'c']): Promise<void> {
   for (const id of ids) await disk.write(id, formatLevel(fileOf(id)), null);
   line = createLine(disk);
   workspace = createWorkspace({
-    ...{ storage: line, journal: createJournal(createMemoryStore(), () => 0), versions: passingVersions(), timers: new TurnedClock() },
+    ...{
+      storage: line,
+      journal: createJournal(createMemoryStore(), () => 0),
+      versions: passingVersions(),
+      timers: new TurnedClock(),
+    },
     ...{ channel: createChannels(), locks: new LockKeeper().of('page') },
   });
   await workspace.start();

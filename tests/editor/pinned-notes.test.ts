@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { packedLevel } from '../../check/pack/index.ts';
-import { pinNote, createEditedLevel, unpinNote, editPinnedNote, pinProblem, pinnedNotesIn } from '../../editor/document/index.ts';
+import { createEditedLevel, editPinnedNote, pinNote, pinnedNotesIn, pinProblem, unpinNote } from '../../editor/document/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

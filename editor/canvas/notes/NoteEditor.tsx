@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'react';
 import { useEditor, useLevel } from '../../context/index.ts';
-import { pinNote, unpinNote, editPinnedNote, LONGEST_PINNED_NOTE, type PinnedNote, pinProblem } from '../../document/index.ts';
+import { editPinnedNote, LONGEST_PINNED_NOTE, type PinnedNote, pinNote, pinProblem, unpinNote } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { Point, View } from '../view.ts';
 
@@ -36,7 +36,8 @@ export function NoteEditor({ note, place, at, view, onClose }: NoteEditorProps) 
     onClose();
     const trimmed = text.trim();
     if (!keep || trimmed === (note?.text ?? '')) return;
-    if (note !== null) edited.change(trimmed === '' ? 'Delete a note' : 'Edit a note', editPinnedNote(note.id, { text: trimmed }));
+    if (note !== null)
+      edited.change(trimmed === '' ? 'Delete a note' : 'Edit a note', editPinnedNote(note.id, { text: trimmed }));
     else {
       const problem = pinProblem(edited.file());
       if (problem === null) edited.change('Add a note', pinNote(place.x, place.y, trimmed));
