@@ -43,13 +43,14 @@ export function reachInWords({ base, reach, isReachKnown }: Pick<Leeway, 'base' 
 /** How finely it is sampled now. */
 export function samplingInWords({ answer, phase }: Pick<LeewayFindings, 'answer' | 'phase'>): string {
   if (answer === null) return '';
-  const { every, atEdges, isCovered, isFinished, lattice } = answer.leeway;
-  const isGrid = answer.question.grid !== null && every <= lattice.base * lattice.unit;
-  const isRefining = phase !== 'done' && !isFinished;
-  const often = isGrid ? `at every grid place (${number(every)} px)` : `every ${number(every)} px`;
+  const { every, atEdges, isCovered, isFinished } = answer.leeway;
+  const { grid } = answer.question;
+  const coarsest = Math.max(every, atEdges);
+  const isEveryPlace = grid !== null && isCovered && coarsest <= grid;
+  const often = isEveryPlace ? `at every grid place (${number(grid)} px)` : `every ${number(coarsest)} px`;
   const edges = atEdges > 0 && atEdges < every ? `, at edges every ${number(atEdges)} px` : '';
   const rest = isCovered ? '' : '; dotted: not sampled yet';
-  return `Sampled ${every > 0 ? often : `every ${number(atEdges)} px`}${every > 0 ? edges : ''}${rest}${isRefining ? '; refining…' : '.'}`;
+  return `Sampled ${often}${edges}${rest}${phase !== 'done' && !isFinished ? '; refining…' : '.'}`;
 }
 
 /** What keeps it from being known, or what it is about; '' if nothing needs to be said. */

@@ -311,6 +311,9 @@ describe('the legend in words', () => {
     expect(samplingInWords(shown())).toBe('Sampled every 16 px; refining…');
     jobs[0].tell({ ...KNOWN, every: 64, atEdges: 16, isCovered: false });
     expect(samplingInWords(shown())).toBe('Sampled every 64 px, at edges every 16 px; dotted: not sampled yet; refining…');
+    // where samples differ, a cell is still larger than the grid: not all of its places were sampled
+    jobs[0].tell({ ...KNOWN, every: 8, atEdges: 16 });
+    expect(samplingInWords(shown())).toBe('Sampled every 16 px; refining…');
     jobs[0].tell({ ...KNOWN, lattice: { x: 0, y: 0, unit: 1, base: 8 }, every: 8, atEdges: 1, isFinished: true });
     expect(samplingInWords(shown())).toBe('Sampled at every grid place (8 px), at edges every 1 px.');
   });
