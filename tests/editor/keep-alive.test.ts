@@ -37,7 +37,9 @@ describe('a run that is kept alive', () => {
     drag.commit();
     await settle();
     expect(store.getState()).toMatchObject({ kind: 'alive', isFinal: true, lost: 0, others: { complete: 2, of: 2 } });
-    expect(aliveInWords(store.getState())).toMatch(/^kept alive: (1 edge moved by|\d+ edges moved, at most) \d+ ticks?; certified /);
+    expect(aliveInWords(store.getState())).toMatch(
+      /^kept alive: (1 edge moved by|\d+ edges moved, at most) \d+ ticks?; certified /,
+    );
     expect(outcomeOf(document.file(), RUN)).toBe('completed');
     expect(document.labels()).toEqual(['Move']);
     document.undo();
