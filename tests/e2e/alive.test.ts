@@ -101,15 +101,14 @@ inChromium('a run that is kept alive in Chromium', ({ on }) => {
       await page.keyboard.press('Shift+K');
       await until(async () => expect(await toggle(page).getAttribute('aria-pressed')).toBe('true'));
       await page.getByRole('treeitem', { name: /asteroid 2/i }).click();
-      await page.getByRole('spinbutton', { name: /^x/ }).first().waitFor();
-      const field = page.getByRole('spinbutton', { name: /^x/ }).first();
-      await field.fill(String(from.x + 12));
+      const field = page.getByRole('textbox', { name: 'x', exact: true });
+      await field.fill(String(from.x + 16));
       await page.keyboard.press('Enter');
       await said(page).filter({ hasText: 'certified' }).waitFor();
       await saved();
       await until(() => {
         const now = file('01');
-        expect(rock(now).x).toBe(from.x + 12);
+        expect(rock(now).x).toBe(from.x + 16);
         expect(outcomeOf(now, RUN)).toBe('completed');
       });
       const other = await open();
