@@ -1,6 +1,5 @@
 import {
   DEFAULT_RANGE,
-  DEFAULT_RULES,
   fieldsOf,
   KINDS,
   type LevelFile,
@@ -10,6 +9,7 @@ import {
   type OwnRules,
   RULE_NAMES,
   resolveLevel,
+  rulesOf,
   SINGLE_KINDS,
 } from '../../schema/index.ts';
 
@@ -84,7 +84,7 @@ export function unitsOf(before: LevelFile, after: LevelFile, folder: OwnRules): 
   if ((before.recoil ?? false) !== (after.recoil ?? false)) {
     units.push({ what: 'flag', kind: null, index: 0, key: 'recoil', path: ['recoil'], written: before.recoil });
   }
-  const [old, now] = [before, after].map((file) => ({ ...DEFAULT_RULES, ...resolveLevel(file, folder).rules }));
+  const [old, now] = [before, after].map((file) => rulesOf(resolveLevel(file, folder)));
   for (const key of RULE_NAMES) {
     if (old[key] === now[key]) continue;
     const number = { key, path: ['rules', key], now: now[key], was: old[key], written: before.rules?.[key] };

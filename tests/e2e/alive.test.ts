@@ -61,7 +61,8 @@ inChromium('a run that is kept alive in Chromium', ({ on }) => {
         expect(outcomeOf(now, RUN)).toBe('completed');
         expect(now.runs?.[0].holds).not.toEqual(SWINGS.runs?.[0].holds);
       });
-      expect(await complaintsAbout(page, 'kept alive', '.timeline')).toEqual([]);
+      expect(await complaintsAbout(page, 'kept alive', '.survival')).toEqual([]);
+      expect(await complaintsAbout(page, 'its button', '.transport')).toEqual([]);
       await command(page, 'Undo');
       await saved();
       await until(() => expect(text('01')).toBe(before));
@@ -100,15 +101,14 @@ inChromium('a run that is kept alive in Chromium', ({ on }) => {
       await page.keyboard.press('Shift+K');
       await until(async () => expect(await toggle(page).getAttribute('aria-pressed')).toBe('true'));
       await page.getByRole('treeitem', { name: /asteroid 2/i }).click();
-      await page.getByRole('spinbutton', { name: /^x/ }).first().waitFor();
-      const field = page.getByRole('spinbutton', { name: /^x/ }).first();
-      await field.fill(String(from.x + 12));
+      const field = page.getByRole('textbox', { name: 'x', exact: true });
+      await field.fill(String(from.x + 16));
       await page.keyboard.press('Enter');
       await said(page).filter({ hasText: 'certified' }).waitFor();
       await saved();
       await until(() => {
         const now = file('01');
-        expect(rock(now).x).toBe(from.x + 12);
+        expect(rock(now).x).toBe(from.x + 16);
         expect(outcomeOf(now, RUN)).toBe('completed');
       });
       const other = await open();
@@ -164,7 +164,7 @@ inChromium('mending what a change broke in Chromium', ({ on }) => {
         .waitFor();
       await card(page).getByText('Each is the smallest that was tried of its kind.').waitFor();
       await until(async () => expect(await finds(page).count()).toBeGreaterThanOrEqual(3));
-      expect(await complaintsAbout(page, 'mend', '.mend')).toEqual([]);
+      expect(await complaintsAbout(page, 'mend', '.survival')).toEqual([]);
       for (const label of [/^Move hot asteroid 2 back/, /^In run/]) {
         const one = finds(page).filter({ hasText: label });
         await one.getByRole('button', { name: 'Preview' }).click();
