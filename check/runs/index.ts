@@ -1,5 +1,5 @@
 export { carryNotes } from './carry-notes.ts';
-export { compareHolds, type HoldsChange, type MovedEdge } from './compare-holds.ts';
+export { compareHolds } from './compare-holds.ts';
 export {
   type Better,
   type ComparableRun,
@@ -9,5 +9,5 @@ export {
   type RunsDifference,
 } from './compare-runs.ts';
 export { pairInWords, partingsInWords } from './difference-words.ts';
-export { APART, AWAY, distancesOf, type Meeting, type Partings, partingsOf, TOGETHER } from './distances.ts';
+export { APART, AWAY, distancesOf, type Partings, partingsOf, TOGETHER } from './distances.ts';
 export { firstDifference } from './first-difference.ts';
