@@ -189,34 +189,17 @@ describe('pack.json', () => {
     expect(late.stderr).not.toBe('');
   });
 
-  it('is written by generate --pack, and never over another one', async () => {
-    const args = [
-      'generate',
-      '--pack',
-      'made',
-      '--count',
-      '1',
-      '--size',
-      'small',
-      '--difficulty',
-      'easy',
-      '--seed',
-      '3',
-      '--format',
-      'json',
-    ];
-    const { stdout, code } = await run(...args);
-    expect(code).toBe(0);
-    const report = JSON.parse(stdout);
-    expect(report.pack).toEqual({ file: join('made', 'pack.json'), status: 'written' });
-    const made = JSON.parse(readFileSync(join(cwd, 'made', 'pack.json'), 'utf8'));
-    expect(made).toMatchObject({ version: 1, name: 'made' });
-    expect(made.levels.map((id: string) => join('made', `${id}.level.json`))).toEqual([report.levels[0].file]);
-    expect((await run('fmt', 'made', '--check')).code).toBe(0);
-    const again = () => keepPack(join(cwd, 'made'), [join(cwd, report.levels[0].file)]);
-    expect(again()).toMatchObject({ status: 'unchanged' });
-    writeFileSync(join(cwd, 'made', 'pack.json'), pack());
-    expect(again()).toMatchObject({ status: 'in the way' });
-    expect(readFileSync(join(cwd, 'made', 'pack.json'), 'utf8')).toBe(pack());
+  it('is written for generated levels in their order, and never over another one', async () => {
+    const made = makeFiles({ 'orbits/01-b.level.json': fallThrough(), 'orbits/02-a.level.json': fallThrough() });
+    const folder = join(made.directory, 'orbits');
+    const keep = () => keepPack(folder, [join(folder, '01-b.level.json'), join(folder, '02-a.level.json')]);
+    expect(keep()).toEqual({ file: join(folder, 'pack.json'), status: 'written' });
+    const text = readFileSync(join(folder, 'pack.json'), 'utf8');
+    expect(JSON.parse(text)).toEqual({ version: 1, name: 'orbits', levels: ['01-b', '02-a'] });
+    expect((await gq(['fmt', 'orbits/pack.json', '--check'], { cwd: made.directory })).code).toBe(0);
+    expect(keep().status).toBe('unchanged');
+    writeFileSync(join(folder, 'pack.json'), pack());
+    expect([keep().status, readFileSync(join(folder, 'pack.json'), 'utf8')]).toEqual(['in the way', pack()]);
+    made.remove();
   });
 });

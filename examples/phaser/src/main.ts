@@ -20,7 +20,7 @@ async function findPack(): Promise<{ pack: PackReading; notices: string[]; isLin
   const linked = await levelInLink(location.hash);
   if (linked !== null && 'level' in linked) {
     const { level } = linked;
-    const entries = [{ id: 'link', number: 1, level }];
+    const entries = [{ id: 'link', chapter: null, number: 1, level }];
     return { pack: { title: level.name, accuracy: 'precise', entries, problem: null }, notices: [], isLinked: true };
   }
   const pack = readPack((globalThis as { GRAVITY_QUEST_PACK?: unknown }).GRAVITY_QUEST_PACK);
