@@ -1,5 +1,5 @@
 export { type Command, type Commands, createCommands, needsOf } from './commands.ts';
-export { followGamepads, type PadButton } from './gamepads.ts';
+export { followGamepads } from './gamepads.ts';
 export { keyLabel, keyLabels } from './key-label.ts';
 export { listenToKeys } from './keyboard.ts';
 export { listenToPads } from './listen-to-pads.ts';

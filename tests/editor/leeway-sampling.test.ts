@@ -144,7 +144,12 @@ describe('where something may stand', () => {
             // as a drag with the pointer there
             const move = { x: x - request.lead.x, y: y - request.lead.y };
             const box = { left: 0, top: 0, right: 0, bottom: 0 };
-            const { dx, dy } = snapMove(request.lead, move, { own: box, boxes: [], x: [], y: [] }, { grid, toObjects: false, reach: 0 });
+            const { dx, dy } = snapMove(
+              request.lead,
+              move,
+              { own: box, boxes: [], x: [], y: [] },
+              { grid, toObjects: false, reach: 0 },
+            );
             // finer places than those of the grid are reached without snapping
             const isOnGrid = grid !== null && Math.abs(dx - move.x) < 1e-9 && Math.abs(dy - move.y) < 1e-9;
             const [byX, byY] = isOnGrid ? [dx, dy] : [move.x, move.y];
