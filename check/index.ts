@@ -14,7 +14,7 @@ export {
   unproved,
   verdictOfFindings,
 } from './findings.ts';
-export { createMend, type Mend, type Mended, type MendOptions } from './mend/index.ts';
+export { createMend, type Mend, type Mended, type MendOptions, mendedInWords } from './mend/index.ts';
 export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
 export { type LostMineral, mineralsToProve, proveGoalImpossible, proveMineralsLost } from './proofs.ts';

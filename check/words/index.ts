@@ -1,7 +1,6 @@
 export { type Advice, type CheckCode, explainCodes } from './codes.ts';
 export { closestInWords, effortInWords } from './effort.ts';
 export { holdsInWords } from './holds.ts';
-export { mendedInWords } from './mended.ts';
 export {
   bodyInWords,
   countMinerals,

@@ -1,4 +1,4 @@
-import { joinHolds } from '../../engine/index.ts';
+import { joinHolds } from '../../engine/basics/index.ts';
 import { type Level, objectName } from '../../schema/basics/index.ts';
 import type { Change, ObjectRef, Proposal, Vector } from '../../solver/index.ts';
 import { retimingInWords } from './retiming.ts';

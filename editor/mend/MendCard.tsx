@@ -1,8 +1,8 @@
 import { Check, Eye, Undo2, Wrench, X } from 'lucide-react';
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
-import type { Mended } from '../../check/index.ts';
-import { mendedInWords, plural } from '../../check/words/index.ts';
+import { type Mended, mendedInWords } from '../../check/index.ts';
+import { plural } from '../../check/words/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { useLevel } from '../context/index.ts';
 import { seconds } from '../panels/figures/index.ts';

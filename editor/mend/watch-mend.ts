@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { Mended } from '../../check/index.ts';
-import { mendedInWords, outcomeAsPredicate } from '../../check/words/index.ts';
+import { type Mended, mendedInWords } from '../../check/index.ts';
+import { outcomeAsPredicate } from '../../check/words/index.ts';
 import { joinHolds, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { AliveState } from '../alive/index.ts';

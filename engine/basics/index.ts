@@ -3,4 +3,5 @@
 export { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../accuracy.ts';
 export { DEFAULT_MAX_TIME, TICK, TICK_RATE } from '../constants.ts';
 export { MORE_WARNINGS } from '../more-warnings.ts';
+export { joinHolds } from '../script.ts';
 export { DEFAULT_MAX_WORK } from '../work-budget.ts';

@@ -1,8 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createMend, type Mend } from '../../check/index.ts';
-import { takenBack, unitsOf } from '../../check/mend/index.ts';
-import { mendedInWords } from '../../check/words/index.ts';
+import { mendedInWords, takenBack, unitsOf } from '../../check/mend/index.ts';
 import { compile, joinHolds, simulate } from '../../engine/index.ts';
 import { formatLevel, type LevelFile, readLevel, resolveLevel, withIds } from '../../schema/index.ts';
 import { findSlack } from '../../solver/index.ts';

@@ -1,6 +1,7 @@
 import { KINDS, type LevelFile, objectName, RULES } from '../../schema/index.ts';
-import { distanceOf, isMove, isNumeric, type TakenBack, type Unit, valueAfter } from '../mend/index.ts';
-import { plural } from './plural.ts';
+import { plural } from '../words/index.ts';
+import { distanceOf, type TakenBack, valueAfter } from './take-back.ts';
+import { isMove, isNumeric, type Unit } from './units.ts';
 
 const number = (value: number): string => String(Math.round(value * 100) / 100);
 const px = (value: number): string => `${Math.round(value * 10) / 10} px`;

@@ -1,7 +1,7 @@
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
-import type { Mended } from '../mend/index.ts';
-import { proposalInWords } from './proposal.ts';
-import { takenBackInWords } from './taken-back.ts';
+import { proposalInWords } from '../words/index.ts';
+import type { Mended } from './mend.ts';
+import { takenBackInWords } from './taken-back-in-words.ts';
 
 /**
  * What mends a level, as an instruction.
