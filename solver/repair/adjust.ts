@@ -4,7 +4,7 @@ import type { Steps } from '../steps.ts';
 import type { Task } from './task.ts';
 
 /** At most this many ticks are simulated for one run. */
-const MOST_TICKS = 1_000_000;
+const MOST_TICKS = 200_000;
 
 /** Ticks between two breaks. */
 const SLICE = 2000;

@@ -144,7 +144,12 @@ describe('jobs', () => {
     expect(doJob('thumbnail', { ...request, text: broken }).result.verdict).toBe('broken');
     const far = JSON.stringify({ ...JSON.parse(broken), blackHole: { x: 99_999, y: 0 } });
     expect(doJob('thumbnail', { ...request, text: far }).result.verdict).toBe('impossible');
-    expect(doJob('thumbnail', { ...request, text: '{' }).result).toEqual({ verdict: 'invalid', svg: '', minerals: 0, facts: null });
+    expect(doJob('thumbnail', { ...request, text: '{' }).result).toEqual({
+      verdict: 'invalid',
+      svg: '',
+      minerals: 0,
+      facts: null,
+    });
     const conflicts = [{ what: 'the name', key: 'name', base: 'a', ours: 'b', theirs: 'c' }];
     const undecided = JSON.stringify({ ...JSON.parse(textOf('02-first-swing')), conflicts });
     expect(doJob('thumbnail', { ...request, text: undecided }).result).toMatchObject({
