@@ -314,6 +314,8 @@ inChromium('the canvas in Chromium', ({ on }) => {
         Promise.all(
           [from, near, to].map(async (place) => (await countColour(page, canvas.at(place), 8, COLOURS.dark.mineral)) > 10),
         );
+      // the outline at the former place has the colour of minerals
+      await command(page, 'Show or hide the run before and after a change');
       await canvas.fit(file('01'));
       await until(async () => expect(await seen()).toEqual([true, true, false]));
       const moved = () => until(async () => expect(await seen()).toEqual([false, true, true]));
