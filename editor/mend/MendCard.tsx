@@ -46,6 +46,7 @@ function Find({ own, mended, after, isShown }: FindProps) {
         ) : (
           <Button
             hint="Show the level with this; nothing is saved yet"
+            hintSide="left"
             icon={<Eye size={14} />}
             look="outlined"
             onClick={() => own.preview(mended)}
@@ -83,7 +84,18 @@ function Card({ own }: { readonly own: MendSession }) {
     if (isAsked && !card.current?.contains(document.activeElement)) card.current?.focus();
   }, [isAsked]);
   return (
-    <section ref={card} className={phase === 'none' ? 'mend mend--none' : 'mend'} aria-label="Mend" tabIndex={-1}>
+    <section
+      ref={card}
+      className={phase === 'none' ? 'mend mend--none' : 'mend'}
+      aria-label="Mend"
+      tabIndex={-1}
+      // also while the tooltip of a focused button takes Escape
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' || phase === 'none') return;
+        event.preventDefault();
+        own.leave();
+      }}
+    >
       <div className="mend__head">
         <p className="mend__said" role="status">
           {sentence}

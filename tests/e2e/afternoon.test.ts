@@ -117,7 +117,7 @@ inChromium("a designer's afternoon in Chromium", ({ on }) => {
       await page.keyboard.press('Shift+P');
       const pack = page.getByRole('dialog', { name: 'Pack' });
       await until(async () => expect(await namesIn(pack)).toEqual(['Gap', 'Pull', 'Swing']));
-      await cards(pack).filter({ hasText: 'Pull' }).focus();
+      await cards(pack).filter({ hasText: 'Pull' }).click();
       await page.keyboard.press('Alt+ArrowLeft');
       await until(async () => expect(await namesIn(pack)).toEqual(['Pull', 'Gap', 'Swing']));
       await until(() => expect(packIn(folder).levels).toEqual(['pull', 'gap', 'swing']));

@@ -65,7 +65,7 @@ inChromium('a run that is kept alive in Chromium', ({ on }) => {
       expect(await complaintsAbout(page, 'its button', '.transport')).toEqual([]);
       await command(page, 'Undo');
       await saved();
-      await until(() => expect(text('01')).toBe(before));
+      await until(() => expect(file('01')).toEqual(JSON.parse(before)));
       await until(async () => expect(await seen(page).count()).toBe(0));
     }),
   );
@@ -117,7 +117,7 @@ inChromium('a run that is kept alive in Chromium', ({ on }) => {
       await page.getByRole('application', { name: 'Level canvas' }).focus();
       await page.keyboard.press('Control+z');
       await saved();
-      await until(() => expect(text('01')).toBe(before));
+      await until(() => expect(file('01')).toEqual(JSON.parse(before)));
     }),
   );
 

@@ -56,7 +56,12 @@ export function canvasOf(page: Page): Canvas {
         if (box === null) throw new Error('the canvas is not seen');
         corner = { x: box.x, y: box.y };
         view = fitBox({ x: 0, y: 0, zoom: 1, width: box.width, height: box.height }, all);
-        expect(await page.getByText(/^\d+ %$/).textContent()).toBe(`${Math.round(view.zoom * 100)} %`);
+        expect(
+          await page
+            .locator('.statusbar')
+            .getByText(/^\d+ %$/)
+            .textContent(),
+        ).toBe(`${Math.round(view.zoom * 100)} %`);
       });
     },
     async click(place, keys = []) {

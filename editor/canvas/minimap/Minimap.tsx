@@ -16,6 +16,8 @@ import './minimap.css';
 const SIZE = { width: 168, height: 112 } as const;
 /** px of screen: a smaller canvas has no room for a map */
 const LEAST = { width: 520, height: 320 } as const;
+/** px on the map: the radius below which a disc is drawn as a square */
+const SMALL = 2;
 /** ticks between two points of the run on the map */
 const EACH = 6;
 
@@ -65,9 +67,14 @@ function useLevelPicture(map: MapView) {
       context.fillStyle = appearanceOfObject(found.kind, found.object).deadly ? colours.danger : colours.label;
       context.globalAlpha = 0.75;
       for (const { x, y } of placesOf(found)) {
-        context.beginPath();
-        context.arc(x, y, Math.max(least, radiusOf(found) ?? 10), 0, 2 * Math.PI);
-        context.fill();
+        const radius = Math.max(least, radiusOf(found) ?? 10);
+        // thousands of small discs would take longer than a frame, and look like squares anyway
+        if (radius < SMALL / map.scale) context.fillRect(x - radius, y - radius, 2 * radius, 2 * radius);
+        else {
+          context.beginPath();
+          context.arc(x, y, radius, 0, 2 * Math.PI);
+          context.fill();
+        }
       }
     }
     context.globalAlpha = 1;

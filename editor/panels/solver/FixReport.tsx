@@ -36,6 +36,7 @@ function ProposalCard({ proposal, level }: { readonly proposal: Proposal; readon
           !isOld && (
             <Button
               hint="Show the level with this change; nothing is saved yet"
+              hintSide="left"
               icon={<Eye size={14} />}
               look="outlined"
               onClick={() => fixes.preview(proposal)}
