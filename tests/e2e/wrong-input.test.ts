@@ -49,9 +49,12 @@ inChromium('wrong input in Chromium', ({ on }) => {
 
       // a text that is not valid in a level
       await canvas.click({ x: 300, y: 100 });
+      // the fields of the object, which has a name as well, are gone
+      const range = inspector.getByRole('textbox', { name: 'range' });
+      await range.waitFor();
       const name = inspector.getByRole('textbox', { name: 'name', exact: true });
       await name.fill('');
-      await inspector.getByRole('textbox', { name: 'range' }).focus();
+      await range.focus();
       await isRefused(name, '', /^a level needs a name/);
       await name.press('Escape');
       expect(await name.inputValue()).toBe('Garden');
