@@ -19,9 +19,11 @@ function belongsToText(event: KeyboardEvent): boolean {
   return !(event.target instanceof HTMLSelectElement && isChord(event));
 }
 
-/** Whether something modal covers the page; a dialog that is not modal leaves the page usable. */
-const isOverPage = ({ target }: KeyboardEvent): boolean =>
-  target instanceof Element && target.closest('[role=dialog]:not([aria-modal=false]), [role=menu], [role=listbox]') !== null;
+/** Selects what covers the page; a dialog that is not modal leaves the page usable. */
+export const MODAL = '[role=dialog]:not([aria-modal=false]), [role=menu], [role=listbox]';
+
+/** Whether the key was pressed in what covers the page. */
+const isOverPage = ({ target }: KeyboardEvent): boolean => target instanceof Element && target.closest(MODAL) !== null;
 
 /** Space and Enter press a focused button, arrows move in a focused list; with Ctrl, Alt or ⌘ they do neither. */
 function belongsToWidget(event: KeyboardEvent): boolean {

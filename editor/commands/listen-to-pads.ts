@@ -1,7 +1,6 @@
 import { type Commands, needsOf } from './commands.ts';
 import { followGamepads } from './gamepads.ts';
-
-const MODAL = '[role=dialog]:not([aria-modal=false]), [role=menu], [role=listbox]';
+import { MODAL } from './keyboard.ts';
 
 /**
  * Runs commands by buttons of gamepads.

@@ -6,6 +6,7 @@ export {
   type Reach,
   stateOfCode,
 } from './leeway/index.ts';
+export { oneAtATime } from './one-at-a-time.ts';
 export { spawnPageWorker } from './page-worker.ts';
 export {
   FAN_TICKS,

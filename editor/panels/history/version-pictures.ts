@@ -4,7 +4,7 @@ import { type OwnRules, RULE_NAMES } from '../../../schema/index.ts';
 import type { Editor, OpenLevel } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
 import type { LevelVersions, Version } from '../../versions/index.ts';
-import type { Results, Workers } from '../../workers/index.ts';
+import { oneAtATime, type Results, type Workers } from '../../workers/index.ts';
 
 /** How a version is drawn and judged. */
 export interface DrawnBy {
@@ -12,6 +12,11 @@ export interface DrawnBy {
   readonly accuracy: AccuracyName;
   /** The rules of the folder. */
   readonly rules: OwnRules;
+}
+
+interface Wanted {
+  readonly version: Version;
+  readonly by: DrawnBy;
 }
 
 interface VersionPicture {
@@ -41,9 +46,7 @@ export const pictureKey = ({ check }: Version, { theme, accuracy, rules }: Drawn
 
 function createPictures(workers: Workers, versions: LevelVersions): VersionPictures {
   const store = createStore<ReadonlyMap<string, VersionPicture>>(() => new Map());
-  const waiting = new Map<string, { readonly version: Version; readonly by: DrawnBy }>();
-  let isBusy = false;
-  const make = async (key: string, version: Version, { theme, ...by }: DrawnBy) => {
+  const make = async (key: string, { version, by: { theme, ...by } }: Wanted) => {
     const text = await versions.text(version);
     if (text === null) return;
     const end = await workers.start('thumbnail', { text, ...by, width: WIDTH, theme }).end;
@@ -53,26 +56,15 @@ function createPictures(workers: Workers, versions: LevelVersions): VersionPictu
     const all = [...store.getState(), [key, { url, verdict }] as const];
     store.setState(new Map(all.slice(-KEPT)), true);
   };
-  const go = async () => {
-    if (isBusy) return;
-    isBusy = true;
-    for (;;) {
-      const last = [...waiting].at(-1);
-      if (last === undefined) break;
-      waiting.delete(last[0]);
-      await make(last[0], last[1].version, last[1].by);
-    }
-    isBusy = false;
-  };
+  const queue = oneAtATime(make);
   return {
     store,
     want(version, by) {
       const key = pictureKey(version, by);
-      if (store.getState().has(key) || waiting.has(key)) return;
-      waiting.set(key, { version, by });
-      void go();
+      if (store.getState().has(key) || queue.has(key)) return;
+      queue.want(key, { version, by });
     },
-    drop: (key) => void waiting.delete(key),
+    drop: queue.drop,
   };
 }
 

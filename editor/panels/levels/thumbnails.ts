@@ -3,7 +3,7 @@ import type { AccuracyName } from '../../../engine/index.ts';
 import { type LevelEntry, type OwnRules, RULE_NAMES } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
-import type { LevelFacts, Results } from '../../workers/index.ts';
+import { type LevelFacts, oneAtATime, type Results } from '../../workers/index.ts';
 
 const THEMES = ['dark', 'light'] as const;
 type Theme = (typeof THEMES)[number];
@@ -86,8 +86,6 @@ export const thumbnailsOf = keptWith(createThumbnails);
 
 function createThumbnails({ workspace, workers }: Editor): Thumbnails {
   const store = createStore<MadeThumbnails>(() => ({ byKey: new Map(), facts: new Map(), lastKey: new Map() }));
-  const waiting = new Map<string, Wanted>();
-  let isBusy = false;
 
   const keep = (key: string, { id, by }: Wanted, thumbnail: Thumbnail, found: LevelFacts | null) => {
     const { byKey, facts, lastKey } = store.getState();
@@ -113,26 +111,15 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
     const url = svg === '' ? null : URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
     keep(key, wanted, { url, verdict }, facts);
   };
-  const go = async () => {
-    if (isBusy) return;
-    isBusy = true;
-    for (;;) {
-      const last = [...waiting].at(-1);
-      if (last === undefined) break;
-      waiting.delete(last[0]);
-      await make(...last);
-    }
-    isBusy = false;
-  };
+  const queue = oneAtATime(make);
 
   return {
     store,
     want(entry, theme, by) {
       const key = thumbnailKey(entry, theme, by);
-      if (key === null || store.getState().byKey.has(key) || waiting.has(key)) return;
-      waiting.set(key, { id: entry.id, theme, by });
-      void go();
+      if (key === null || store.getState().byKey.has(key) || queue.has(key)) return;
+      queue.want(key, { id: entry.id, theme, by });
     },
-    drop: (key) => void waiting.delete(key),
+    drop: queue.drop,
   };
 }
