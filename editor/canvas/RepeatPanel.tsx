@@ -85,6 +85,7 @@ export function RepeatPanel({ onClose }: { readonly onClose: () => void }) {
     <div
       ref={panel}
       className="canvas__panel"
+      data-keeps-clear
       role="dialog"
       aria-modal={false}
       aria-label="Repeat the selection"

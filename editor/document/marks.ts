@@ -36,9 +36,19 @@ const textOf = (value: unknown): string | null => (isText(value) ? value : null)
 /** The astronaut is drawn with her run, so she is always shown. */
 export const canBeHidden = (kind: ObjectKind): boolean => kind !== 'astronaut';
 
+/** Written out, as it is asked for thousands of objects at each step of a drag. */
+const hasNone = (object: Marked): boolean =>
+  object[MARK_KEYS.name] === undefined &&
+  object[MARK_KEYS.isLocked] === undefined &&
+  object[MARK_KEYS.isHidden] === undefined &&
+  object[MARK_KEYS.group] === undefined;
+
+const NO_MARKS: Marks = { name: null, isLocked: false, isHidden: false, group: null };
+
 /** The marks of an object. Values of another form belong to another program and count as absent. */
 export function marksOf({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): Marks {
   const marked = object as Marked;
+  if (hasNone(marked)) return NO_MARKS;
   return {
     name: textOf(marked[MARK_KEYS.name]),
     isLocked: marked[MARK_KEYS.isLocked] === true,
@@ -73,7 +83,9 @@ function sorted(file: LevelFile): SortedMarks {
   const [locked, hidden] = [new Set<ObjectKey>(), new Set<ObjectKey>()];
   const groups = new Map<string, ObjectKey[]>();
   for (const [key, found] of objects) {
-    const { isLocked, isHidden, group } = marksOf(found);
+    const marks = marksOf(found);
+    if (marks === NO_MARKS) continue;
+    const { isLocked, isHidden, group } = marks;
     if (isLocked) locked.add(key);
     if (isHidden) hidden.add(key);
     if (group === null) continue;

@@ -43,6 +43,27 @@ export interface FoundObject {
 
 const known = new WeakMap<LevelFile, ReadonlyMap<ObjectKey, FoundObject>>();
 
+/** What was last found in each list: a drag makes a new file at each step, in which most objects are the same. */
+const last = new Map<ObjectList, FoundObject[]>();
+
+/** The objects of a list, those that are as they were at the same index reused. */
+function foundIn(list: ObjectList, objects: readonly PlacedObject[]): FoundObject[] {
+  const before = last.get(list) ?? [];
+  const kind = kindOfList(list);
+  const all: FoundObject[] = [];
+  for (const [index, object] of objects.entries()) {
+    if (object.id === undefined) continue;
+    const same = before[all.length];
+    all.push(
+      same?.object === object && same.index === index
+        ? same
+        : { key: object.id, kind, list, index, object, pointer: `/${list}/${index}` },
+    );
+  }
+  last.set(list, all);
+  return all;
+}
+
 /** All objects of a file by key: first the single ones, then the lists in file order. Computed once per file. */
 export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> {
   const made = known.get(file);
@@ -53,11 +74,7 @@ export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> 
     objects.set(key, { key, kind, list: null, index: 0, object: file[kind], pointer: `/${kind}` });
   }
   for (const list of OBJECT_LISTS) {
-    for (const [index, object] of (file[list] ?? []).entries()) {
-      if (object.id === undefined) continue;
-      const found = { key: object.id, kind: kindOfList(list), list, index, object, pointer: `/${list}/${index}` };
-      objects.set(object.id, found);
-    }
+    for (const found of foundIn(list, file[list] ?? [])) objects.set(found.key, found);
   }
   known.set(file, objects);
   return objects;

@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import { isSame } from '../../schema/index.ts';
 import type { EditedLevel } from './edited-level.ts';
 import { grabbableIn } from './marks.ts';
 import { type ObjectKey, objectsOf } from './objects.ts';
@@ -34,7 +35,10 @@ const NONE: Selection = { keys: [], holds: [], run: null };
 /** A selection in a level. Objects, runs and holds that disappear are deselected. */
 export function createSelection(level: EditedLevel): SelectionStore {
   const store = createStore<Selection>(() => NONE);
-  const set = (next: Selection) => store.setState(next, true);
+  /** A drag selects what it drags at every step: nobody is told about what is selected already. */
+  const set = (next: Selection) => {
+    if (!isSame(store.getState(), next)) store.setState(next, true);
+  };
   const existing = (keys: Iterable<ObjectKey>): ObjectKey[] => {
     const objects = objectsOf(level.file());
     return [...new Set(keys)].filter((key) => objects.has(key));

@@ -1,10 +1,11 @@
-import { Check, Eye, Undo2, Wrench, X } from 'lucide-react';
+import { Wrench, X } from 'lucide-react';
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { type Mended, mendedInWords } from '../../check/index.ts';
 import { plural } from '../../check/words/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { useLevel } from '../context/index.ts';
+import { Offer } from '../offers/index.ts';
 import { seconds } from '../panels/figures/index.ts';
 import { Progress } from '../panels/parts/index.ts';
 import { Button } from '../ui/index.ts';
@@ -20,42 +21,16 @@ interface FindProps {
 
 function Find({ own, mended, after, isShown }: FindProps) {
   const { run, time, slack } = mended;
-  const item = useRef<HTMLLIElement>(null);
-  const wasShown = useRef(isShown);
-  // the button that was pressed is gone: the next one takes its place
-  useEffect(() => {
-    const isFree = document.activeElement === document.body || item.current?.parentElement?.contains(document.activeElement);
-    if (isShown !== wasShown.current && isFree) item.current?.querySelector<HTMLElement>('button:last-of-type')?.focus();
-    wasShown.current = isShown;
-  }, [isShown]);
   const forgives = slack === null ? '' : `, slack ${plural(slack, 'tick')}`;
   return (
-    <li ref={item} className={isShown ? 'mend__find mend__find--previewed' : 'mend__find'}>
-      <span>{mendedInWords(mended, after)}</span>
-      <div className="mend__row">
-        <span className="part__note numbers">{`run ${JSON.stringify(run)}: ${seconds(time)}${forgives}`}</span>
-        {isShown ? (
-          <span className="mend__does">
-            <Button hint="Go back to the level as it is" icon={<Undo2 size={14} />} onClick={own.back}>
-              Back
-            </Button>
-            <Button hint="Keep this: one step of undo" icon={<Check size={14} />} look="outlined" onClick={own.take}>
-              Take
-            </Button>
-          </span>
-        ) : (
-          <Button
-            hint="Show the level with this; nothing is saved yet"
-            hintSide="left"
-            icon={<Eye size={14} />}
-            look="outlined"
-            onClick={() => own.preview(mended)}
-          >
-            Preview
-          </Button>
-        )}
-      </div>
-    </li>
+    <Offer
+      text={mendedInWords(mended, after)}
+      figures={`run ${JSON.stringify(run)}: ${seconds(time)}${forgives}`}
+      isShown={isShown}
+      onPreview={() => own.preview(mended)}
+      onBack={own.back}
+      onTake={own.take}
+    />
   );
 }
 

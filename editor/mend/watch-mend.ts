@@ -5,9 +5,9 @@ import { joinHolds, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { AliveState } from '../alive/index.ts';
 import type { OpenLevel } from '../context/index.ts';
-import { type DocumentEvent, freeRunName, type Gesture, type StepMark } from '../document/index.ts';
+import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../document/index.ts';
 import type { LiveProof } from '../proof/index.ts';
-import type { SessionStore } from '../session/index.ts';
+import { createPreview, type SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
 import type { Job, Mending, Workers } from '../workers/index.ts';
 
@@ -90,9 +90,7 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   /** What was broken. */
   let broken: { readonly start: LevelFile; readonly run: string } | null = null;
   let job: Job<'mend'> | null = null;
-  let gesture: Gesture | null = null;
-  // the run that was shown before the preview
-  let shownBefore: string | null = null;
+  const preview = createPreview(document, session);
   let forget = () => {};
 
   const clear = () => {
@@ -106,15 +104,12 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   const remember = (now: LiveProof) => {
     proven.set(now.file, provenBy(now));
     // by rules of the folder, or at another accuracy
-    if (gesture === null && now.verdict === 'completable' && broken !== null) clear();
+    if (!preview.isShown() && now.verdict === 'completable' && broken !== null) clear();
   };
   const back = () => {
-    if (gesture === null) return;
-    const mine = gesture;
+    if (!preview.isShown()) return;
     store.setState({ previewed: null });
-    mine.cancel();
-    gesture = null;
-    session.setState({ run: shownBefore });
+    preview.back();
   };
   const isBeingKeptAlive = () => {
     const state = alive.getState();
@@ -141,10 +136,10 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   };
   const look = () => {
     // what is previewed is a change in progress of its own
-    if (gesture === null) clear();
+    if (!preview.isShown()) clear();
   };
   const finish = ({ kind, how, start }: DocumentEvent) => {
-    gesture = null;
+    preview.ended();
     clear();
     const step = document.lastStep();
     if (kind !== 'change' || how === 'replaced' || step === null) return;
@@ -175,18 +170,16 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
       const { after } = store.getState();
       if (after === null) return;
       back();
-      shownBefore = session.getState().run;
-      gesture = document.begin(mendedInWords(mended, after).replace(/\.$/, ''));
-      gesture.set((draft) => {
+      const recipe: Recipe = (draft) => {
         for (const key of Object.keys(draft)) if (!Object.hasOwn(mended.file, key)) delete draft[key as never];
         Object.assign(draft, mended.file);
-      });
-      session.setState({ run: mended.run });
+      };
+      preview.show(mendedInWords(mended, after).replace(/\.$/, ''), recipe, mended.run);
       store.setState({ previewed: mended });
     },
-    take: () => gesture?.commit(),
+    take: preview.take,
     back,
-    leave: () => (gesture === null ? clear() : back()),
+    leave: () => (preview.isShown() ? back() : clear()),
     dismiss() {
       back();
       clear();

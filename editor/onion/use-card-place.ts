@@ -15,6 +15,9 @@ const widened = ({ left, top, right, bottom }: Rect, by: number): Rect => ({
   bottom: bottom + by,
 });
 
+/** A panel on the canvas whose figures make the change: all of it stays free. */
+const openPanel = (): Rect | null => document.querySelector('[data-keeps-clear]')?.getBoundingClientRect() ?? null;
+
 /** What has the focus, unless that is the whole canvas or the page. */
 function focused(): Rect | null {
   const { activeElement, body } = document;
@@ -57,6 +60,8 @@ export function useCardPlace(card: RefObject<HTMLElement | null>, phase: Compari
   /** What the card must not cover. What is under the pointer is looked up once: it moves along. */
   const anchorNow = useCallback((): Rect => {
     const input = lastInput();
+    const panel = openPanel();
+    if (panel !== null) return widened(panel, GAP);
     if (input.by === 'keys') return widened(focused() ?? around.objects(), CLEAR.keys);
     margins.current ??= marginsOf(around, input);
     const { left, top, right, bottom } = margins.current;

@@ -1,3 +1,4 @@
+export { createPreview } from './preview.ts';
 export {
   chooseTool,
   createSession,

@@ -62,7 +62,7 @@ export function HoldBar({ hold, index, reached, scale, isSelected, slack, onKey 
         <button
           type="button"
           className="hold__body"
-          aria-label={`Hold ${index + 1}: tick ${press} to ${release}, ${seconds(press)} for ${seconds(release - press)}${gets}`}
+          aria-label={`Hold ${index + 1}: tick ${press} to ${release}, ${seconds(press)} for ${seconds(release - press)}, ${release - press} ticks${gets}`}
           aria-pressed={isSelected}
           onKeyDown={(event) => onKey(event, 'body', index)}
         >

@@ -1,6 +1,6 @@
 import { Flag, Trash2 } from 'lucide-react';
 import { Popover } from 'radix-ui';
-import { type FormEvent, type KeyboardEvent, useRef, useState } from 'react';
+import { type FormEvent, type KeyboardEvent, memo, useRef, useState } from 'react';
 import { LIMITS } from '../../schema/index.ts';
 import { useDocument, useEditor, useLevel } from '../context/index.ts';
 import { addNote, deleteNote, moveNote, notesOf, type Recipe, rewordNote } from '../document/index.ts';
@@ -25,7 +25,7 @@ interface NoteFlagsProps {
 const place = (tick: number): string => `tick ${tick}, ${(tick / 60).toFixed(2)} s`;
 
 /** The notes of the run as flags on the ruler. A flag opens the note; arrow keys move it, Delete removes it. */
-export function NoteFlags({ run, scale, width, written, onWrite }: NoteFlagsProps) {
+export const NoteFlags = memo(function NoteFlags({ run, scale, width, written, onWrite }: NoteFlagsProps) {
   const { session, notices } = useEditor();
   const { document } = useLevel();
   // the file's own list, which is the same object until it changes
@@ -108,7 +108,7 @@ export function NoteFlags({ run, scale, width, written, onWrite }: NoteFlagsProp
       </Popover.Root>
     </>
   );
-}
+});
 
 interface NoteFormProps {
   readonly note: WrittenNote;

@@ -18,27 +18,34 @@ function Moment({ end }: { readonly end: number }) {
   );
 }
 
-interface TransportProps {
-  readonly end: number;
-  readonly reached: Reached;
+/** The holds of the shown run and its end in words; a component of its own, as it changes with every step of a drag. */
+function Summary({ reached }: { readonly reached: Reached }) {
+  const ends = useProof((now) => endInWords(now));
+  const good = useProof((now) => now.run.outcome === 'completed');
+  const holds = useProof((now) => now.run.holds);
+  const summary = `${holdsInWords(holds, reached)}, ${ends}`;
+  return (
+    <span className={good ? 'transport__end transport__end--good' : 'transport__end'} title={summary}>
+      {summary}
+    </span>
+  );
+}
+
+interface ControlsProps {
   /** Whether the legend is open. */
   readonly isExplained: boolean;
   readonly onExplain: (isExplained: boolean) => void;
 }
 
-/** Which run is shown, and the moment in it: step, play back, scrub. */
-export const Transport = memo(function Transport({ end, reached, isExplained, onExplain }: TransportProps) {
+/** Which run is shown, and what steps, plays back and scrubs. Memoized, so that a drag does not redraw it. */
+const Controls = memo(function Controls({ isExplained, onExplain }: ControlsProps) {
   const { session, commands } = useEditor();
   const runs = useDocument(({ file }) => file.runs);
   const shown = useProof((now) => now.run.name);
-  const ends = useProof((now) => endInWords(now));
-  const good = useProof((now) => now.run.outcome === 'completed');
   const isPlayingBack = useSession((state) => state.isPlayingBack);
   const rate = useSession((state) => state.rate);
-  const holds = useProof((now) => now.run.holds);
-  const summary = `${holdsInWords(holds, reached)}, ${ends}`;
   return (
-    <div className="transport">
+    <>
       <select
         className="field"
         aria-label="Run"
@@ -91,10 +98,22 @@ export const Transport = memo(function Transport({ end, reached, isExplained, on
       </div>
       <AliveToggle />
       <TimelineLegend isOpen={isExplained} onOpen={onExplain} />
+    </>
+  );
+});
+
+interface TransportProps extends ControlsProps {
+  readonly end: number;
+  readonly reached: Reached;
+}
+
+/** Which run is shown, and the moment in it: step, play back, scrub. */
+export const Transport = memo(function Transport({ end, reached, isExplained, onExplain }: TransportProps) {
+  return (
+    <div className="transport">
+      <Controls isExplained={isExplained} onExplain={onExplain} />
       <Moment end={end} />
-      <span className={good ? 'transport__end transport__end--good' : 'transport__end'} title={summary}>
-        {summary}
-      </span>
+      <Summary reached={reached} />
     </div>
   );
 });

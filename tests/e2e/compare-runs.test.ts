@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { LOOKS } from '../../editor/compare/looks.ts';
 import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
-import { complaintsAbout as allComplaints } from './axe.ts';
+import { complaintsAbout } from './axe.ts';
 import { command, verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { countColour } from './screen-colours.ts';
@@ -45,10 +45,6 @@ const endOf = (file: LevelFile, holds: readonly Hold[]) => simulate(compile(reso
 /** Pixels of the look of a slot at a place of the level, at a tick. */
 const racing = async ({ page, canvas }: Stage, slot: number, at: { x: number; y: number }) =>
   countColour(page, canvas.at(at), 22, LOOKS[slot].dark);
-
-/** What axe finds, but for the bars of holds: they are as wide as the time that they stand for, and say their length in seconds. */
-const complaintsAbout = async (page: Page, where: string) =>
-  (await allComplaints(page, where)).filter((one) => !one.includes('hold__body'));
 
 inChromium('runs side by side, in Chromium', ({ on }) => {
   it(

@@ -101,6 +101,21 @@ inChromium('the crosshair in Chromium', ({ on }) => {
   );
 
   it(
+    'names a locked object that it passes by',
+    on({ '01': garden() }, async ({ page, canvas, file }) => {
+      await canvas.fit(file('01'));
+      await canvas.click({ x: 400, y: 200 });
+      await page.keyboard.press('Control+Shift+L');
+      await until(() => expect(file('01').asteroids?.[0]).toMatchObject({ 'x-locked': true }));
+      await page.keyboard.press('Escape');
+      await page.keyboard.press('v');
+      await page.keyboard.press('ArrowRight');
+      await go(page, { x: 400, y: 200 });
+      await hears(page, 'x 400, y 200, asteroid 1, locked');
+    }),
+  );
+
+  it(
     'a button selects a tool, the view follows the crosshair, and Esc and the pointer hide it',
     on({ '01': garden() }, async ({ page, canvas, file }) => {
       await canvas.fit(file('01'));

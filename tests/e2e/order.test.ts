@@ -40,7 +40,7 @@ inChromium('locking, hiding and naming in Chromium', ({ on }) => {
       // a click and a marquee pass it by
       await canvas.click({ x: 300, y: 100 });
       await canvas.click(A);
-      expect(await row(page, /^Asteroid 1/).getAttribute('aria-selected')).toBe('false');
+      await until(async () => expect(await row(page, /^Asteroid 1/).getAttribute('aria-selected')).toBe('false'));
       await canvas.drag({ x: 340, y: 100 }, { to: [{ x: 620, y: 280 }] });
       await heading(page, 'Asteroid 2').waitFor();
       await page.keyboard.press('Control+a');

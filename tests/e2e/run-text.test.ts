@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { complaintsAbout as allComplaints } from './axe.ts';
+import { complaintsAbout } from './axe.ts';
 import { command } from './commands.ts';
 import { straight } from './levels.ts';
 import { inChromium, type Stage } from './stage.ts';
@@ -50,10 +50,6 @@ const runIs = (stage: Stage, holds: number[][], notes?: [number, string][]) =>
   });
 const flag = (page: Page, name: RegExp) =>
   page.getByRole('list', { name: 'Notes of the run first' }).getByRole('button', { name });
-
-/** What axe finds, but for the bars of holds: they are as wide as the time that they stand for, and say their length in seconds. */
-const complaintsAbout = async (page: Page, where: string) =>
-  (await allComplaints(page, where)).filter((one) => !one.includes('hold__body'));
 
 inChromium('a run as text, in Chromium', ({ on }) => {
   it(

@@ -23,6 +23,8 @@ import {
   freeRunName,
   holdsOf,
   keyAt,
+  lockedIn,
+  marksOf,
   moveHold,
   moveObjects,
   objectsOf,
@@ -40,6 +42,7 @@ import {
   splitHold,
   stretchHold,
 } from '../../editor/document/index.ts';
+import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { formatLevel, type LevelFile, LIMITS, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
@@ -193,6 +196,28 @@ describe('any sequence of operations', () => {
         for (const act of acts) act(level);
         expect(seen).toStrictEqual(level.file());
         expect(kept).toStrictEqual(level.file());
+      }),
+      { numRuns: 40 },
+    );
+  });
+
+  it('finds the objects, their marks and their rows as in a file that was just read', () => {
+    fc.assert(
+      fc.property(arbitraryFile, fc.array(arbitraryAct, { minLength: 1, maxLength: 12 }), (file, acts) => {
+        const level = createEditedLevel(file);
+        const look = (of: LevelFile) => ({
+          objects: [...objectsOf(of)],
+          marks: [...objectsOf(of).values()].map(marksOf),
+          locked: lockedIn(of),
+          rows: objectRows(of, new Set()),
+        });
+        // what is the same is reused from the file before
+        const seen = acts.map((act) => {
+          act(level);
+          return { of: level.file(), ...look(level.file()) };
+        });
+        // nothing of a copy is
+        for (const { of, ...found } of seen) expect(found).toStrictEqual(look(structuredClone(of)));
       }),
       { numRuns: 40 },
     );

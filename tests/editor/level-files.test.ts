@@ -94,3 +94,44 @@ describe('another order', () => {
     expect(complaints()).toEqual([]);
   });
 });
+
+describe('undo that is asked for while an action goes on', () => {
+  it('waits for it and takes it back, not the step before', async () => {
+    await orderLevels(editor, '', ['c', 'b', 'a']);
+    const acting = deleteLevel(editor, entry('b'));
+    expect(listHistoryOf(editor).store.getState()).toMatchObject({ undoLabel: 'Delete "b"', undoesList: true });
+    listHistoryOf(editor).undo();
+    await acting;
+    await breathe();
+    expect([...(listed() ?? [])].sort()).toEqual(['a', 'b', 'c']);
+    expect(listHistoryOf(editor).store.getState()).toMatchObject({
+      undoLabel: 'Reorder levels',
+      redoLabel: 'Delete "b"',
+    });
+    expect(complaints()).toEqual([]);
+  });
+
+  it('of two actions takes back the later one first', async () => {
+    const acting = Promise.all([deleteLevel(editor, entry('b')), deleteLevel(editor, entry('c'))]);
+    listHistoryOf(editor).undo();
+    await acting;
+    await breathe();
+    expect(listed()).toEqual(['a', 'c']);
+    listHistoryOf(editor).undo();
+    await breathe();
+    expect([...(listed() ?? [])].sort()).toEqual(['a', 'b', 'c']);
+  });
+
+  it('takes nothing back if the action is refused', async () => {
+    await orderLevels(editor, '', ['c', 'b', 'a']);
+    const stale = entry('b');
+    await line.write('b', formatLevel({ ...fileOf('b'), name: 'changed' }), stale.etag);
+    const acting = deleteLevel(editor, stale);
+    listHistoryOf(editor).undo();
+    await acting;
+    await breathe();
+    expect(listed()).toEqual(['c', 'b', 'a']);
+    expect(complaints()).toHaveLength(1);
+    expect(listHistoryOf(editor).store.getState().undoLabel).toBe('Reorder levels');
+  });
+});

@@ -399,6 +399,30 @@ describe('the picture of what was before', () => {
     expect(changedObjects(document.file(), document.file())).toEqual([]);
   });
 
+  it('shows one box instead of the outlines of hundreds of objects', () => {
+    const asteroids = Array.from({ length: 150 }, (_, i) => ({ id: `m${i}`, x: 100 + 10 * i, y: -500, radius: 8 }));
+    const document = createEditedLevel({ ...FILE, asteroids: [...(FILE.asteroids ?? []), ...asteroids] });
+    const before = document.file();
+    const former = { file: before, points: new Float32Array(2), her: {} } as never;
+    document.change('Move', moveObjects([...asteroids.map(({ id }) => id), '@astronaut'], 8, -8));
+    const { discs, extent, start, links } = onionPictureOf(former, document.file());
+    expect(discs).toEqual([]);
+    expect(extent).toEqual({ left: 92, top: -508, right: 1598, bottom: -492 });
+    expect(start).toEqual({ x: 500, y: 760 });
+    expect(links).toHaveLength(1);
+    document.undo();
+    document.change(
+      'Move',
+      moveObjects(
+        asteroids.slice(0, 100).map(({ id }) => id),
+        8,
+        -8,
+      ),
+    );
+    const few = onionPictureOf(former, document.file());
+    expect([few.discs.length, few.links.length, few.extent]).toEqual([100, 100, null]);
+  });
+
   it('dashes a line: half of it is drawn, on the line, from its beginning', () => {
     const point = fc.integer({ min: -400, max: 400 });
     fc.assert(

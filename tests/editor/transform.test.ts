@@ -192,8 +192,27 @@ describe('scaling objects', () => {
     // it never turns inside out
     for (const [x] of numbers(dragged(1, 0, -9999, 0)) ?? []) expect(x).toBeGreaterThanOrEqual(100);
     // every handle is found where it is drawn
-    for (const zoom of [0.3, 1, 4])
-      for (const { handle, at } of handlesOf(box, zoom)) expect(handleAt(box, at, zoom, 'mouse')).toEqual(handle);
+    for (const zoom of [0.3, 1, 4]) {
+      const view = { x: 0, y: 0, zoom, width: 800, height: 600 };
+      for (const { handle, at } of handlesOf(box, view)) expect(handleAt(box, at, view, 'mouse')).toEqual(handle);
+    }
+  });
+
+  it('has the handle that turns it above, and below where the tools of the canvas cover it', () => {
+    const points = [
+      { id: 'aa', x: 100, y: 100, radius: 16 },
+      { id: 'bb', x: 300, y: 100, radius: 16 },
+    ];
+    const file = { version: 1, name: 'Box', astronaut: { x: 0, y: 0 }, blackHole: { x: 90, y: 0 }, asteroids: points } as const;
+    const box = selectionBox(file as never, HER, ['aa', 'bb']);
+    if (box === null) throw new Error('two objects have a box');
+    const turnAt = (y: number, height: number) =>
+      handlesOf(box, { x: 200, y, zoom: 1, width: 800, height }).find(({ handle }) => handle.does === 'turn')?.at;
+    // 26 px of screen from the box, which is 14 px from the objects
+    expect(turnAt(100, 600)).toEqual({ x: 200, y: 44 });
+    expect(turnAt(300, 600)).toEqual({ x: 200, y: 156 });
+    // nothing is better if it would leave the canvas below
+    expect(turnAt(100, 90)).toEqual({ x: 200, y: 44 });
   });
 
   it('has no box for one round object, and none for what is locked', () => {

@@ -1,5 +1,5 @@
-import { objectsOf } from '../../document/index.ts';
-import { type Hit, hitTest, REACH } from '../hit-test.ts';
+import { type FoundObject, lockedIn, objectsOf, visibleIn } from '../../document/index.ts';
+import { type Hit, hitsAt, hitTest, REACH } from '../hit-test.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import { isInView, type Point } from '../view.ts';
 
@@ -41,4 +41,13 @@ export function startingPlace(context: PointerContext, grid: number, last: Point
 export function under(context: PointerContext, place: Point): Hit | null {
   const selected = context.tool() === 'select' ? context.selection.keys() : [];
   return hitTest(context.document.file(), context.her(), place, REACH.keys / context.view().zoom, selected);
+}
+
+/** The locked object under the crosshair, which can't be grabbed; null: none. */
+export function lockedUnder(context: PointerContext, place: Point): FoundObject | null {
+  const file = context.document.file();
+  const visible = visibleIn(file);
+  const locked = [...lockedIn(file)].flatMap((key) => visible.get(key) ?? []);
+  const [hit] = hitsAt(locked, context.her(), place, REACH.keys / context.view().zoom);
+  return hit === undefined ? null : (visible.get(hit.key) ?? null);
 }

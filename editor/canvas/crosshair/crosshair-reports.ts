@@ -3,8 +3,8 @@ import type { LevelFile } from '../../../schema/index.ts';
 import type { ObjectKey } from '../../document/index.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import type { Point } from '../view.ts';
-import { under } from './crosshair-place.ts';
-import { changeInWords, placeInWords, selectionInWords, thingInWords } from './words.ts';
+import { lockedUnder, under } from './crosshair-place.ts';
+import { changeInWords, passedByInWords, placeInWords, selectionInWords, thingInWords } from './words.ts';
 
 /** The level and the selection at one moment. */
 export interface Moment {
@@ -30,7 +30,10 @@ export class CrosshairReports {
   /** What lies at a point, in words. */
   thing(place: Point): string {
     const { document, selection } = this.context;
-    return thingInWords(document.file(), under(this.context, place), selection.keys());
+    const hit = under(this.context, place);
+    return hit === null
+      ? passedByInWords(lockedUnder(this.context, place))
+      : thingInWords(document.file(), hit, selection.keys());
   }
 
   /** @param why announced first */

@@ -143,12 +143,13 @@ class KeyboardPointer implements Crosshair {
     }
     // a drag at the crosshair can't move the view that it moves over
     if (context.tool() === 'hand') return;
+    const isEmpty = under(context, this.at) === null;
     const what = context.tool() === 'select' ? reports.thing(this.at) : null;
     this.held = { ...this.moment(), shift };
     pointer.keys.press(this.input(shift), () => this.putBack());
     this.draw();
     if (what === null) reports.reportStep(this.at, this.held);
-    else reports.report(what === 'empty' ? `Selecting from ${placeInWords(this.at)}` : `Holding ${what}`);
+    else reports.report(isEmpty ? `Selecting from ${placeInWords(this.at)}` : `Holding ${what}`);
   }
 
   stop(): void {

@@ -9,12 +9,16 @@ const number = (value: number): string => String(Number(value.toFixed(2)));
 export const placeInWords = ({ x, y }: Point): string => `x ${number(x)}, y ${number(y)}`;
 
 /** `asteroid 2`, and whether it is selected or its rim can be dragged. */
-export function thingInWords(file: LevelFile, hit: Hit | null, selected: readonly ObjectKey[]): string {
-  const found = hit === null ? undefined : objectsOf(file).get(hit.key);
-  if (hit === null || found === undefined) return 'empty';
+export function thingInWords(file: LevelFile, hit: Hit, selected: readonly ObjectKey[]): string {
+  const found = objectsOf(file).get(hit.key);
+  if (found === undefined) return 'empty';
   const name = nameOf(found).toLowerCase();
   return `${hit.part === 'rim' ? `rim of ${name}` : name}${selected.includes(hit.key) ? ', selected' : ''}`;
 }
+
+/** What the crosshair passes by: `asteroid 2, locked`, or `empty`. */
+export const passedByInWords = (locked: FoundObject | null): string =>
+  locked === null ? 'empty' : `${nameOf(locked).toLowerCase()}, locked`;
 
 const withRadius = (found: FoundObject): string => {
   const radius = radiusOf(found);

@@ -42,6 +42,10 @@ export class OnionLayer {
       const { halfWidth, halfHeight } = picture.her;
       this.links.strokeRect(x - halfWidth, y - halfHeight, 2 * halfWidth, 2 * halfHeight);
     }
+    if (picture.extent !== null) {
+      const { left, top, right, bottom } = picture.extent;
+      this.links.strokeRect(left, top, right - left, bottom - top);
+    }
     this.links.beginPath();
     for (const { from, to } of picture.links) this.links.moveTo(from.x, from.y).lineTo(to.x, to.y);
     this.links.strokePath();

@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
 import type { Box } from '../../../engine/index.ts';
-import { appearanceOfObject, DEFAULT_RANGE, type Disc, type LevelFile } from '../../../schema/index.ts';
+import { appearanceOfObject, DEFAULT_RANGE, type Disc, KINDS, type LevelFile } from '../../../schema/index.ts';
 import { type FoundObject, hiddenIn, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../document/index.ts';
 import type { Layer } from '../../session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
@@ -145,6 +145,7 @@ export class OverlayLayer {
     const { canvas, selected, hovered } = input;
     const { zoom } = canvas.view;
     for (const found of shownIn(input).values()) {
+      if (KINDS[found.kind].places.length < 2) continue;
       const [first, ...others] = placesOf(found);
       if (others.length === 0) continue;
       const isMeant = found.key === hovered || selected.includes(found.key);
@@ -218,7 +219,7 @@ export class OverlayLayer {
       // round objects have rings instead
       if (found !== undefined && radiusOf(found) === null) outline(key, 2, 1);
     }
-    drawSelectionBox(this.above, selectionBox(file, her, selected), zoom, colourNumber(this.colours.select));
+    drawSelectionBox(this.above, selectionBox(file, her, selected), canvas.view, colourNumber(this.colours.select));
     const half = 3.5 / zoom;
     for (const found of resizedByRim(file, selected, REACH.mouse / zoom)) {
       const radius = radiusOf(found) ?? 0;

@@ -48,7 +48,7 @@ export function NoteEditor({ note, place, at, view, onClose }: NoteEditorProps) 
   const top = Math.max(8, Math.min(view.height - SIZE.height - 8, at.y + 14));
   return (
     <div
-      className="note__editor"
+      className="pin__editor"
       role="dialog"
       aria-modal={false}
       aria-label={note === null ? 'New note' : 'Note'}

@@ -75,7 +75,7 @@ function Pin({ note, canvas, host }: NotePinsProps & { readonly note: PinnedNote
   return (
     <button
       type="button"
-      className="note"
+      className="pin"
       aria-label={`Note: ${note.text}, at ${note.x}, ${note.y}`}
       title={note.text}
       style={{ transform: `translate(${x}px, ${y}px)` }}

@@ -44,7 +44,7 @@ function pressedObject(context: PointerContext, from: PointerInput, hit: Hit): P
 /** A handle of the selection's box under the pointer, with the box; null: none. */
 function gripAt(context: PointerContext, { place, by }: PointerInput): Grip | null {
   const box = selectionBox(context.document.file(), context.her(), context.selection.keys());
-  const handle = handleAt(box, place, context.view().zoom, by);
+  const handle = handleAt(box, place, context.view(), by);
   return box === null || handle === null ? null : { box, handle };
 }
 

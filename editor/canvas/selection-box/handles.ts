@@ -1,5 +1,5 @@
 import type { Device } from '../hit-test.ts';
-import type { Box, Point } from '../view.ts';
+import { type Box, type Point, toScreen, type View } from '../view.ts';
 import type { SelectionBox } from './box.ts';
 
 /** A side of the box that a handle moves: -1 the left or top one, 1 the right or bottom one, 0 neither. */
@@ -28,6 +28,8 @@ export interface PlacedHandle {
 /** px of screen between the box and its objects, and from the box to the handle that turns it */
 const AWAY = 14;
 const STEM = 26;
+/** px of screen at the top of the canvas that its tools take */
+const TOOLS = 60;
 /** px of screen from a handle within which it is grabbed */
 const REACH: Readonly<Record<Device, number>> = { mouse: 7, touch: 22, keys: 7 };
 /** px of screen: a smaller box has handles at its corners only */
@@ -52,14 +54,17 @@ export function drawnBox({ box: { left, top, right, bottom } }: SelectionBox, zo
   return { left: left - away, top: top - away, right: right + away, bottom: bottom + away };
 }
 
-/** All handles of a box. @param zoom px of screen per px of the level */
-export function handlesOf(selection: SelectionBox, zoom: number): PlacedHandle[] {
+/** All handles of a box. The one that turns stands above it, or below it where the tools of the canvas would cover it. */
+export function handlesOf(selection: SelectionBox, view: View): PlacedHandle[] {
+  const { zoom } = view;
   const { left, top, right, bottom } = drawnBox(selection, zoom);
   const at = (across: Side, along: Side): Point => ({
     x: (left + right) / 2 + (across * (right - left)) / 2,
     y: (top + bottom) / 2 + (along * (bottom - top)) / 2,
   });
-  const turn: PlacedHandle = { handle: { does: 'turn' }, at: { x: (left + right) / 2, y: top - STEM / zoom } };
+  const [above, below] = [top - STEM / zoom, bottom + STEM / zoom].map((y) => ({ x: (left + right) / 2, y }));
+  const isCovered = toScreen(view, above).y < TOOLS && toScreen(view, below).y <= view.height;
+  const turn: PlacedHandle = { handle: { does: 'turn' }, at: isCovered ? below : above };
   if (!selection.scales) return [turn];
   const edges = EDGES.filter(([across]) => (across === 0 ? right - left : bottom - top) * zoom >= ROOM);
   const scale = [...CORNERS, ...edges].map(
@@ -71,12 +76,12 @@ export function handlesOf(selection: SelectionBox, zoom: number): PlacedHandle[]
   return [turn, ...scale];
 }
 
-/** The handle at a point of the level; null: none. @param zoom px of screen per px of the level */
-export function handleAt(selection: SelectionBox | null, { x, y }: Point, zoom: number, by: Device): Handle | null {
+/** The handle at a point of the level; null: none. */
+export function handleAt(selection: SelectionBox | null, { x, y }: Point, view: View, by: Device): Handle | null {
   if (selection === null) return null;
   let best: { readonly handle: Handle; readonly apart: number } | null = null;
-  for (const { handle, at } of handlesOf(selection, zoom)) {
-    const apart = Math.hypot(x - at.x, y - at.y) * zoom;
+  for (const { handle, at } of handlesOf(selection, view)) {
+    const apart = Math.hypot(x - at.x, y - at.y) * view.zoom;
     if (apart <= REACH[by] && (best === null || apart < best.apart)) best = { handle, apart };
   }
   return best?.handle ?? null;

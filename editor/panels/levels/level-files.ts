@@ -181,14 +181,20 @@ export async function duplicateLevel(editor: Editor, entry: LevelEntry): Promise
 }
 
 /** Moves a level to the trash. Undo, the notice or the dialog of deleted levels restores it. */
-export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<void> {
-  let trash = await putIntoTrash(editor, entry);
-  if (trash === null) return;
+export function deleteLevel(editor: Editor, entry: LevelEntry): Promise<void> {
+  const label = `Delete "${entry.name ?? entry.id}"`;
+  const since = editor.workspace.openings();
+  return listHistoryOf(editor).perform(label, () => removeListed(editor, entry, label, since));
+}
+
+async function removeListed(editor: Editor, entry: LevelEntry, label: string, since: number): Promise<ListStep | null> {
+  let trash = await putIntoTrash(editor, entry, since);
+  if (trash === null) return null;
   let unlisted = await unlistInPack(editor, entry.id);
   const wasOpen = trash.wasOpen;
   let { id } = entry;
   const step: ListStep = {
-    label: `Delete "${entry.name ?? id}"`,
+    label,
     async undo() {
       const restored = trash === null ? null : await takeFromTrash(editor, trash.trash, wasOpen);
       if (restored === null) return false;
@@ -199,25 +205,16 @@ export async function deleteLevel(editor: Editor, entry: LevelEntry): Promise<vo
     },
     async redo() {
       const again = levelsOf(editor).find((level) => level.id === id);
-      trash = again === undefined ? null : await putIntoTrash(editor, again);
+      trash = again === undefined ? null : await putIntoTrash(editor, again, editor.workspace.openings());
       if (trash !== null) unlisted = await unlistInPack(editor, id);
       return trash !== null;
     },
   };
-  listHistoryOf(editor).add(step);
-  const { notices } = editor;
-  notices.show('info', `"${entry.name ?? entry.id}" is deleted.`, {
+  editor.notices.show('info', `"${entry.name ?? entry.id}" is deleted.`, {
     topic: `deleted ${trash.trash}`,
-    actions: [
-      {
-        title: 'Undo',
-        run: () => {
-          listHistoryOf(editor).drop(step);
-          void step.undo();
-        },
-      },
-    ],
+    actions: [{ title: 'Undo', run: () => listHistoryOf(editor).takeBack(step) }],
   });
+  return step;
 }
 
 /** Takes a level that is gone out of the order of the pack. */
@@ -231,10 +228,16 @@ function unlistInPack(editor: Editor, id: string) {
   });
 }
 
-/** @returns its place in the trash and whether it was open; null if it was refused, which is reported */
-async function putIntoTrash(editor: Editor, entry: LevelEntry): Promise<{ trash: string; wasOpen: boolean } | null> {
+/**
+ * @param since `openings` when the action began
+ * @returns its place in the trash and whether it was open; null if it was refused, which is reported
+ */
+async function putIntoTrash(
+  editor: Editor,
+  entry: LevelEntry,
+  since: number,
+): Promise<{ trash: string; wasOpen: boolean } | null> {
   const { workspace } = editor;
-  const since = workspace.openings();
   const levels = levelsOf(editor);
   const { opened } = workspace.store.getState();
   const isOpen = opened?.id() === entry.id;
@@ -276,7 +279,7 @@ async function takeFromTrash(editor: Editor, trash: string, open: boolean): Prom
 }
 
 /** Reorders the levels of a folder, which renumbers their files. It can be undone. */
-export async function orderLevels(editor: Editor, folder: string, ids: readonly string[]): Promise<void> {
+export function orderLevels(editor: Editor, folder: string, ids: readonly string[]): Promise<void> {
   const before = idsIn(levelsOf(editor), folder);
   // the current id of each
   const names = new Map(before.map((id) => [id, id]));
@@ -293,8 +296,9 @@ export async function orderLevels(editor: Editor, folder: string, ids: readonly 
     for (const [id, name] of names) names.set(id, renamed.get(name) ?? name);
     return true;
   };
-  if (!(await order(ids))) return;
-  listHistoryOf(editor).add({ label: 'Reorder levels', undo: () => order(before), redo: () => order(ids) });
+  const label = 'Reorder levels';
+  const step: ListStep = { label, undo: () => order(before), redo: () => order(ids) };
+  return listHistoryOf(editor).perform(label, async () => ((await order(ids)) ? step : null));
 }
 
 /** Renames a level; its file keeps its name. */

@@ -24,10 +24,14 @@ export interface HistoryState {
 /** Undo and redo in order of time, over both the steps of the open level and the steps of the list. */
 export interface ListHistory {
   readonly store: StoreApi<HistoryState>;
-  /** Adds a step that was just done. */
-  add(step: ListStep): void;
-  /** Removes a step that was undone in another way. */
-  drop(step: ListStep): void;
+  /**
+   * Does an action that takes time, after those before it. It counts at once: an undo that is asked for while it goes on waits and
+   * takes this action back, not the step before it.
+   * @param act resolves to the step; null: nothing was done, which the function itself reports
+   */
+  perform(label: string, act: () => Promise<ListStep | null>): Promise<void>;
+  /** Takes a step back wherever it stands, and removes it. */
+  takeBack(step: ListStep): void;
   undo(): void;
   redo(): void;
 }
@@ -41,8 +45,16 @@ interface Placed {
   readonly marks: WeakMap<EditedLevel, number>;
 }
 
+/** An action that goes on or waits. */
+interface Pending {
+  readonly label: string;
+  isRefused: boolean;
+}
+
 function createListHistory({ open }: Editor): ListHistory {
   let done: readonly Placed[] = [];
+  /** those that no undo was asked for yet */
+  let pending: readonly Pending[] = [];
   let undone: readonly Placed[] = [];
   let last: Promise<unknown> = Promise.resolve();
   let stop = () => {};
@@ -70,11 +82,13 @@ function createListHistory({ open }: Editor): ListHistory {
   };
   const look = (): HistoryState => {
     const state = level()?.store.getState();
+    const awaited = pending.at(-1);
+    const redoes = awaited === undefined ? next('redo') : null;
     return {
-      undoLabel: next('undo')?.step.label ?? state?.undoLabel ?? null,
-      redoLabel: next('redo')?.step.label ?? state?.redoLabel ?? null,
-      undoesList: next('undo') !== null,
-      redoesList: next('redo') !== null,
+      undoLabel: awaited?.label ?? next('undo')?.step.label ?? state?.undoLabel ?? null,
+      redoLabel: redoes?.step.label ?? state?.redoLabel ?? null,
+      undoesList: awaited !== undefined || next('undo') !== null,
+      redoesList: redoes !== null,
     };
   };
   const store = createStore<HistoryState>(look);
@@ -121,23 +135,48 @@ function createListHistory({ open }: Editor): ListHistory {
     }
     show();
   };
-  const inTurn = (act: () => Promise<void>) => {
-    last = last.then(act, act);
+  const inTurn = (act: () => Promise<void>): Promise<void> => {
+    const turn = last.then(act, act);
+    last = turn;
+    return turn;
   };
   return {
     store,
-    add(step) {
-      done = [...done, place(step)];
-      undone = [];
+    perform(label, act) {
+      const action: Pending = { label, isRefused: false };
+      pending = [...pending, action];
+      show();
+      return inTurn(async () => {
+        const step = await act().finally(() => {
+          pending = pending.filter((other) => other !== action);
+        });
+        action.isRefused = step === null;
+        if (step !== null) {
+          done = [...done, place(step)];
+          undone = [];
+        }
+        show();
+      });
+    },
+    takeBack(step) {
+      void inTurn(async () => {
+        const isDone = done.some((placed) => placed.step === step);
+        done = done.filter((placed) => placed.step !== step);
+        undone = undone.filter((placed) => placed.step !== step);
+        if (isDone) await step.undo();
+        show();
+      });
+    },
+    undo() {
+      const awaited = pending.at(-1);
+      pending = pending.slice(0, -1);
+      const undo = go('undo');
+      void inTurn(async () => {
+        if (awaited?.isRefused !== true) await undo();
+      });
       show();
     },
-    drop(step) {
-      done = done.filter((placed) => placed.step !== step);
-      undone = undone.filter((placed) => placed.step !== step);
-      show();
-    },
-    undo: () => inTurn(go('undo')),
-    redo: () => inTurn(go('redo')),
+    redo: () => void inTurn(go('redo')),
   };
 }
 

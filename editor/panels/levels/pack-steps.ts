@@ -103,26 +103,28 @@ export function packOfList({ workspace }: Editor): PackFile {
  * @returns whether it was done; a refusal is reported
  */
 export async function editPack(editor: Editor, label: string, forward: PackChange['forward']): Promise<boolean> {
+  let isDone = false;
+  await listHistoryOf(editor).perform(label, async () => {
+    const made = await changeOrMakePack(editor, forward);
+    isDone = made !== null;
+    return made === null || made === NOTHING ? null : { label, ...made };
+  });
+  return isDone;
+}
+
+async function changeOrMakePack(editor: Editor, forward: PackChange['forward']): Promise<MadePackChange | null> {
   const pack = folderPackIn(editor.workspace.store.getState());
   if (pack.kind === 'invalid' || pack.kind === 'unreadable') {
     editor.notices.show('warning', `${pack.file} can't be changed here, because it is not valid. Mend it with a text editor.`, {
       topic: 'pack',
     });
-    return false;
+    return null;
   }
-  let made: MadePackChange | null;
-  if (pack.kind === 'valid') made = await changePack(editor, { forward, backward: null });
-  else {
-    const text = formatPack(forward(packOfList(editor)));
-    const isMade = await put(editor, null, text, null, 'nothing was changed: do it again');
-    made = isMade
-      ? {
-          undo: () => put(editor, text, null, null, 'so this cannot be undone'),
-          redo: () => put(editor, null, text, null, 'so this cannot be done again'),
-        }
-      : null;
-  }
-  if (made === null) return false;
-  if (made !== NOTHING) listHistoryOf(editor).add({ label, ...made });
-  return true;
+  if (pack.kind === 'valid') return changePack(editor, { forward, backward: null });
+  const text = formatPack(forward(packOfList(editor)));
+  if (!(await put(editor, null, text, null, 'nothing was changed: do it again'))) return null;
+  return {
+    undo: () => put(editor, text, null, null, 'so this cannot be undone'),
+    redo: () => put(editor, null, text, null, 'so this cannot be done again'),
+  };
 }

@@ -1,6 +1,6 @@
 import { ChevronRight, Eye, EyeOff, Group, Lock, LockOpen, TriangleAlert } from 'lucide-react';
-import type { ReactNode } from 'react';
-import { isVariant } from '../../../schema/index.ts';
+import { memo, type ReactNode } from 'react';
+import { isSame, isVariant } from '../../../schema/index.ts';
 import { signOf } from '../../canvas/index.ts';
 import { LONGEST_NAME, nameOf } from '../../document/index.ts';
 import { InlineName, MoreButton } from '../tree/index.ts';
@@ -18,9 +18,11 @@ export interface LineActions {
 
 interface ObjectLineProps {
   readonly row: ObjectRow;
+  /** Stable between renders as long as they are the same. */
   readonly problems: readonly string[] | undefined;
   /** Whether its name is being edited. */
   readonly isRenaming: boolean;
+  /** Stable between renders. */
   readonly actions: LineActions;
 }
 
@@ -63,8 +65,27 @@ function Signs({ row, actions }: Pick<ObjectLineProps, 'row' | 'actions'>) {
   );
 }
 
-/** A row of the outline: a folder, or an object with its name, place and signs. */
-export function ObjectLine({ row, problems, isRenaming, actions }: ObjectLineProps) {
+/** Whether two rows show the same and do the same; `place` and `siblings` are those of the tree. */
+const isSameRow = (a: ObjectRow, b: ObjectRow): boolean =>
+  a === b ||
+  (a.key === b.key &&
+    a.title === b.title &&
+    a.kind === b.kind &&
+    a.group === b.group &&
+    a.expanded === b.expanded &&
+    a.found?.object === b.found?.object &&
+    a.marks.isLocked === b.marks.isLocked &&
+    a.marks.isHidden === b.marks.isHidden &&
+    isSame(a.keys, b.keys));
+
+const isSameLine = (a: ObjectLineProps, b: ObjectLineProps): boolean =>
+  isSameRow(a.row, b.row) && a.problems === b.problems && a.isRenaming === b.isRenaming && a.actions === b.actions;
+
+/**
+ * A row of the outline: a folder, or an object with its name, place and signs. Memoized, as a drag changes one of many rows at each
+ * step.
+ */
+export const ObjectLine = memo(function ObjectLine({ row, problems, isRenaming, actions }: ObjectLineProps) {
   const { title, kind, found, expanded, keys, group } = row;
   const name = (
     <InlineName
@@ -110,4 +131,4 @@ export function ObjectLine({ row, problems, isRenaming, actions }: ObjectLinePro
       <MoreButton />
     </>
   );
-}
+}, isSameLine);

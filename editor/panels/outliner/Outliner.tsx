@@ -77,17 +77,20 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
     if (row.found !== null || row.group !== null) session.setState({ renaming: row.key });
   };
   const move = ({ key, title }: ObjectRow, place: number) => document.change(`Reorder ${title}`, reorderObject(key, place));
-  const actions: LineActions = {
-    onLock: ({ keys, marks }) => order.lock(keys, !marks.isLocked),
-    onHide: ({ keys, marks }) => order.hide(keys, !marks.isHidden),
-    onRename: ({ key, group }, name) => (group === null ? order.name(key, name) : order.renameGroup(group, name)),
-    problemOf({ group }, name) {
-      if (group === null) return null;
-      if (name === '') return 'A group needs a name: type one, or press Esc.';
-      return groupsIn(document.file()).has(name) ? `There is a group ${name}: type another name.` : null;
-    },
-    onRenamed: () => session.setState({ renaming: null }),
-  };
+  const actions = useMemo(
+    (): LineActions => ({
+      onLock: ({ keys, marks }) => order.lock(keys, !marks.isLocked),
+      onHide: ({ keys, marks }) => order.hide(keys, !marks.isHidden),
+      onRename: ({ key, group }, name) => (group === null ? order.name(key, name) : order.renameGroup(group, name)),
+      problemOf({ group }, name) {
+        if (group === null) return null;
+        if (name === '') return 'A group needs a name: type one, or press Esc.';
+        return groupsIn(document.file()).has(name) ? `There is a group ${name}: type another name.` : null;
+      },
+      onRenamed: () => session.setState({ renaming: null }),
+    }),
+    [order, document, session],
+  );
 
   return (
     <section className="panel outliner" aria-label="Objects">

@@ -28,7 +28,18 @@ export interface ObjectRow extends TreeRow {
 
 type Place = Pick<TreeRow, 'depth' | 'place' | 'siblings'>;
 
+/** The rows last made: most objects are the same after a step of a drag. */
+const made = new WeakMap<FoundObject, ObjectRow>();
+
 function objectRow(found: FoundObject, at: Place): ObjectRow {
+  const before = made.get(found);
+  if (before?.depth === at.depth && before.place === at.place && before.siblings === at.siblings) return before;
+  const row = newRow(found, at);
+  made.set(found, row);
+  return row;
+}
+
+function newRow(found: FoundObject, at: Place): ObjectRow {
   const { key, kind, list, object } = found;
   const marks = marksOf(found);
   const title = marks.name ?? nameOf(found);

@@ -1,7 +1,7 @@
 import { X } from 'lucide-react';
-import { useEffect, useState } from 'react';
 import { Button } from '../../ui/index.ts';
 import { plural } from '../figures/index.ts';
+import { NameField } from './NameField.tsx';
 import type { Chapter } from './pack-model.ts';
 
 interface ChapterHeadProps {
@@ -30,7 +30,16 @@ export function ChapterHead({ chapter, canEdit, isDrop, onRename, onRemove }: Ch
     <header className={`pack__chapter${isDrop ? ' pack__chapter--drop' : ''}`} data-place={place} data-chapter>
       {canEdit ? (
         <>
-          <ChapterName key={name} name={name} onDone={(next) => onRename(place, next)} />
+          <h3>
+            <NameField
+              key={name}
+              label="Chapter"
+              name={name}
+              className="pack__chapter-name"
+              fits
+              onDone={(next) => onRename(place, next)}
+            />
+          </h3>
           {count}
           <Button hint={`Remove the heading "${name}"; its levels stay`} icon={<X size={14} />} onClick={() => onRemove(place)} />
         </>
@@ -41,36 +50,5 @@ export function ChapterHead({ chapter, canEdit, isDrop, onRename, onRemove }: Ch
         </>
       )}
     </header>
-  );
-}
-
-/** The name of a chapter as a field: Enter or leaving it keeps the name, Esc takes it back. */
-function ChapterName({ name, onDone }: { readonly name: string; readonly onDone: (name: string) => void }) {
-  const [text, setText] = useState(name);
-  useEffect(() => setText(name), [name]);
-  const done = () => {
-    const next = text.trim();
-    if (next === '') setText(name);
-    else if (next !== name) onDone(next);
-  };
-  return (
-    <h3>
-      <input
-        className="field pack__chapter-name"
-        aria-label="Chapter"
-        value={text}
-        maxLength={120}
-        size={Math.max(12, text.length)}
-        onChange={(event) => setText(event.target.value)}
-        onBlur={done}
-        onKeyDown={(event) => {
-          if (event.key === 'Enter') event.currentTarget.blur();
-          if (event.key === 'Escape' && text !== name) {
-            event.stopPropagation();
-            setText(name);
-          }
-        }}
-      />
-    </h3>
   );
 }

@@ -1,11 +1,11 @@
 import { FilePlus2, Gauge, Redo2, Square, Undo2, X } from 'lucide-react';
-import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../../context/index.ts';
 import type { FolderPack } from '../../files/index.ts';
 import { Button } from '../../ui/index.ts';
 import { editPack, listHistoryOf, type PlayedBy } from '../levels/index.ts';
 import { gradesOf } from './grades.ts';
+import { NameField } from './NameField.tsx';
 import type { PackModel } from './pack-model.ts';
 
 interface PackHeadProps {
@@ -27,7 +27,13 @@ export function PackHead({ model, pack, by, canEdit, onClose }: PackHeadProps) {
         Pack
       </h2>
       {model.name !== null && canEdit ? (
-        <PackName key={model.name} name={model.name} />
+        <NameField
+          key={model.name}
+          label="Name of the pack"
+          name={model.name}
+          className="pack__title"
+          onDone={(name) => void editPack(editor, 'Rename the pack', (now) => ({ ...now, name }))}
+        />
       ) : (
         <p className="pack__title">{model.name ?? 'All levels'}</p>
       )}
@@ -59,34 +65,6 @@ export function PackHead({ model, pack, by, canEdit, onClose }: PackHeadProps) {
       )}
       <Button hint="Close" shortcut="Esc" icon={<X size={16} />} onClick={onClose} />
     </header>
-  );
-}
-
-function PackName({ name }: { readonly name: string }) {
-  const editor = useEditor();
-  const [text, setText] = useState(name);
-  useEffect(() => setText(name), [name]);
-  const done = () => {
-    const next = text.trim();
-    if (next === '') setText(name);
-    else if (next !== name) void editPack(editor, 'Rename the pack', (pack) => ({ ...pack, name: next }));
-  };
-  return (
-    <input
-      className="field pack__title"
-      aria-label="Name of the pack"
-      value={text}
-      maxLength={120}
-      onChange={(event) => setText(event.target.value)}
-      onBlur={done}
-      onKeyDown={(event) => {
-        if (event.key === 'Enter') event.currentTarget.blur();
-        if (event.key === 'Escape' && text !== name) {
-          event.stopPropagation();
-          setText(name);
-        }
-      }}
-    />
   );
 }
 

@@ -1,52 +1,31 @@
-import { Check, Eye, Square, Undo2, Wrench } from 'lucide-react';
+import { Square, Wrench } from 'lucide-react';
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { proposalInWords, proposalRunInWords, SIZE_MEANS } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
+import { Offer } from '../../offers/index.ts';
 import { Button } from '../../ui/index.ts';
 import { about, seconds } from '../figures/index.ts';
 import { Progress, Section } from '../parts/index.ts';
 import type { FixState } from './fix-session.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
-function ProposalCard({ proposal, level }: { readonly proposal: Proposal; readonly level: Level }) {
+function ProposalOffer({ proposal, level }: { readonly proposal: Proposal; readonly level: Level }) {
   const { fixes } = useSolverSession();
   const { previewed, isOld } = useStore(fixes.store);
-  const isShown = previewed === proposal;
   const { change, size, run } = proposal;
+  const moved = change === null ? 'the level stays as it is' : `${size.toFixed(1)} px`;
   return (
-    <li className={isShown ? 'fix fix--previewed' : 'fix'}>
-      <span className="fix__text">{proposalInWords(level, proposal)}</span>
-      <div className="fix__row">
-        <span className="part__note numbers" title={SIZE_MEANS}>
-          {change === null ? 'the level stays as it is' : `${size.toFixed(1)} px`}, {proposalRunInWords(level, proposal)}:{' '}
-          {seconds(run.time)}
-        </span>
-        {isShown ? (
-          <span className="fix__does">
-            <Button hint="Go back to the level as it was" icon={<Undo2 size={14} />} onClick={fixes.back}>
-              Back
-            </Button>
-            <Button hint="Keep this change: one step of undo" icon={<Check size={14} />} look="outlined" onClick={fixes.take}>
-              Take
-            </Button>
-          </span>
-        ) : (
-          !isOld && (
-            <Button
-              hint="Show the level with this change; nothing is saved yet"
-              hintSide="left"
-              icon={<Eye size={14} />}
-              look="outlined"
-              onClick={() => fixes.preview(proposal)}
-            >
-              Preview
-            </Button>
-          )
-        )}
-      </div>
-    </li>
+    <Offer
+      text={proposalInWords(level, proposal)}
+      figures={`${moved}, ${proposalRunInWords(level, proposal)}: ${seconds(run.time)}`}
+      figuresTitle={SIZE_MEANS}
+      isShown={previewed === proposal}
+      onPreview={isOld ? null : () => fixes.preview(proposal)}
+      onBack={fixes.back}
+      onTake={fixes.take}
+    />
   );
 }
 
@@ -102,7 +81,7 @@ export function FixReport() {
       {fixing !== null && level !== null && fixing.proposals.length > 0 && (
         <ol className={isOld ? 'report__found report--old' : 'report__found'} aria-label="Proposals">
           {fixing.proposals.map((proposal) => (
-            <ProposalCard key={proposalInWords(level, proposal)} proposal={proposal} level={level} />
+            <ProposalOffer key={proposalInWords(level, proposal)} proposal={proposal} level={level} />
           ))}
         </ol>
       )}

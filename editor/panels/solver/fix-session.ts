@@ -3,9 +3,9 @@ import { repairedFile } from '../../../check/index.ts';
 import { proposalInWords } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
-import { type EditedLevel, freeRunName, type Gesture } from '../../document/index.ts';
+import { type EditedLevel, freeRunName } from '../../document/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
-import type { SessionStore } from '../../session/index.ts';
+import { createPreview, type SessionStore } from '../../session/index.ts';
 import type { Fixing, Job, Workers } from '../../workers/index.ts';
 import { SOLUTION } from './keep-found-run.ts';
 import type { SearchSettingsStore } from './search-settings.ts';
@@ -50,25 +50,20 @@ const IDLE: FixState = { phase: 'idle', message: null, fixing: null, level: null
 export function createFixSession({ level: { document, proof }, session, workers, settings }: FixParts): FixSession {
   const store = createStore<FixState>(() => IDLE);
   let job: Job<'fix'> | null = null;
-  let gesture: Gesture | null = null;
-  // the run that was shown before the preview
-  let shownBefore: string | null = null;
+  const preview = createPreview(document, session);
 
   const stopJob = () => {
     job?.cancel();
     job = null;
   };
   const back = () => {
-    if (gesture === null) return;
-    gesture.cancel();
-    gesture = null;
-    session.setState({ run: shownBefore });
-    store.setState({ previewed: null });
+    preview.back();
+    if (store.getState().previewed !== null) store.setState({ previewed: null });
   };
   // a step of the history, also one that takes the preview along
   const stop = document.onStep(() => {
     const { phase, fixing } = store.getState();
-    gesture = null;
+    preview.ended();
     stopJob();
     store.setState({ previewed: null, isOld: fixing !== null, phase: phase === 'seeking' ? 'done' : phase });
   });
@@ -106,16 +101,13 @@ export function createFixSession({ level: { document, proof }, session, workers,
       back();
       const file = document.file();
       const name = freeRunName(file, SOLUTION);
-      shownBefore = session.getState().run;
-      gesture = document.begin(proposalInWords(level, proposal).replace(/\.$/, ''));
-      gesture.set((draft) => void Object.assign(draft, repairedFile(file, proposal, name)));
       const { origin } = proposal;
-      session.setState({ run: origin.from === 'search' ? name : level.runs[origin.index].name });
+      const run = origin.from === 'search' ? name : level.runs[origin.index].name;
+      const label = proposalInWords(level, proposal).replace(/\.$/, '');
+      preview.show(label, (draft) => void Object.assign(draft, repairedFile(file, proposal, name)), run);
       store.setState({ previewed: proposal });
     },
-    take() {
-      gesture?.commit();
-    },
+    take: preview.take,
     back,
     close() {
       stop();
