@@ -127,6 +127,14 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     );
     say('fan');
     rows.push(ofTimes('fan after a drag', 500, await interactions.fan(stage, extent, TIMES)));
+    if (objects <= 30) {
+      // the run of a larger level takes too much work to be simulated at hundreds of places within that time
+      say('leeway');
+      const [first, ...later] = await interactions.leeway(stage, extent, TIMES + 1);
+      // the first time, its worker starts
+      rows.push(ofTimes('where may it stand, the very first shade', 1500, [first]));
+      rows.push(ofTimes('where may it stand, the first shade', 500, later));
+    }
     say('search');
     const { first, cancel } = await interactions.search(stage, TIMES);
     rows.push(ofTimes('first word from a search', 1500, first), ofCosts('cancelling it', 50, cancel));

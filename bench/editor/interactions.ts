@@ -366,6 +366,26 @@ export async function fan({ page }: Stage, extent: Extent, times: number): Promi
   return all;
 }
 
+/** Clock time from the key to the first shade of where the object may stand that the run depends on, ms. */
+export async function leeway({ page }: Stage, extent: Extent, times: number): Promise<number[]> {
+  const at = await aim(page, extent);
+  await page.mouse.click(...at(DRAGGED.x, DRAGGED.y));
+  const shade = page.getByRole('figure', { name: 'Where the selection may stand' });
+  const all: number[] = [];
+  for (let i = 0; i < times; i++) {
+    // another level each time, so that nothing is known of it
+    await page.keyboard.press(i % 2 === 0 ? 'ArrowRight' : 'ArrowLeft');
+    await page
+      .getByRole('status', { name: 'Saving' })
+      .filter({ hasText: /^saved$/ })
+      .waitFor();
+    all.push(await until(page, '.leeway-legend__note', 'Sampled', () => page.keyboard.press('Shift+L')));
+    await page.keyboard.press('Shift+L');
+    await shade.waitFor({ state: 'hidden' });
+  }
+  return all;
+}
+
 /** Clock time to the first report of a search, and the cost of stopping it. */
 export async function search({ page, traced }: Stage, times: number): Promise<{ first: number[]; cancel: Cost[] }> {
   await page.getByRole('tab', { name: 'Solver' }).click();
