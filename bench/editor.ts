@@ -5,7 +5,7 @@ import * as interactions from './editor/interactions.ts';
 import { playableLevel } from './editor/playable-level.ts';
 import { openStage } from './editor/stage.ts';
 import { type Cost, p95 } from './editor/trace.ts';
-import { atMost, type Claim, optionValue, publish } from './harness.ts';
+import { atMost, type Claim, optionValue, publish, spread } from './harness.ts';
 
 /** Steps of a drag, a scrub or a marquee. */
 const STEPS = Number(optionValue('--steps') ?? 60);
@@ -35,13 +35,11 @@ interface Row {
   readonly count: number;
 }
 
-const median = (values: readonly number[]): number => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
-
 /** Another program that wakes up in between spoils a round, not the figure. */
 async function inRounds(what: string, limit: number, act: () => Promise<readonly Cost[]>): Promise<Row> {
   const rounds: Row[] = [];
   for (let round = 0; round < ROUNDS; round++) rounds.push(ofCosts(what, limit, await act()));
-  const of = (pick: (row: Row) => number) => median(rounds.map(pick));
+  const of = (pick: (row: Row) => number) => spread(rounds.map(pick)).median;
   return {
     what,
     limit,

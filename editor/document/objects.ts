@@ -43,8 +43,18 @@ export interface FoundObject {
 
 const known = new WeakMap<LevelFile, ReadonlyMap<ObjectKey, FoundObject>>();
 
-/** What was last found in each list: a drag makes a new file at each step, in which most objects are the same. */
+/** What was last found in each list, and singly: a drag makes a new file at each step, in which most objects are the same. */
 const last = new Map<ObjectList, FoundObject[]>();
+const lastSingle = new Map<SingleKind, FoundObject>();
+
+/** An object that exists once, reused if it is as it was. */
+function foundSingle(kind: SingleKind, object: PlacedObject): FoundObject {
+  const before = lastSingle.get(kind);
+  if (before?.object === object) return before;
+  const found: FoundObject = { key: keyOf(kind), kind, list: null, index: 0, object, pointer: `/${kind}` };
+  lastSingle.set(kind, found);
+  return found;
+}
 
 /** The objects of a list, those that are as they were at the same index reused. */
 function foundIn(list: ObjectList, objects: readonly PlacedObject[]): FoundObject[] {
@@ -70,8 +80,8 @@ export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> 
   if (made !== undefined) return made;
   const objects = new Map<ObjectKey, FoundObject>();
   for (const kind of SINGLE_KINDS) {
-    const key = keyOf(kind);
-    objects.set(key, { key, kind, list: null, index: 0, object: file[kind], pointer: `/${kind}` });
+    const found = foundSingle(kind, file[kind]);
+    objects.set(found.key, found);
   }
   for (const list of OBJECT_LISTS) {
     for (const found of foundIn(list, file[list] ?? [])) objects.set(found.key, found);

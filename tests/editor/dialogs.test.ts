@@ -4,7 +4,7 @@ import { diffLines } from '../../editor/dialogs/line-diff.ts';
 import { valueInWords } from '../../editor/dialogs/value-in-words.ts';
 import { freeId, nextNumber } from '../../editor/panels/levels/level-files.ts';
 import { levelRows } from '../../editor/panels/levels/level-rows.ts';
-import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
+import { isSameRow, objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { dropPlace, leavesBetween, parentOf, stepFrom, type TreeRow } from '../../editor/panels/tree/tree-rows.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import type { LevelEntry } from '../../schema/index.ts';
@@ -151,6 +151,20 @@ describe('rows of a tree', () => {
     );
     expect(dropPlace(row('a', { list: 'x' }), row('b', { list: 'y' }), true)).toBeNull();
   });
+});
+
+test('a row of the outline counts as another when what it shows has changed, also its number', () => {
+  const file = TEMPLATES[2].make('Thrown', 7);
+  const rocks = (file.asteroids ?? []).map((rock, i) => ({ ...rock, 'x-name': `Rock ${i}` }));
+  const rows = (asteroids: typeof rocks) => new Map(objectRows({ ...file, asteroids }, new Set()).map((row) => [row.key, row]));
+  const changed = (asteroids: typeof rocks) => {
+    const [before, after] = [rows(rocks), rows(asteroids)];
+    return [...after].flatMap(([key, row]) => (isSameRow(before.get(key) ?? row, row) ? [] : [key]));
+  };
+  const keys = rocks.map(({ id }) => id);
+  expect(changed([...rocks])).toEqual([]);
+  expect(changed([...rocks].reverse()).sort()).toEqual([...keys.filter((_, i) => i !== 3), '@kind asteroid'].sort());
+  expect(changed(rocks.map((rock, i) => (i === 2 ? { ...rock, x: rock.x + 1 } : rock)))).toEqual([keys[2]]);
 });
 
 test('the outline lists every object once, and none of a collapsed kind', () => {

@@ -147,7 +147,6 @@ export class OverlayLayer {
     for (const found of shownIn(input).values()) {
       if (KINDS[found.kind].places.length < 2) continue;
       const [first, ...others] = placesOf(found);
-      if (others.length === 0) continue;
       const isMeant = found.key === hovered || selected.includes(found.key);
       this.below.lineStyle(1.5 / zoom, colourNumber(this.colours.label), isMeant ? 0.8 : 0.35).beginPath();
       for (const other of others) this.dashes(...betweenRims(first, other, radiusOf(found) ?? 0), zoom);

@@ -48,7 +48,7 @@ interface Placed {
 /** An action that goes on or waits. */
 interface Pending {
   readonly label: string;
-  isRefused: boolean;
+  isDone: boolean;
 }
 
 function createListHistory({ open }: Editor): ListHistory {
@@ -143,15 +143,15 @@ function createListHistory({ open }: Editor): ListHistory {
   return {
     store,
     perform(label, act) {
-      const action: Pending = { label, isRefused: false };
+      const action: Pending = { label, isDone: false };
       pending = [...pending, action];
       show();
       return inTurn(async () => {
         const step = await act().finally(() => {
           pending = pending.filter((other) => other !== action);
         });
-        action.isRefused = step === null;
         if (step !== null) {
+          action.isDone = true;
           done = [...done, place(step)];
           undone = [];
         }
@@ -172,7 +172,7 @@ function createListHistory({ open }: Editor): ListHistory {
       pending = pending.slice(0, -1);
       const undo = go('undo');
       void inTurn(async () => {
-        if (awaited?.isRefused !== true) await undo();
+        if (awaited?.isDone !== false) await undo();
       });
       show();
     },

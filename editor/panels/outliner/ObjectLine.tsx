@@ -1,10 +1,10 @@
 import { ChevronRight, Eye, EyeOff, Group, Lock, LockOpen, TriangleAlert } from 'lucide-react';
 import { memo, type ReactNode } from 'react';
-import { isSame, isVariant } from '../../../schema/index.ts';
+import { isVariant } from '../../../schema/index.ts';
 import { signOf } from '../../canvas/index.ts';
 import { LONGEST_NAME, nameOf } from '../../document/index.ts';
 import { InlineName, MoreButton } from '../tree/index.ts';
-import type { ObjectRow } from './object-rows.ts';
+import { isSameRow, type ObjectRow } from './object-rows.ts';
 
 /** What can be done in a row. */
 export interface LineActions {
@@ -64,19 +64,6 @@ function Signs({ row, actions }: Pick<ObjectLineProps, 'row' | 'actions'>) {
     </>
   );
 }
-
-/** Whether two rows show the same and do the same; `place` and `siblings` are those of the tree. */
-const isSameRow = (a: ObjectRow, b: ObjectRow): boolean =>
-  a === b ||
-  (a.key === b.key &&
-    a.title === b.title &&
-    a.kind === b.kind &&
-    a.group === b.group &&
-    a.expanded === b.expanded &&
-    a.found?.object === b.found?.object &&
-    a.marks.isLocked === b.marks.isLocked &&
-    a.marks.isHidden === b.marks.isHidden &&
-    isSame(a.keys, b.keys));
 
 const isSameLine = (a: ObjectLineProps, b: ObjectLineProps): boolean =>
   isSameRow(a.row, b.row) && a.problems === b.problems && a.isRenaming === b.isRenaming && a.actions === b.actions;

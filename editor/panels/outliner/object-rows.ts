@@ -1,4 +1,4 @@
-import { KINDS, type LevelFile, type ObjectKind } from '../../../schema/index.ts';
+import { isSame, KINDS, type LevelFile, type ObjectKind } from '../../../schema/index.ts';
 import {
   type FoundObject,
   groupsIn,
@@ -115,3 +115,14 @@ export function objectRows(file: LevelFile, folded: ReadonlySet<string>): Object
   }
   return rows;
 }
+
+/** Whether two rows show and do the same. The row of an object is made anew only when something of it has changed. */
+export const isSameRow = (a: ObjectRow, b: ObjectRow): boolean =>
+  a === b ||
+  (a.found === null &&
+    b.found === null &&
+    a.key === b.key &&
+    a.title === b.title &&
+    a.expanded === b.expanded &&
+    isSame(a.marks, b.marks) &&
+    isSame(a.keys, b.keys));

@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'react';
+import { useState } from 'react';
 
 interface NameFieldProps {
   readonly label: string;
@@ -9,10 +9,9 @@ interface NameFieldProps {
   readonly onDone: (name: string) => void;
 }
 
-/** A name that is edited in place: Enter or leaving the field keeps it, Esc takes it back, and an empty one is not kept. */
+/** A name that is edited in place, keyed by the name: Enter or leaving the field keeps it, Esc takes it back, and an empty one is not kept. */
 export function NameField({ label, name, className, fits = false, onDone }: NameFieldProps) {
   const [text, setText] = useState(name);
-  useEffect(() => setText(name), [name]);
   const done = () => {
     const next = text.trim();
     if (next === '') setText(name);
