@@ -166,7 +166,8 @@ class LevelOnPage implements OpenedLevel {
     if (this.kept === null) return;
     const next = journal.follow(placeOf(folder, to), this.level, this.saver.base());
     this.keep(next);
-    void next.settled().then(() => journal.forget(placeOf(folder, from)));
+    // by then the level may have its old name again
+    void next.settled().then(() => (this.at === from ? undefined : journal.forget(placeOf(folder, from))));
   }
 
   async close(): Promise<void> {

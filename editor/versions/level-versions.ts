@@ -39,6 +39,8 @@ export interface LevelVersions {
 export interface LevelVersionsParts {
   /** Where the history is kept at this moment. */
   readonly store: () => VersionStore;
+  /** Acts after everything that was asked for before. */
+  readonly inTurn: <T>(act: () => Promise<T>) => Promise<T>;
   /** ms since 1970 */
   readonly now: () => number;
   /** Calls back once the page is idle. @returns cancels it */
@@ -78,7 +80,6 @@ export class RecordedVersions implements LevelVersions {
   private cancel: (() => void) | null = null;
   /** The history in the store that it was opened in. */
   private opened: { readonly in: VersionStore; readonly history: Promise<number> } | null = null;
-  /** Everything that the store is asked for happens one after the other. */
   private last: Promise<unknown> = Promise.resolve();
   private readonly stop: () => void;
 
@@ -245,12 +246,14 @@ export class RecordedVersions implements LevelVersions {
 
   /** @returns whether it succeeded */
   private inTurn(act: (store: VersionStore, history: number) => Promise<void>): Promise<boolean> {
-    const turn = this.last.then(async () => {
+    // the level may have another place by the time it is its turn
+    const { place } = this;
+    const turn = this.parts.inTurn(async () => {
       const store = this.parts.store();
       try {
         if (this.opened?.in !== store) {
           this.base = null;
-          this.opened = { in: store, history: store.open(this.place) };
+          this.opened = { in: store, history: store.open(place) };
         }
         await act(store, await this.opened.history);
         this.parts.onStored(null);

@@ -53,8 +53,14 @@ export function createVersionKeeper({ store, now, whenIdle }: VersionKeeperOptio
   let kept = store ?? createMemoryVersions();
   let isLasting = store !== null;
   const trouble = createStore<VersionTrouble>(() => (isLasting ? null : MISSING));
-  /** Moves are made one after the other. */
-  let moving: Promise<void> = Promise.resolve();
+  // One queue for all levels and their moves: what was asked for before a move finds the history at its old place, what was
+  // asked for after it at the new one.
+  let last: Promise<unknown> = Promise.resolve();
+  const inTurn = <T>(act: () => Promise<T>): Promise<T> => {
+    const turn = last.then(act, act);
+    last = turn;
+    return turn;
+  };
   const followed = new Set<LevelVersions>();
   const onStored = (error: unknown) => {
     const next = error === null ? (isLasting ? null : MISSING) : troubleOf(error);
@@ -64,17 +70,15 @@ export function createVersionKeeper({ store, now, whenIdle }: VersionKeeperOptio
     trouble,
     follow(place, level) {
       const onClose = () => void followed.delete(versions);
-      const parts = { store: () => kept, now, whenIdle, onStored, onClose };
+      const parts = { store: () => kept, inTurn, now, whenIdle, onStored, onClose };
       const versions: LevelVersions = new RecordedVersions(place, level, parts);
       followed.add(versions);
       return versions;
     },
     moved(moves) {
-      moving = moving.then(async () => {
-        // what was noted belongs to the place that a level had
-        await Promise.all([...followed].map((versions) => versions.settled()));
-        await kept.move(moves).then(() => onStored(null), onStored);
-      });
+      // what was noted belongs to the place that a level had
+      for (const versions of followed) void versions.settled();
+      void inTurn(() => kept.move(moves).then(() => onStored(null), onStored));
     },
     flush() {
       for (const versions of followed) void versions.settled();

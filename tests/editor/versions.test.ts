@@ -469,6 +469,57 @@ describe('a history follows its level', () => {
     expect(await store.list(await store.open('f/08'))).toHaveLength(2);
     expect(await store.list(await store.open('f/07'))).toHaveLength(0);
   });
+
+  it('whenever it is opened, recorded, swapped with another, or reopened', async () => {
+    const action = fc.constantFrom('save', 'save', 'record', 'list', 'swap', 'swap', 'reopen', 'wait');
+    await fc.assert(
+      fc.asyncProperty(fc.array(fc.tuple(action, fc.nat(1)), { maxLength: 25 }), async (actions) => {
+        const { store, keeper } = begin();
+        const places = ['f/01', 'f/02'];
+        const levels = ['A', 'B'].map((name) => createEditedLevel({ ...FILE, name }));
+        const follow = (i: number) => keeper.follow(places[i], levels[i]);
+        const histories = [follow(0), follow(1)];
+        const saves = [0, 0];
+        const save = (i: number) => {
+          levels[i].change('Move', move(1));
+          histories[i].note(levels[i].file(), 'page');
+          saves[i]++;
+        };
+        for (const [n, [what, i]] of actions.entries()) {
+          if (what === 'save') save(i);
+          else if (what === 'record') void histories[i].settled();
+          else if (what === 'list') void histories[i].load();
+          else if (what === 'wait') await Promise.resolve();
+          else if (what === 'reopen') {
+            histories[i].close();
+            histories[i] = follow(i);
+          } else {
+            const [a, b] = places;
+            const moves = [
+              { from: a, to: b, token: `${n}` },
+              { from: b, to: a, token: `${n}` },
+            ];
+            keeper.moved(moves);
+            places.reverse();
+            for (const [level, history] of histories.entries()) history.moveTo(places[level]);
+          }
+        }
+        for (const history of histories) await history.load();
+        for (const [i, place] of places.entries()) {
+          const history = await store.open(place);
+          const versions = await store.list(history);
+          const names = await Promise.all(
+            versions.map(async (version) => {
+              const { copies, bases } = await store.texts(history, version);
+              return JSON.parse(fromStored(copies, bases, version.check) as string).name;
+            }),
+          );
+          expect(names).toEqual(Array(saves[i]).fill('AB'[i]));
+        }
+      }),
+      { numRuns: 2000 },
+    );
+  });
 });
 
 it('a text is stored whole where a delta would not be shorter, and twice', () => {

@@ -471,6 +471,20 @@ describe('the journal of the open level', () => {
     expect(one.keeping.getState()).toBe('kept');
   });
 
+  it('keeps unsaved changes when the level is renamed and gets its old name back at once', async () => {
+    const { workspace, line } = await page();
+    const one = await open(workspace, 'a');
+    await breathe();
+    line.isCut = true;
+    rename(one, 'unsaved');
+    const etag = (await read('a'))?.etag ?? '';
+    one.moved('z', etag);
+    one.moved('a', etag);
+    await clock.pass(1000);
+    expect((await store.places()).map(({ place }) => place)).toEqual(['this-browser/a']);
+    expect(await createJournal(store, () => 0).recover('this-browser/a')).toMatchObject({ file: { name: 'unsaved' } });
+  });
+
   it('reports nothing after the level is closed', async () => {
     const { workspace, line } = await page();
     const one = await open(workspace, 'a');
