@@ -2,7 +2,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brief } from '../cli/accuracy/index.ts';
-import { ACCURACIES, type Accuracy, DEFAULT_MAX_TIME, TICK_RATE } from '../engine/index.ts';
+import { ACCURACIES, type Accuracy, DEFAULT_MAX_TICKS, TICK_RATE } from '../engine/index.ts';
 import {
   type Cost,
   compareWith,
@@ -34,7 +34,6 @@ import { seeded } from './scenes/seeded.ts';
 
 const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
 const OUT = optionValue('--out') ?? join(PROJECT, 'docs');
-const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 /** Total time for timing, ms. */
 const BUDGET = 20_000;
 const PEER_BUDGET = 10_000;
@@ -68,7 +67,12 @@ function readScripts(): Script[] {
     const read = readLevel(readFileSync(file));
     if (!read.ok) throw new Error(`expected a valid level in ${file}: ${read.problems[0].message}`);
     const { level } = read;
-    return level.runs.map(({ name, holds }) => ({ level, run: name, holds, reference: referenceOf(level, holds, MAX_TICKS) }));
+    return level.runs.map(({ name, holds }) => ({
+      level,
+      run: name,
+      holds,
+      reference: referenceOf(level, holds, DEFAULT_MAX_TICKS),
+    }));
   });
   if (scripts.length === 0) throw new Error(`expected levels with runs, found none in ${one ?? pack}`);
   return scripts;
@@ -76,7 +80,7 @@ function readScripts(): Script[] {
 
 /** Steps a peer through a script: its path at the ticks, up to the first outcome that its own contacts report. */
 function peerPath(world: PeerWorld, { holds }: Script, rate: number): Path {
-  const button = buttonPerStep(holds, (MAX_TICKS * rate) / TICK_RATE, rate);
+  const button = buttonPerStep(holds, (DEFAULT_MAX_TICKS * rate) / TICK_RATE, rate);
   const state = new Float64Array(4);
   const x: number[] = [];
   const y: number[] = [];
@@ -97,7 +101,7 @@ function peerPath(world: PeerWorld, { holds }: Script, rate: number): Path {
 
 /** Plays all scripts in a peer's worlds, which are created outside the timing. */
 function peerPlayer(peer: Peer, rate: number, scripts: readonly Script[]): Player {
-  const buttons = scripts.map(({ holds }) => buttonPerStep(holds, (MAX_TICKS * rate) / TICK_RATE, rate));
+  const buttons = scripts.map(({ holds }) => buttonPerStep(holds, (DEFAULT_MAX_TICKS * rate) / TICK_RATE, rate));
   let worlds: PeerWorld[] = [];
   return {
     prepare() {
@@ -140,10 +144,10 @@ const scripts = readScripts();
 const ours = METHODS.map((accuracy) => ({
   accuracy,
   name: accuracy.name,
-  deviations: scripts.map(({ level, holds, reference }) => compareWith(reference, level, holds, accuracy, MAX_TICKS)),
+  deviations: scripts.map(({ level, holds, reference }) => compareWith(reference, level, holds, accuracy, DEFAULT_MAX_TICKS)),
 }));
 const ourCosts = measureCosts(
-  METHODS.map((accuracy) => playerOf(scripts, accuracy, MAX_TICKS)),
+  METHODS.map((accuracy) => playerOf(scripts, accuracy, DEFAULT_MAX_TICKS)),
   () => performance.now(),
   { budget: BUDGET, sample: 1 },
 );
@@ -157,7 +161,7 @@ const peerDeviations = settings.map(({ peer, rate }) =>
     const world = peer.create(script.level, rate);
     const path = peerPath(world, script, rate);
     world.dispose();
-    return deviationOf(path, script.reference, MAX_TICKS);
+    return deviationOf(path, script.reference, DEFAULT_MAX_TICKS);
   }),
 );
 const peerCosts = measureCosts(

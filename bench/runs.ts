@@ -2,12 +2,19 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
-import { type AccuracyName, compile, createSimulation, joinHolds, playScript, TICK_RATE } from '../engine/index.ts';
+import {
+  type AccuracyName,
+  compile,
+  createSimulation,
+  DEFAULT_MAX_TICKS,
+  joinHolds,
+  playScript,
+  TICK_RATE,
+} from '../engine/index.ts';
 import { type Hold, importOriginal, type Level, readLevel, resolveLevel } from '../schema/index.ts';
 import { atMost, type Claim, compare, consume, optionValue, publish } from './harness.ts';
 
 const ACCURACIES: readonly AccuracyName[] = ['arcade', 'fast', 'standard', 'precise'];
-const MAX_TICKS = 60 * TICK_RATE;
 
 interface Case {
   readonly name: string;
@@ -62,7 +69,7 @@ for (const { name, level, holds } of cases) {
       name: ACCURACIES[i],
       run() {
         simulation.reset();
-        playScript(simulation, script, MAX_TICKS);
+        playScript(simulation, script, DEFAULT_MAX_TICKS);
         return simulation.tick;
       },
     })),

@@ -17,3 +17,6 @@ export const EXPLOSION_FRAMES = 150;
 
 /** How long a run is simulated when nothing ends it earlier, s. */
 export const DEFAULT_MAX_TIME = 60;
+
+/** The same in ticks. */
+export const DEFAULT_MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;

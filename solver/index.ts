@@ -172,5 +172,5 @@ export {
 } from './softlock/index.ts';
 export { createSolver, mergeSolutions, type Objective, type Solution, type SolveOptions, type Solver } from './solve/index.ts';
 export type { Steps } from './steps.ts';
-export { type Candidate, createReplay, cutHolds, DEFAULT_MAX_TICKS, type Replay, verifyRun } from './verified-run.ts';
+export { type Candidate, createReplay, cutHolds, type Replay, verifyRun } from './verified-run.ts';
 export { type Verification, verifyProof } from './verify/index.ts';

@@ -1,4 +1,4 @@
-import { createSimulation, DEFAULT_MAX_TIME, joinHolds, playScript, type Scene, simulate, TICK_RATE } from '../engine/index.ts';
+import { createSimulation, DEFAULT_MAX_TICKS, joinHolds, playScript, type Scene, simulate, TICK_RATE } from '../engine/index.ts';
 import type { Hold } from '../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from './goal.ts';
 
@@ -26,9 +26,6 @@ export interface Replay {
    */
   play(holds: readonly Hold[], within?: number): Candidate | null;
 }
-
-/** The longest a run may last by default, ticks: one minute. */
-export const DEFAULT_MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
 /**
  * Removes the part of a run that comes after its end.

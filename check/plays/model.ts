@@ -1,6 +1,6 @@
-import { joinHolds, type Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { DEFAULT_MAX_TICKS, type Goal, type Success, successProbability } from '../../solver/index.ts';
+import { type Goal, type Success, successProbability } from '../../solver/index.ts';
 import { drawShift, shiftHolds, tickNoise, uniformOf } from '../../solver/robustness/index.ts';
 import type { Share } from './by-attempt.ts';
 import { type EdgeStatistics, edgeStatistics } from './edges.ts';

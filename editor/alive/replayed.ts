@@ -1,12 +1,4 @@
-import {
-  createSimulation,
-  DEFAULT_MAX_TIME,
-  playScript,
-  type Scene,
-  TICK_RATE,
-  WorkBudget,
-  WorkLimitReached,
-} from '../../engine/index.ts';
+import { createSimulation, DEFAULT_MAX_TICKS, playScript, type Scene, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { MOST_WORK } from '../proof/index.ts';
 
@@ -17,8 +9,6 @@ export interface Completion {
   readonly minerals: readonly number[];
 }
 
-const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
-
 /**
  * Plays a run from the start, with no more work than a frame has room for.
  * @param holds sorted and disjoint
@@ -27,7 +17,7 @@ const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 export function replayed(scene: Scene, holds: readonly Hold[]): Completion | null {
   try {
     const simulation = createSimulation(scene, new WorkBudget(MOST_WORK));
-    playScript(simulation, holds, MAX_TICKS);
+    playScript(simulation, holds, DEFAULT_MAX_TICKS);
     const { ending } = simulation;
     if (ending?.outcome !== 'completed') return null;
     const minerals = Array.from({ length: scene.minerals.count }, (_, i) => i).filter((i) => simulation.isCollected(i));

@@ -3,14 +3,13 @@ import {
   type AccuracyName,
   compile,
   createSimulation,
-  DEFAULT_MAX_TIME,
+  DEFAULT_MAX_TICKS,
   type Ending,
   playScript,
   type Run,
   type Scene,
   simulate,
   TICK,
-  TICK_RATE,
   WorkBudget,
   WorkLimitReached,
 } from '../../engine/index.ts';
@@ -21,10 +20,8 @@ import type { MarchRoom } from './march-room.ts';
 /** ticks between two readings of the clock */
 const STRIDE = 60;
 
-export const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
-
 export const toEnd = (ending: Ending | null): RunEnd =>
-  ending ?? { outcome: 'timeout', with: null, time: MAX_TICKS * TICK, tick: MAX_TICKS };
+  ending ?? { outcome: 'timeout', with: null, time: DEFAULT_MAX_TICKS * TICK, tick: DEFAULT_MAX_TICKS };
 
 /** Everything known about one scene: runs by their holds. */
 export class SceneRecord {
@@ -45,7 +42,7 @@ export class SceneRecord {
   ) {
     this.scene = compile(level, accuracy);
     this.budget = new WorkBudget(work, Number.POSITIVE_INFINITY);
-    this.march = new March(this.scene, MAX_TICKS, room, this.budget);
+    this.march = new March(this.scene, DEFAULT_MAX_TICKS, room, this.budget);
   }
 
   /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null if it was stopped */
@@ -55,9 +52,9 @@ export class SceneRecord {
     if (known !== undefined) return known;
     try {
       const simulation = createSimulation(this.scene, this.budget);
-      while (simulation.ending === null && simulation.tick < MAX_TICKS) {
+      while (simulation.ending === null && simulation.tick < DEFAULT_MAX_TICKS) {
         if (isLate()) return null;
-        playScript(simulation, holds, Math.min(MAX_TICKS, simulation.tick + STRIDE));
+        playScript(simulation, holds, Math.min(DEFAULT_MAX_TICKS, simulation.tick + STRIDE));
       }
       const end = toEnd(simulation.ending);
       this.ends.set(key, end);

@@ -1,8 +1,7 @@
-import { type AccuracyName, TICK, WorkBudget } from '../../engine/index.ts';
+import { type AccuracyName, DEFAULT_MAX_TICKS, TICK, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { type About, mayProve, type Proof, type Prover, proveBy } from '../proofs/index.ts';
-import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import { verifyProof } from '../verify/index.ts';
 
 /** For which runs an {@link AnytimeProof} is sought. */

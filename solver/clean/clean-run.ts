@@ -1,9 +1,9 @@
-import type { Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import { edgesOf, holdsOf } from '../edges.ts';
 import type { Goal } from '../goal.ts';
 import type { Effort } from '../search/index.ts';
-import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
+import { type Candidate, createReplay } from '../verified-run.ts';
 import { earlierFrom, joined, rounded, withoutHold } from './simpler-scripts.ts';
 
 /** Limits for {@link cleanRun}. */

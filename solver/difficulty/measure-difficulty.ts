@@ -1,4 +1,4 @@
-import type { Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import {
@@ -10,7 +10,7 @@ import {
   successProbability,
 } from '../robustness/index.ts';
 import { createSolver } from '../solve/index.ts';
-import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
 import { asGiven, type ComparedRun, compareRuns } from './compare-runs.ts';
 import { findRuns } from './find-runs.ts';
 import { type Grade, type GradeInput, gradeOf } from './grade.ts';

@@ -1,7 +1,7 @@
-import type { Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
-import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
 import { countOnePress } from './one-press.ts';
 import { findWithoutAsteroids, type WithoutAsteroid } from './without-asteroid.ts';
 

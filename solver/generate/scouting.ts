@@ -1,4 +1,4 @@
-import { compile, createSimulation, type Scene } from '../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import {
   countOnePress,
@@ -14,7 +14,7 @@ import type { Goal } from '../goal.ts';
 import type { Random } from '../random.ts';
 import { successProbability } from '../robustness/index.ts';
 import { createSolver } from '../solve/index.ts';
-import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
 import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { type Way, wayOf } from './tube.ts';

@@ -1,7 +1,7 @@
-import { joinHolds, type Scene, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, joinHolds, type Scene, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import type { Hold, Place } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
-import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import { verifyRun } from '../verified-run.ts';
 import { distance } from './layout.ts';
 
 /** Places of her centre along a path, one every few ticks. */

@@ -1,8 +1,7 @@
-import type { Accuracy } from '../../engine/index.ts';
+import { type Accuracy, DEFAULT_MAX_TICKS } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import type { Effort } from '../search/index.ts';
-import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import type { Proposal } from './proposal.ts';
 import { repairSteps } from './repair-steps.ts';
 import { Task } from './task.ts';

@@ -1,4 +1,4 @@
-import { joinHolds, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, joinHolds, type Scene, TICK_RATE } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import { edgesOf, holdsOf } from '../edges.ts';
 import {
@@ -13,7 +13,7 @@ import {
 } from '../robustness/index.ts';
 import type { Effort } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
-import { type Candidate, DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import { type Candidate, verifyRun } from '../verified-run.ts';
 import { seek } from './seek.ts';
 import { centre, shrink } from './settle.ts';
 import { Task } from './task.ts';

@@ -1,7 +1,7 @@
-import { createSimulation, type Scene, type Simulation, type WorkBudget } from '../../engine/index.ts';
+import { createSimulation, DEFAULT_MAX_TICKS, type Scene, type Simulation, type WorkBudget } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
-import { DEFAULT_MAX_TICKS, verifyRun } from '../verified-run.ts';
+import { verifyRun } from '../verified-run.ts';
 
 /** What is needed to judge many runs of one scene for one goal: a simulation to reuse, and counters of the cost. */
 export interface Trials {

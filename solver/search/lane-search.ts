@@ -1,6 +1,6 @@
-import type { Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import { mineralsNeeded } from '../goal.ts';
-import { type Candidate, createReplay, DEFAULT_MAX_TICKS } from '../verified-run.ts';
+import { type Candidate, createReplay } from '../verified-run.ts';
 import { CellSearch, type SearchTask } from './cell-search.ts';
 import { Guide } from './guide.ts';
 import { HeatTally } from './heat-map.ts';

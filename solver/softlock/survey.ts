@@ -1,7 +1,6 @@
-import type { Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Effort } from '../search/index.ts';
-import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import type { LostPlace, RunLoss, SurveyedState } from './standing.ts';
 import { surveySteps } from './survey-steps.ts';
 import { SurveyTask } from './survey-task.ts';

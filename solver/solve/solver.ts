@@ -1,8 +1,7 @@
-import type { Scene } from '../../engine/index.ts';
+import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import { type Closest, type Effort, type Explored, HeatTally } from '../search/index.ts';
-import { DEFAULT_MAX_TICKS } from '../verified-run.ts';
 import type { Objective, Solution } from './solution.ts';
 import { solvePlain } from './solve-plain.ts';
 import { RobustWork } from './solve-robust.ts';

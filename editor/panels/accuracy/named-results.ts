@@ -1,5 +1,12 @@
 import type { RunEnd } from '../../../check/words/index.ts';
-import { ACCURACIES, type AccuracyName, compile, createSimulation, DEFAULT_MAX_TIME, TICK_RATE } from '../../../engine/index.ts';
+import {
+  ACCURACIES,
+  type AccuracyName,
+  compile,
+  createSimulation,
+  DEFAULT_MAX_TICKS,
+  DEFAULT_MAX_TIME,
+} from '../../../engine/index.ts';
 import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
@@ -14,8 +21,6 @@ export interface NamedResult {
   readonly sameVerdict: boolean;
 }
 
-const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
-
 /** in display order */
 export const NAMES = Object.keys(ACCURACIES) as readonly AccuracyName[];
 
@@ -23,10 +28,10 @@ export const NAMES = Object.keys(ACCURACIES) as readonly AccuracyName[];
 export function* compareNamed(level: Level, holds: readonly Hold[]): Generator<NamedResult, void, void> {
   let reference: Reference | null = null;
   for (const name of ['precise', ...NAMES.filter((other) => other !== 'precise')] as const) {
-    const path = pathOf(createSimulation(compile(level, name)), holds, MAX_TICKS);
-    const ending = path.ending ?? { outcome: 'timeout' as const, with: null, time: DEFAULT_MAX_TIME, tick: MAX_TICKS };
+    const path = pathOf(createSimulation(compile(level, name)), holds, DEFAULT_MAX_TICKS);
+    const ending = path.ending ?? { outcome: 'timeout' as const, with: null, time: DEFAULT_MAX_TIME, tick: DEFAULT_MAX_TICKS };
     reference ??= { tolerance: ACCURACIES.precise.tolerance, path, outcome: ending.outcome, time: ending.time, floor: 0 };
-    const { error, sameVerdict } = deviationOf(path, reference, MAX_TICKS);
+    const { error, sameVerdict } = deviationOf(path, reference, DEFAULT_MAX_TICKS);
     yield { name, end: ending, difference: error, sameVerdict };
   }
 }
@@ -36,7 +41,7 @@ export type Costs = ReadonlyMap<AccuracyName, number>;
 
 /** The cost of the named settings on a run, timed in turns; the minimum of the rounds counts. @returns null if aborted */
 export async function costsOfNamed(level: Level, holds: readonly Hold[], options: TurnsOptions): Promise<Costs | null> {
-  const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], MAX_TICKS));
+  const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], DEFAULT_MAX_TICKS));
   const samples = await timeInTurns(players, options);
   return samples && new Map(NAMES.map((name, i) => [name, Math.min(...samples[i])]));
 }

@@ -1,5 +1,5 @@
 import { withinWork } from '../../../check/index.ts';
-import { type AccuracyName, compile, createSimulation, DEFAULT_MAX_TIME, TICK_RATE, WorkBudget } from '../../../engine/index.ts';
+import { type AccuracyName, compile, createSimulation, DEFAULT_MAX_TICKS, WorkBudget } from '../../../engine/index.ts';
 import { largestDistance, pathOf } from '../../../engine/work-precision/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 
@@ -11,8 +11,6 @@ export interface OtherEnd {
   /** Whether both have the same outcome. */
   readonly isSame: boolean;
 }
-
-const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
 /**
  * Pieces of motion that the comparison may take: about 0.1 s. Not a time, as one slow moment of the machine would decide
@@ -30,8 +28,8 @@ export function otherEndOf({ level, scene, accuracy, run, limit }: LiveProof, mo
   const name: AccuracyName = accuracy === 'arcade' ? 'precise' : 'arcade';
   const budget = new WorkBudget(most);
   return withinWork(budget, () => {
-    const shown = pathOf(createSimulation(scene, budget), run.holds, MAX_TICKS);
-    const other = pathOf(createSimulation(compile(level, name), budget), run.holds, MAX_TICKS);
+    const shown = pathOf(createSimulation(scene, budget), run.holds, DEFAULT_MAX_TICKS);
+    const other = pathOf(createSimulation(compile(level, name), budget), run.holds, DEFAULT_MAX_TICKS);
     const isSame = shown.ending?.outcome === other.ending?.outcome;
     return { name, distance: largestDistance(other, shown), isSame };
   });

@@ -1,4 +1,4 @@
-import { ACCURACIES, type AccuracyName, DEFAULT_MAX_TIME, TICK_RATE } from '../../../engine/index.ts';
+import { ACCURACIES, type AccuracyName, DEFAULT_MAX_TICKS } from '../../../engine/index.ts';
 import { playerOf } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
@@ -13,8 +13,6 @@ export interface EffectTime {
   readonly low: number;
   readonly high: number;
 }
-
-const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
 // Disturbances only make a measurement longer, so the minimum is closest to the truth.
 const least = (samples: readonly number[]): number => Math.min(...samples);
@@ -40,7 +38,7 @@ export async function timeEffects(
   options: TurnsOptions,
 ): Promise<ReadonlyMap<string, EffectTime> | null> {
   const players = [level, ...without.values()].map((played) =>
-    playerOf([{ level: played, holds }], ACCURACIES[accuracy], MAX_TICKS),
+    playerOf([{ level: played, holds }], ACCURACIES[accuracy], DEFAULT_MAX_TICKS),
   );
   const samples = await timeInTurns(players, options);
   if (samples === null) return null;

@@ -1,6 +1,5 @@
-import { createSimulation, joinHolds, type Scene, STATE_SIZE } from '../../../engine/index.ts';
+import { createSimulation, DEFAULT_MAX_TICKS, joinHolds, type Scene, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { DEFAULT_MAX_TICKS } from '../../../solver/index.ts';
 
 /**
  * The path of some holds: x, y in px at every tick and at the end.

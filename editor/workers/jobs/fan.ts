@@ -1,18 +1,8 @@
-import {
-  compile,
-  createSimulation,
-  DEFAULT_MAX_TIME,
-  joinHolds,
-  type Simulation,
-  STATE_SIZE,
-  TICK_RATE,
-} from '../../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_MAX_TICKS, joinHolds, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { findSlackInSteps } from '../../../solver/index.ts';
 import { FAN_TICKS, type FanWay } from '../protocol.ts';
 import type { Start } from '../work.ts';
-
-const MAX_TICKS = DEFAULT_MAX_TIME * TICK_RATE;
 
 /** The holds with one edge moved by `shift` ticks. */
 function shifted(holds: readonly Hold[], edge: number, shift: number): Hold[] {
@@ -29,7 +19,7 @@ function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): 
   const points: number[] = [];
   simulation.reset();
   let next = 0;
-  while (simulation.ending === null && simulation.tick < MAX_TICKS) {
+  while (simulation.ending === null && simulation.tick < DEFAULT_MAX_TICKS) {
     const { tick } = simulation;
     while (next < holds.length && holds[next][1] <= tick) next++;
     const isHeld = next < holds.length && holds[next][0] <= tick;

@@ -1,10 +1,8 @@
 import { proveGoalImpossible } from '../../../check/index.ts';
-import { ACCURACIES, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE, WorkBudget } from '../../../engine/index.ts';
+import { ACCURACIES, DEFAULT_MAX_TICKS, DEFAULT_MAX_WORK, WorkBudget } from '../../../engine/index.ts';
 import { createRepair } from '../../../solver/index.ts';
 import type { Fixing } from '../protocol.ts';
 import { createPacer, type Start } from '../work.ts';
-
-const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 /** ms between two reports */
 const TELL = 250;
@@ -14,7 +12,7 @@ export const fix: Start<'fix'> = function* ({ level, accuracy, seed, budget }, n
   const start = now();
   const setting = ACCURACIES[accuracy];
   const proofs = new WorkBudget(DEFAULT_MAX_WORK / 2);
-  const proof = proveGoalImpossible(level, setting, { minerals: 'any' }, MAX_TICKS, proofs);
+  const proof = proveGoalImpossible(level, setting, { minerals: 'any' }, DEFAULT_MAX_TICKS, proofs);
   yield null;
   const repair = createRepair(level, setting, { seed, proof });
   const found = (): Fixing => {

@@ -1,18 +1,15 @@
 import {
   compile,
   createSimulation,
-  DEFAULT_MAX_TIME,
+  DEFAULT_MAX_TICKS,
   joinHolds,
   playScript,
-  TICK_RATE,
   WorkBudget,
   WorkLimitReached,
 } from '../../../engine/index.ts';
 import { latticeFor, movedLevel, type Sample, Survey, shiftTo } from '../leeway/index.ts';
 import type { Leeway } from '../protocol.ts';
 import type { Start } from '../work.ts';
-
-const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 /** pieces of motion for one sample, as the page spends on a run while something is dragged */
 const MOST_WORK = 50_000;
@@ -32,7 +29,7 @@ export const leeway: Start<'leeway'> = function* ({ level, accuracy, holds, obje
     if (moved === null) return 'fails';
     try {
       const simulation = createSimulation(compile(moved, accuracy), new WorkBudget(MOST_WORK));
-      playScript(simulation, script, MAX_TICKS);
+      playScript(simulation, script, DEFAULT_MAX_TICKS);
       return simulation.ending?.outcome === 'completed' ? 'completes' : 'fails';
     } catch (error) {
       if (error instanceof WorkLimitReached) return 'unknown';

@@ -1,10 +1,8 @@
 import { mineralsToProve, playRuns, proveGoalImpossible, proveMineralsLost } from '../../../check/index.ts';
-import { ACCURACIES, compile, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, TICK_RATE, WorkBudget } from '../../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_MAX_TICKS, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, WorkBudget } from '../../../engine/index.ts';
 import { createAnytimeProof } from '../../../solver/index.ts';
 import type { Played } from '../protocol.ts';
 import type { Start } from '../work.ts';
-
-const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 /** Ticks between two looks at the clock. */
 const SLICE = 50_000;
@@ -17,14 +15,14 @@ export const proofs: Start<'proofs'> = function* ({ level, accuracy, collected, 
   const end = now() + finer;
   const budget = new WorkBudget(DEFAULT_MAX_WORK / 2);
   const setting = ACCURACIES[accuracy];
-  const impossible = proveGoalImpossible(level, setting, { minerals: 'any' }, MAX_TICKS, budget);
+  const impossible = proveGoalImpossible(level, setting, { minerals: 'any' }, DEFAULT_MAX_TICKS, budget);
   yield { impossible, minerals: [] };
   const asked = mineralsToProve(level, collected ?? collectedIn({ level, accuracy }));
-  const minerals = proveMineralsLost(level, setting, asked, MAX_TICKS, budget);
+  const minerals = proveMineralsLost(level, setting, asked, DEFAULT_MAX_TICKS, budget);
   if (impossible !== null) return { impossible, minerals };
   yield { impossible, minerals };
   const isStopped = () => now() >= end;
-  const proving = createAnytimeProof(level, { accuracy, maxTicks: MAX_TICKS, isStopped });
+  const proving = createAnytimeProof(level, { accuracy, maxTicks: DEFAULT_MAX_TICKS, isStopped });
   while (!proving.finished && !isStopped()) {
     proving.advance(SLICE);
     yield null;

@@ -4,18 +4,15 @@ import { countMinerals } from '../../../check/words/index.ts';
 import {
   ACCURACIES,
   compile,
-  DEFAULT_MAX_TIME,
+  DEFAULT_MAX_TICKS,
   DEFAULT_MAX_WORK,
   type Run,
   simulate,
-  TICK_RATE,
   WorkBudget,
 } from '../../../engine/index.ts';
 import { renderSvg } from '../../../picture/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Start } from '../work.ts';
-
-const MAX_TICKS = Math.round(DEFAULT_MAX_TIME * TICK_RATE);
 
 /** Draws a small picture of a level file, with a run that completes it if there is one, and gives the verdict of `gq check`. */
 export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy, width, theme }) {
@@ -35,7 +32,8 @@ export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy,
   if (completing === undefined) yield null;
   const proofs = new WorkBudget(DEFAULT_MAX_WORK / 2);
   const isImpossible =
-    completing === undefined && proveGoalImpossible(level, ACCURACIES[accuracy], { minerals: 'any' }, MAX_TICKS, proofs) !== null;
+    completing === undefined &&
+    proveGoalImpossible(level, ACCURACIES[accuracy], { minerals: 'any' }, DEFAULT_MAX_TICKS, proofs) !== null;
   const played = verdictOf({
     isCompleted: completing !== undefined,
     isImpossible,
