@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from 'react';
-import { useEditor, useLevel } from '../context/index.ts';
+import { useLevel } from '../context/index.ts';
 import { type Gesture, MOST_COPIES, type Repetition, repeatObjects, unlocked } from '../document/index.ts';
 import { Segments } from '../panels/parts/index.ts';
 import { Button, NumberField } from '../ui/index.ts';
@@ -35,11 +35,11 @@ function firstFields(level: ReturnType<typeof useLevel>): Fields {
 
 /** Repeats the selection along a line or around a centre. The copies are shown while the figures are chosen. */
 export function RepeatPanel({ onClose }: { readonly onClose: () => void }) {
-  const { notices } = useEditor();
   const level = useLevel();
   const { document: edited, selection } = level;
   const [keys] = useState(() => unlocked(edited.file(), selection.keys()));
   const [fields, setFields] = useState(() => firstFields(level));
+  const [problem, setProblem] = useState<string | null>(null);
   const gesture = useRef<Gesture | null>(null);
   const added = useRef<readonly string[]>([]);
   const panel = useRef<HTMLDivElement>(null);
@@ -60,8 +60,8 @@ export function RepeatPanel({ onClose }: { readonly onClose: () => void }) {
     }
     const result = now.set(repeatObjects(keys, repetitionOf(fields)));
     if (result.ok) added.current = result.added;
-    else notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
-  }, [fields, keys, notices, onClose]);
+    setProblem(result.ok ? null : `${result.refusal.message}. ${result.refusal.hint}`);
+  }, [fields, keys, onClose]);
 
   const set = (name: keyof Fields) => (value: number) => setFields((now) => ({ ...now, [name]: value }));
   const number = (name: 'dx' | 'dy' | 'x' | 'y' | 'degrees' | 'copies', label: string, unit?: string) => (
@@ -117,11 +117,16 @@ export function RepeatPanel({ onClose }: { readonly onClose: () => void }) {
           {number('y', 'centre y', 'px')}
         </>
       )}
+      {problem !== null && (
+        <p className="form__problem" role="alert">
+          {problem}
+        </p>
+      )}
       <div className="canvas__does">
         <Button hint="Close without copies" shortcut="Esc" look="outlined" onClick={onClose}>
           Cancel
         </Button>
-        <Button hint="Keep the copies" look="main" onClick={done}>
+        <Button hint="Keep the copies" look="main" disabled={problem !== null} onClick={done}>
           Repeat
         </Button>
       </div>

@@ -114,14 +114,20 @@ export const Graphs = memo(function Graphs({ margins, scale, width, height, apar
     <>
       <div className="graphs__key" aria-hidden>
         <span className="legend__look legend__look--speed" />
-        <span>speed, to {Math.round(fastest)} px/s</span>
+        <span>
+          speed<span className="graphs__scale">, to {Math.round(fastest)} px/s</span>
+        </span>
         {hazards && <span className="legend__look legend__look--gap" />}
-        <span>{hazards ? `clearance, to ${FAR} px` : 'no hazards in this level'}</span>
+        <span>
+          {hazards ? 'clearance' : 'no hazards in this level'}
+          {hazards && <span className="graphs__scale">, to {FAR} px</span>}
+        </span>
         {apart !== null && (
           <>
             <span className="legend__look legend__look--apart" />
-            <span>
-              distance to {apart.name}, to {farthest} px
+            <span className="graphs__apart">
+              distance to {apart.name}
+              <span className="graphs__scale">, to {farthest} px</span>
             </span>
           </>
         )}

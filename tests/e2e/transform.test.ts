@@ -1,11 +1,15 @@
 import { expect, it } from 'vitest';
 import { complaintsAbout } from './axe.ts';
+import { command } from './commands.ts';
 import { garden } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const A = { x: 400, y: 200 };
 const B = { x: 560, y: 160 };
+
+/** Minerals beside each other, above everything else. */
+const row = (count: number) => Array.from({ length: count }, (_, i) => ({ id: `m${i}`, x: 20 * i, y: -400 }));
 
 /** px of screen from the box of the selection to what is selected, and to the circle that turns it. */
 const [AWAY, STEM] = [14, 26];
@@ -112,6 +116,28 @@ inChromium('scaling, turning and repeating in Chromium', ({ on }) => {
       await panel.getByRole('button', { name: 'Repeat' }).click();
       await until(() => expect(rocks()).toEqual([[500, 300], [400, 400], [300, 300]])); // biome-ignore format: places
       await saved();
+    }),
+  );
+
+  it(
+    'says in its panel why a repetition is not possible, and keeps nothing of it',
+    on({ '01': { ...garden(), minerals: row(50) } }, async ({ page, file }) => {
+      await command(page, 'Select all');
+      await page.keyboard.press('Control+Shift+D');
+      const panel = page.getByRole('dialog', { name: 'Repeat the selection' });
+      const copies = panel.getByRole('textbox', { name: 'copies' });
+      await copies.fill('500');
+      await copies.press('Enter');
+      await panel
+        .getByRole('alert')
+        .getByText(/20,?000/)
+        .waitFor();
+      expect(await panel.getByRole('button', { name: 'Repeat' }).isDisabled()).toBe(true);
+      await copies.fill('1');
+      await copies.press('Enter');
+      await panel.getByRole('alert').waitFor({ state: 'hidden' });
+      await panel.getByRole('button', { name: 'Repeat' }).click();
+      await until(() => expect(file('01').minerals).toHaveLength(100));
     }),
   );
 });

@@ -36,6 +36,12 @@ export function levelMenu(
     newLevel,
     { title: 'Rename…', keys: 'F2', disabled: entry.readOnly !== null, run: () => onRename(entry.id) },
     { title: 'Duplicate', disabled: entry.etag === null, run: () => void duplicateLevel(editor, entry) },
+    {
+      title: 'History',
+      keys: 'Y',
+      disabled: entry.id !== opened,
+      run: () => editor.session.setState({ overlay: 'history' }),
+    },
     { title: 'Delete', keys: 'Del', disabled: entry.etag === null, run: () => void deleteLevel(editor, entry) },
     null,
     { title: 'Move up', keys: 'Alt ↑', disabled: isFixed || place === 0, run: move(place - 1) },

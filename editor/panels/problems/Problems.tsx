@@ -2,7 +2,7 @@ import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
 import { memo } from 'react';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
-import { keyAt, nameOf, objectsOf } from '../../document/index.ts';
+import { keyAt, nameOf, objectsOf, ownNameOf } from '../../document/index.ts';
 import { Button } from '../../ui/index.ts';
 import { plural } from '../figures/index.ts';
 import { explanationOf } from './explanations.ts';
@@ -18,7 +18,10 @@ const ICONS = { error: CircleX, warning: TriangleAlert } as const;
 function placeOf(file: LevelFile, pointer: string): string {
   const key = keyAt(file, pointer);
   const found = key === null ? undefined : objectsOf(file).get(key);
-  if (found !== undefined) return nameOf(found).toLowerCase();
+  if (found !== undefined) {
+    const [name, own] = [nameOf(found), ownNameOf(found)];
+    return own === name ? name.toLowerCase() : `“${own}”`;
+  }
   const run = runAt(file, pointer);
   return run === null ? 'the level' : `run “${run}”`;
 }
