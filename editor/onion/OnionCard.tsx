@@ -1,14 +1,13 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
-import { useLevel, useProof, useSession } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import { useLevel, useSession } from '../context/index.ts';
 import type { Rect } from './card-place.ts';
 import { changedObjects } from './changed-objects.ts';
-import { figuresOf } from './figures.ts';
 import type { FormerRun } from './former.ts';
 import { onionOf } from './onion-store.ts';
 import { type Difference, rowsOf, whyUnknown } from './rows.ts';
 import { type Surroundings, useCardPlace } from './use-card-place.ts';
+import { useFigures } from './use-figures.ts';
 import { useOnionEvents } from './use-onion-events.ts';
 import type { OnionSession } from './watch-onion.ts';
 import './onion.css';
@@ -30,8 +29,6 @@ interface OnionCardProps {
   readonly wayOnPage: Surroundings['way'];
 }
 
-const whole = (proof: LiveProof): LiveProof => proof;
-
 /** The differences between the run before a change and the shown run, beside the pointer or the changed objects. */
 export function OnionCard({ onion, ...places }: OnionCardProps) {
   const store = onionOf(useLevel());
@@ -52,8 +49,7 @@ export function OnionCard({ onion, ...places }: OnionCardProps) {
 function Card({ former, whereAre, wayOnPage }: Omit<OnionCardProps, 'onion'> & { readonly former: FormerRun }) {
   const level = useLevel();
   const { phase, slack, slackNow } = useStore(onionOf(level));
-  const proof = useProof(whole);
-  const figures = useMemo(() => figuresOf(proof), [proof]);
+  const figures = useFigures(phase === 'held');
   const rows = rowsOf(former.figures, figures, { before: slack, now: slackNow });
   const unknown = whyUnknown(former.figures, figures);
   const card = useRef<HTMLDivElement>(null);
