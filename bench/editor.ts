@@ -93,6 +93,8 @@ async function measure(objects: number, rows: Row[]): Promise<void> {
     process.stderr.write(`${objects} objects: ${known}now ${what}\n`);
   };
   try {
+    say('rest');
+    rows.push(ofTimes('the main thread in a second at rest', 600, await interactions.rest(stage, 5)));
     say('drag');
     rows.push(await inRounds('drag with ghost and verdict', 33, () => interactions.drag(stage, extent, STEPS)));
     say('scrub');
@@ -166,6 +168,7 @@ publish({
   claims,
   notes: [
     'Script: processor time of the main thread from the input to the work for the next frame, read from a trace of the browser; claims are about it where it is there.',
+    'At rest, only decorations move; the figure is all work of the main thread, by the clock.',
     'Until the frame: by the clock, until the frame was handed to the painter. Chromium runs without a graphics card here: the processor copies and paints the whole canvas.',
     `First load: ${load.toFixed(0)} kB gzipped, Phaser included.`,
   ],

@@ -425,3 +425,23 @@ export async function toDisk({ page, folder }: Stage, id: string, extent: Extent
   }
   return all;
 }
+
+/** What the main thread does in each of some seconds in which nobody does anything, ms. */
+export async function rest({ page }: Stage, seconds: number): Promise<number[]> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable');
+  const busy = async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return metrics.find(({ name }) => name === 'TaskDuration')?.value ?? Number.NaN;
+  };
+  // what the level calls for when it is opened is done by then
+  await page.waitForTimeout(3000);
+  const all: number[] = [];
+  for (let i = 0; i < seconds; i++) {
+    const [before, began] = [await busy(), performance.now()];
+    await page.waitForTimeout(1000);
+    all.push((((await busy()) - before) * 1e6) / (performance.now() - began));
+  }
+  await session.detach();
+  return all;
+}

@@ -1,4 +1,4 @@
-import { CANVAS, Game, Scale, Scene, WEBGL } from 'phaser';
+import { CANVAS, Game, Scale, Scene, type Types, WEBGL } from 'phaser';
 import type { Box } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { Racer } from '../compare/index.ts';
@@ -11,6 +11,7 @@ import type { Layer } from '../session/index.ts';
 import type { DeathMap } from '../shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
+import { isFrameDue } from './frame-pace.ts';
 import {
   AstronautLayer,
   DeathLayer,
@@ -79,9 +80,22 @@ class LevelScene extends Scene {
   private layers: Layers | null = null;
   private picture: (() => Picture) | null = null;
   private last: Picture | null = null;
+  /** When the last frame was drawn, ms. */
+  private drawn = Number.NEGATIVE_INFINITY;
 
   constructor() {
     super('level');
+  }
+
+  /** Everything is drawn in the next frame, whether it has changed or not. */
+  redraw(): void {
+    this.last = null;
+  }
+
+  /** Whether a frame at this time, ms, would show anything new. */
+  isDue(time: number): boolean {
+    const { last, picture, drawn } = this;
+    return last === null || picture === null || isFrameDue(last, picture(), time - drawn);
   }
 
   create(): void {
@@ -98,6 +112,7 @@ class LevelScene extends Scene {
 
   override update(time: number): void {
     const { objects, last } = this;
+    this.drawn = time;
     if (this.picture === null || objects === null) return;
     const picture = this.picture();
     const space = this.scene.get('space') as SpaceScene;
@@ -169,31 +184,48 @@ export interface Stage {
   resize(width: number, height: number): void;
 }
 
+/** Skips frames in which nothing has changed. */
+class PacedGame extends Game {
+  constructor(
+    config: Types.Core.GameConfig,
+    private readonly level: LevelScene,
+  ) {
+    super(config);
+  }
+
+  override step(time: number, delta: number): void {
+    if (this.level.isDue(time)) super.step(time, delta);
+  }
+}
+
 /** Phaser only draws: its physics, sound and input are off, as the engine, the editor and the user move things. */
 export function createStage(renderer: RendererName): Stage {
   const level = new LevelScene();
   const canvas = document.createElement('canvas');
-  const game = new Game({
-    type: renderer === 'webgl' ? WEBGL : CANVAS,
-    // `mount` puts it into the page
-    canvas,
-    parent: null,
-    width: 1,
-    height: 1,
-    // The owner of the stage reports size changes. If Phaser looked for them itself, it would make the browser lay out the page
-    // in the middle of a frame.
-    scale: { mode: Scale.NONE, resizeInterval: Number.POSITIVE_INFINITY },
-    banner: false,
-    audio: { noAudio: true },
-    input: { keyboard: false, mouse: false, touch: false, gamepad: false },
-    render: { antialias: true },
-    backgroundColor: COLOURS.dark.space,
-    scene: [new SpaceScene(), level],
-    callbacks: {
-      // only the first scene of the list starts by itself
-      postBoot: (booted) => booted.scene.start('level'),
+  const game = new PacedGame(
+    {
+      type: renderer === 'webgl' ? WEBGL : CANVAS,
+      // `mount` puts it into the page
+      canvas,
+      parent: null,
+      width: 1,
+      height: 1,
+      // The owner of the stage reports size changes. If Phaser looked for them itself, it would make the browser lay out the page
+      // in the middle of a frame.
+      scale: { mode: Scale.NONE, resizeInterval: Number.POSITIVE_INFINITY },
+      banner: false,
+      audio: { noAudio: true },
+      input: { keyboard: false, mouse: false, touch: false, gamepad: false },
+      render: { antialias: true },
+      backgroundColor: COLOURS.dark.space,
+      scene: [new SpaceScene(), level],
+      callbacks: {
+        // only the first scene of the list starts by itself
+        postBoot: (booted) => booted.scene.start('level'),
+      },
     },
-  });
+    level,
+  );
   return {
     mount(parent, picture) {
       parent.append(canvas);
@@ -206,6 +238,9 @@ export function createStage(renderer: RendererName): Stage {
         game.loop.sleep();
       };
     },
-    resize: (width, height) => game.scale.resize(Math.max(1, width), Math.max(1, height)),
+    resize(width, height) {
+      game.scale.resize(Math.max(1, width), Math.max(1, height));
+      level.redraw();
+    },
   };
 }
