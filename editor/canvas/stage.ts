@@ -87,11 +87,6 @@ class LevelScene extends Scene {
     super('level');
   }
 
-  /** Everything is drawn in the next frame, whether it has changed or not. */
-  redraw(): void {
-    this.last = null;
-  }
-
   /** Whether a frame at this time, ms, would show anything new. */
   isDue(time: number): boolean {
     const { last, picture, drawn } = this;
@@ -181,6 +176,7 @@ export interface Stage {
    * @returns removes it again; nothing is drawn until it is mounted elsewhere
    */
   mount(parent: HTMLElement, picture: () => Picture): () => void;
+  /** The canvas is empty until the next frame, which the view of another size calls for. */
   resize(width: number, height: number): void;
 }
 
@@ -238,9 +234,6 @@ export function createStage(renderer: RendererName): Stage {
         game.loop.sleep();
       };
     },
-    resize(width, height) {
-      game.scale.resize(Math.max(1, width), Math.max(1, height));
-      level.redraw();
-    },
+    resize: (width, height) => game.scale.resize(Math.max(1, width), Math.max(1, height)),
   };
 }
