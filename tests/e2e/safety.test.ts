@@ -261,8 +261,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
       await page.mouse.up();
       expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 300, y: 120 });
       const dialog = page.getByRole('dialog', { name: 'Two versions of this level' });
-      await page.getByRole('button', { name: 'Resolve' }).or(dialog).first().waitFor();
-      if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Resolve' }).click();
+      await page.getByRole('button', { name: 'Resolve' }).click();
       await dialog
         .getByRole('button', { name: /theirs|disk/i })
         .first()
@@ -304,8 +303,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         rmSync(join(folder, '01.level.json'));
         await saving(page, /^deleted on disk$/);
         const dialog = page.getByRole('dialog', { name: 'The file was deleted' });
-        await page.getByRole('button', { name: 'Resolve' }).or(dialog).first().waitFor();
-        if (!(await dialog.isVisible())) await page.getByRole('button', { name: 'Resolve' }).click();
+        await page.getByRole('button', { name: 'Resolve' }).click();
         expect(existsSync(join(folder, '01.level.json'))).toBe(false);
         await dialog
           .getByRole('button', { name: /^(Write|Keep|Put|Restore)/ })
