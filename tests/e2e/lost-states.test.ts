@@ -136,13 +136,13 @@ inChromium('lost states in Chromium', ({ on }) => {
 
         const place = part.getByRole('list', { name: 'Places where it is lost' }).getByRole('button', { name: /^proved at/ });
         await place.first().waitFor();
+        await part.getByRole('button', { name: 'Stop' }).click();
+        await part.getByText(/^Stopped\. Of \d+ states \d+ can still reach the black hole/).waitFor();
         await place.first().focus();
         await page.keyboard.press('Enter');
         const box = await page.getByRole('application', { name: 'Level canvas' }).boundingBox();
         const centre = { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 };
         await until(async () => expect(await countColour(page, centre, 16, COLOURS.dark.lost)).toBeGreaterThan(10));
-        await part.getByRole('button', { name: 'Stop' }).click();
-        await part.getByText(/^Stopped\. Of \d+ states \d+ can still reach the black hole/).waitFor();
         await part.getByRole('button', { name: 'Go on' }).click();
         await part.getByRole('button', { name: 'Stop' }).waitFor();
         await legend(page).getByRole('button', { name: 'Hide the lost states' }).click();
