@@ -174,16 +174,16 @@ describe('a report from the cache', () => {
   });
 
   it('of a search that the clock has ended is not kept', async () => {
-    const [gap, open] = [join(directory, 'l/gap.level.json'), join(directory, 'l/no-run.level.json')];
-    const keeps = async (limits: { budget: number | null; effort: number | null }) => {
-      const folder = newFolder();
+    const keeps = async (name: string, limits: { budget: number | null; effort: number | null }) => {
+      const [folder, file] = [newFolder(), join(directory, name)];
       const settings: CheckSettings = { ...PLAIN, accuracy: accuracyOf(SETTINGS.accuracy), search: { limits, seed: 0 } };
-      await check(settings, folder, [gap, open]);
-      return [gap, open].map((file) => opened(folder, settings)!.recall([file]).has(file));
+      await check(settings, folder, [file]);
+      return opened(folder, settings)!.recall([file]).has(file);
     };
+    expect(await keeps('l/gap.level.json', { budget: 0.01, effort: null })).toBe(false);
+    expect(await keeps('l/gap.level.json', { budget: 1000, effort: 2000 })).toBe(true);
     // a run that was found shows that the level can be completed, whoever else would have found it
-    expect(await keeps({ budget: 0.01, effort: null })).toEqual([false, true]);
-    expect(await keeps({ budget: 1000, effort: 2000 })).toEqual([true, true]);
+    expect(await keeps('l/no-run.level.json', { budget: 1000, effort: null })).toBe(true);
   });
 
   it('is not kept of files that could not be read', async () => {

@@ -7,7 +7,7 @@ import { gq } from '../cli/gq.ts';
 import { command, tool, verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { inChromium } from './stage.ts';
-import { until } from './until.ts';
+import { PATIENCE, until } from './until.ts';
 
 /** Makes a level from a template and waits until it is open. */
 async function make(page: Page, template: string, name: string, file: string): Promise<void> {
@@ -145,6 +145,7 @@ inChromium("a designer's afternoon in Chromium", ({ on }) => {
       try {
         await phone.addInitScript(`localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}'`);
         const small = await phone.newPage();
+        small.setDefaultTimeout(PATIENCE);
         await small.goto(`${server().address}&level=pull`);
         await small.getByRole('heading', { name: 'Pull', level: 1 }).waitFor();
         await verdict(small, 'completable');

@@ -11,7 +11,7 @@ import { declareMissing } from '../missing.ts';
 import { gqEdit } from '../server/command.ts';
 import { makeFolder } from '../server/running.ts';
 import { straight } from './levels.ts';
-import { until } from './until.ts';
+import { PATIENCE, until } from './until.ts';
 
 const FIREFOX = process.env.FIREFOX ?? '/usr/bin/firefox-esr';
 const CANVAS = '[role=application][aria-label="Level canvas"]';
@@ -25,6 +25,7 @@ async function journey(): Promise<void> {
   const file = () => JSON.parse(readFileSync(path, 'utf8')) as LevelFile;
   try {
     const page = await browser.newPage();
+    page.setDefaultTimeout(PATIENCE);
     await page.setViewport({ width: 1280, height: 800 });
     await page.evaluateOnNewDocument(() => {
       localStorage.setItem('gravity-quest-editor-settings', '{"tourSeen":true}');

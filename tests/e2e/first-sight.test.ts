@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { command, verdict } from './commands.ts';
 import { garden, straight } from './levels.ts';
 import { inChromium } from './stage.ts';
-import { until } from './until.ts';
+import { PATIENCE, until } from './until.ts';
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -46,6 +46,7 @@ inChromium('the first sight in Chromium', ({ on }) => {
     'a page without its token says once what is missing, and does not search for levels',
     on({ '01': straight() }, async ({ context, server }) => {
       const page = await context.newPage();
+      page.setDefaultTimeout(PATIENCE);
       await page.goto(new URL(server().address).origin);
       const said = page.getByRole('alert');
       await said.waitFor();

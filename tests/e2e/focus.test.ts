@@ -95,7 +95,8 @@ inChromium('focus in Chromium', ({ on }) => {
       // the field that the solver's panel replaces
       await page.getByRole('textbox', { name: 'range' }).focus();
       await page.keyboard.press('Control+Enter');
-      await page.getByRole('button', { name: 'Cancel' }).waitFor();
+      const [cancel, discard] = ['Cancel', 'Discard'].map((name) => page.getByRole('button', { name }));
+      await cancel.or(discard).first().waitFor();
       await until(async () => expect(await focused(page)).not.toBe('nothing'));
 
       // the last run of a level, and the list with it

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { straight } from './levels.ts';
-import { inChromium, type Stage } from './stage.ts';
+import { inChromium, nextFrames, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
 /** She stays far from everything for a long time. */
@@ -41,6 +41,7 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
       const { page } = stage;
       // until the end is known, the timeline reaches to the last hold only
       await page.getByTitle(/^2 holds, reaches the black hole at/).waitFor();
+      await nextFrames(page);
       // by as many ticks as fit into whole px
       const drag = async (x: number, px: number) => {
         const { middle, zoom } = await firstHold(page);
@@ -103,7 +104,8 @@ inChromium('the ends of holds in Chromium', ({ on }) => {
       { '01': drifting() },
       async (stage) => {
         const { page, context } = stage;
-        await page.getByTitle(/^2 holds, /).waitFor({ state: 'attached' });
+        await page.getByTitle(/^2 holds, reaches the black hole at/).waitFor({ state: 'attached' });
+        await nextFrames(page);
         const small: unknown[] = [];
         for (const part of [/^Press of hold 1/, /^Release of hold 2/]) {
           const { width, height } = await boxOf(page, 'slider', part);

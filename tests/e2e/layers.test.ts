@@ -1,7 +1,9 @@
 import { expect, it } from 'vitest';
+import { COLOURS } from '../../editor/canvas/colours.ts';
 import { DEFAULT_BOX } from '../../engine/index.ts';
 import { command } from './commands.ts';
 import { straight } from './levels.ts';
+import { countColour } from './screen-colours.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
@@ -14,6 +16,9 @@ inChromium('layers over the level in Chromium', ({ on }) => {
         await saved();
         const before = text('01');
         await canvas.fit(file('01'));
+        // the first frame is drawn
+        const way = () => countColour(page, canvas.at({ x: 490, y: 304 }), 12, COLOURS.dark.way);
+        await until(async () => expect(await way()).toBeGreaterThan(10));
         const look = (place: { x: number; y: number }) => {
           const { x, y } = canvas.at(place);
           return page.screenshot({ clip: { x: x - 6, y: y - 6, width: 12, height: 12 } });
@@ -36,7 +41,7 @@ inChromium('layers over the level in Chromium', ({ on }) => {
         }
         expect(text('01')).toBe(before);
       },
-      { context: { reducedMotion: 'reduce' } },
+      { context: { reducedMotion: 'reduce', colorScheme: 'dark' } },
     ),
   );
 });

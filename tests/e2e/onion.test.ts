@@ -66,7 +66,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
                 .filter({ hasText: `${slackBefore} ticks →` })
                 .waitFor();
               await until(async () => expect(await figure(page, 'least slack').textContent()).not.toContain('…'));
-              expect(await isInside(page)).toBe(true);
+              await until(async () => expect(await isInside(page)).toBe(true));
               expect(await spoken(page).textContent()).toBe('');
               // it must not lie under the pointer, nor catch it
               const at = canvas.at({ x: 601, y: 625 });
@@ -81,7 +81,6 @@ inChromium('before and after a change in Chromium', ({ on }) => {
             },
           },
         );
-        await until(() => expect(file('01').asteroids?.[0].y).toBe(624));
         await spoken(page)
           .filter({ hasText: /^Before and after: run completes.*time .*least slack \d+ ticks/ })
           .waitFor();
@@ -90,6 +89,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
         await figure(page, 'least slack')
           .filter({ hasText: `→ ${slack} ticks` })
           .waitFor();
+        await until(() => expect(file('01').asteroids?.[0].y).toBe(624));
         expect(await complaintsAbout(page, 'before and after', 'main')).toEqual([]);
         await canvas.click({ x: 700, y: 900 });
         await card(page).waitFor({ state: 'detached' });
@@ -109,7 +109,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
       await figure(page, 'time')
         .filter({ hasText: `${timeOf(LEVEL)} s → ${timeOf(moved(601))} s` })
         .waitFor();
-      expect(await isInside(page)).toBe(true);
+      await until(async () => expect(await isInside(page)).toBe(true));
       await page.keyboard.up('ArrowRight');
       await spoken(page).filter({ hasText: /time/ }).waitFor();
       await page.keyboard.press('ArrowRight');
@@ -140,8 +140,8 @@ inChromium('before and after a change in Chromium', ({ on }) => {
         .filter({ hasText: `${timeOf(moved(602))} s → ${timeOf(moved(601))} s` })
         .waitFor();
       await page.keyboard.press('d');
-      await until(() => expect(file('01').asteroids?.[0].x).toBe(601));
       expect(await card(page).count()).toBe(1);
+      await until(() => expect(file('01').asteroids?.[0].x).toBe(601));
       await page.keyboard.press('Escape');
 
       // what breaks the run is told by a sign and a word
@@ -156,7 +156,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
         .filter({ hasText: /completes → .*, worse/ })
         .waitFor();
       expect(await figure(page, 'run').locator('.onion__sign').textContent()).toBe('▼');
-      expect(await isInside(page)).toBe(true);
+      await until(async () => expect(await isInside(page)).toBe(true));
       expect(await complaintsAbout(page, 'before and after by keys', 'main')).toEqual([]);
     }),
   );
@@ -180,7 +180,7 @@ inChromium('before and after a change in Chromium', ({ on }) => {
         await drag(async () => {
           await card(page).waitFor();
           await figure(page, 'time').waitFor();
-          expect(await isInside(page)).toBe(true);
+          await until(async () => expect(await isInside(page)).toBe(true));
           const box = await card(page).boundingBox();
           const finger = { x: from.x + 18, y: from.y };
           const away = Math.max(

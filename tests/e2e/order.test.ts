@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { complaintsAbout } from './axe.ts';
 import { garden } from './levels.ts';
-import { inChromium } from './stage.ts';
+import { inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
 const A = { x: 400, y: 200 };
@@ -78,6 +78,7 @@ inChromium('locking, hiding and naming in Chromium', ({ on }) => {
       const note = page.getByRole('status', { name: 'Hidden objects' });
       await note.getByText('2 objects hidden: the run still meets them').waitFor();
       await canvas.click({ x: 300, y: 100 });
+      await nextFrames(page);
       const hidden = await picture();
       await canvas.click(A);
       expect(await outline(page).locator('[aria-selected=true]').count()).toBe(0);

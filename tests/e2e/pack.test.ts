@@ -295,6 +295,8 @@ inChromium('the pack in Chromium', ({ on }) => {
         await dialog.getByRole('textbox', { name: /file/i }).fill('z');
         await dialog.getByRole('button', { name: 'Rename' }).click();
         await onDisk(folder, 'z', 'a', { level: 'c', introduces: ['minerals'] }, 'b');
+        // the list follows once the answer is there
+        await until(async () => expect(await list.getByRole('treeitem').first().textContent()).toContain('Dog'));
         await list.focus();
         await page.keyboard.press('End');
         await page.keyboard.press('ArrowUp');
@@ -321,6 +323,8 @@ inChromium('the pack in Chromium', ({ on }) => {
         await shows(view, 'Ann', 'Cat', 'Bob', 'Dog');
         await onDisk(folder, 'a', 'c', 'b', 'd');
 
+        // verdicts may change the height of a card
+        for (const name of ['Ann', 'Bob', 'Cat', 'Dog']) await says(view, name, /completable/);
         await card(view, 'Ann').scrollIntoViewIfNeeded();
         const client = await page.context().newCDPSession(page);
         const grip = await card(view, 'Ann').locator('[data-grip]').boundingBox();

@@ -7,7 +7,7 @@ import { gq } from '../cli/gq.ts';
 import { command, verdict } from './commands.ts';
 import { garden, straight } from './levels.ts';
 import { countColour } from './screen-colours.ts';
-import { inChromium } from './stage.ts';
+import { inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
 const levels = (page: Page) => page.getByRole('tree', { name: 'Levels' });
@@ -70,9 +70,19 @@ inChromium('panels in Chromium', ({ on }) => {
           expect(names[0]).not.toContain('Straight');
         });
         await isOpen(page, 'Straight');
+        // its file has another number by now, and the list knows it
+        const idOf = (name: string) =>
+          levelFiles(folder)
+            .map((one) => one.replace('.level.json', ''))
+            .find((id) => file(id).name === name) ?? '?';
+        await until(async () => {
+          expect(idOf('Straight')).not.toBe('01');
+          expect(await level(page, 'Straight').textContent()).toContain(idOf('Straight').slice(0, 2));
+        });
 
         await press(levels(page), level(page, 'Straight'), 'Delete');
         await until(() => expect(levelFiles(folder)).toHaveLength(2));
+        await page.getByRole('heading', { level: 1, name: 'Straight', exact: true }).waitFor({ state: 'hidden' });
         await page.getByRole('button', { name: 'Deleted levels' }).click();
         await page.getByRole('dialog', { name: 'Deleted levels' }).getByRole('button', { name: 'Restore' }).first().click();
         await isOpen(page, 'Straight');
@@ -156,6 +166,7 @@ inChromium('panels in Chromium', ({ on }) => {
         await page.mouse.move(x, y + 100);
         await until(async () => expect(await row.getAttribute('class')).not.toContain('hovered'));
         const outline = () => countColour(page, { x, y }, 60, COLOURS.dark.select);
+        await nextFrames(page);
         const bare = await outline();
         await row.hover();
         await until(async () => expect(await outline()).toBeGreaterThan(bare + 50));

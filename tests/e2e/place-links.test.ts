@@ -47,7 +47,7 @@ inChromium('a link to a place, in Chromium', ({ on }) => {
         await verdict(page, 'completable');
         await at(30);
         // the whole level fits
-        expect(await zoom(page)).toBeGreaterThan(50);
+        await until(async () => expect(await zoom(page)).toBeGreaterThan(50));
         expect(await page.getByRole('alert').count()).toBe(0);
 
         // the same level again, in other words, with a tick after the end

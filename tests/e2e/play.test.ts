@@ -5,7 +5,7 @@ import { gq } from '../cli/gq.ts';
 import { verdict } from './commands.ts';
 import { straight } from './levels.ts';
 import { type Heard, listenToSound } from './sound.ts';
-import { hurry, inChromium } from './stage.ts';
+import { hurry, inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
@@ -60,7 +60,7 @@ inChromium('playing in Chromium', ({ on }) => {
       await page.getByRole('button', { name: 'New empty run' }).click();
       await until(async () => expect(await shown.textContent()).not.toBe(hash));
       const drift = await gq(['simulate', path, '--holds', 'none', '--format', 'json']);
-      expect(await shown.textContent()).toBe(JSON.parse(drift.stdout).hash);
+      await until(async () => expect(await shown.textContent()).toBe(JSON.parse(drift.stdout).hash));
     }),
   );
 
@@ -106,14 +106,18 @@ inChromium('playing in Chromium', ({ on }) => {
       await theEnd(page).waitFor();
       await page.keyboard.up('Space');
       const again = playtest(page).getByRole('button', { name: 'Again' });
+      // by herself she reaches it in three seconds, so the clock stands still until that is seen
+      await hurry(page, 0);
       await again.focus();
       await page.keyboard.press('Space');
       await theEnd(page).waitFor({ state: 'hidden' });
+      await hurry(page, FAST);
       // the same key is the gun again
       await page.keyboard.down('Space');
       await theEnd(page).waitFor();
       await page.keyboard.up('Space');
       expect(await theEnd(page).textContent()).toContain('She reaches the black hole');
+      await hurry(page, 0);
       await again.focus();
       await page.keyboard.press('Enter');
       await theEnd(page).waitFor({ state: 'hidden' });
@@ -130,6 +134,8 @@ inChromium('playing in Chromium', ({ on }) => {
       await context.addInitScript(listenToSound);
       await page.reload();
       await saved();
+      // by herself she reaches the hole in three seconds
+      await hurry(page, 0);
       const heard = () => page.evaluate(() => (window as unknown as { heard: Heard }).heard);
       await page.keyboard.press('Space');
       await playtest(page).waitFor();
@@ -140,6 +146,7 @@ inChromium('playing in Chromium', ({ on }) => {
       expect(await heard()).toMatchObject({ contexts: 1, oscillators: 1 });
       await page.keyboard.up('Space');
       await until(async () => expect((await heard()).levels.at(-1)).toBe(0));
+      await hurry(page, 1);
       await page.keyboard.down('Space');
       await theEnd(page).waitFor();
       await page.keyboard.up('Space');
@@ -147,9 +154,11 @@ inChromium('playing in Chromium', ({ on }) => {
       await until(async () => expect(await heard()).toMatchObject({ contexts: 1, oscillators: 7 }));
       await page.keyboard.press('u');
       await page.getByText('Sound is off.').waitFor();
+      await hurry(page, 0);
       await page.keyboard.press('r');
       await theEnd(page).waitFor({ state: 'hidden' });
       const before = await heard();
+      await hurry(page, 1);
       await page.keyboard.down('Space');
       await theEnd(page).waitFor();
       await page.keyboard.up('Space');
@@ -170,6 +179,7 @@ inChromium('playing in Chromium', ({ on }) => {
         // between her start and the asteroid that ends it
         const middle = canvas.at({ x: 330, y: 304 });
         const look = () => page.screenshot({ clip: { x: middle.x - 20, y: middle.y - 20, width: 40, height: 40 } });
+        await nextFrames(page);
         const empty = await look();
         await page.keyboard.press('Space');
         await page.keyboard.down('x');

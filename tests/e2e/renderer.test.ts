@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { command } from './commands.ts';
 import { straight } from './levels.ts';
 import { compare } from './pictures.ts';
-import { inChromium } from './stage.ts';
+import { inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
 const drawnBy = (page: Page): Promise<'webgl' | 'canvas'> =>
@@ -22,6 +22,7 @@ inChromium('the renderer in Chromium', ({ on }) => {
         const look = async () => {
           await canvas.fit(file('01'));
           await page.mouse.move(2, 2);
+          await nextFrames(page);
           return page.getByRole('application', { name: 'Level canvas' }).screenshot();
         };
         const before = await look();

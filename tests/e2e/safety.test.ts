@@ -119,7 +119,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await startServer(port);
         const again = await open();
         await saving(again.page, /^saved$/);
-        expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 });
+        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
       { complaints: OUTAGE, ownProcess: true },
     ),

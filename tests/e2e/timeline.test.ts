@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { holding } from './canvas.ts';
 import { command, verdict } from './commands.ts';
 import { straight } from './levels.ts';
-import { hurry, inChromium, pass, type Stage } from './stage.ts';
+import { hurry, inChromium, nextFrames, pass, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
 /** She drifts along the asteroids for a long time, so that holds can be moved freely. */
@@ -207,6 +207,7 @@ inChromium('the timeline in Chromium', ({ on }) => {
     'scrubs, steps, plays in slow motion, and shows the events of the run',
     on({ '01': straight() }, async ({ page }) => {
       await verdict(page, 'completable');
+      await nextFrames(page);
       const ruler = page.getByRole('slider', { name: 'Time' });
       const end = Number(await ruler.getAttribute('aria-valuemax'));
       const box = await ruler.boundingBox();

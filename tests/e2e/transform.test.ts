@@ -85,10 +85,12 @@ inChromium('scaling, turning and repeating in Chromium', ({ on }) => {
       await until(async () => expect(await count.textContent()).toBe('12 objects'));
       expect(await complaintsAbout(page, 'repeat', '.canvas__panel')).toEqual([]);
       // the differences stand beside the panel, which makes them
-      const [own, card] = await Promise.all([panel.boundingBox(), page.locator('.onion').boundingBox()]);
-      if (own === null || card === null) throw new Error('not on the screen');
-      const isBeside = card.x >= own.x + own.width || card.x + card.width <= own.x;
-      expect(isBeside || card.y >= own.y + own.height || card.y + card.height <= own.y).toBe(true);
+      await until(async () => {
+        const [own, card] = await Promise.all([panel.boundingBox(), page.locator('.onion').boundingBox()]);
+        if (own === null || card === null) throw new Error('not on the screen');
+        const isBeside = card.x >= own.x + own.width || card.x + card.width <= own.x;
+        expect(isBeside || card.y >= own.y + own.height || card.y + card.height <= own.y).toBe(true);
+      });
       await panel.getByRole('button', { name: 'Cancel' }).click();
       await until(async () => expect(await count.textContent()).toBe('9 objects'));
       await page.getByRole('button', { name: 'Nothing to undo' }).waitFor();

@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import type { LevelFile } from '../../schema/index.ts';
 import { compare } from './pictures.ts';
-import { inChromium } from './stage.ts';
+import { inChromium, nextFrames } from './stage.ts';
 import { until } from './until.ts';
 
 const COLUMNS = 50;
@@ -71,6 +71,7 @@ inChromium('thousands of objects in Chromium', ({ on }) => {
         await page.getByRole('heading', { name: '2,002 objects' }).waitFor();
         const look = async () => {
           await page.mouse.move(2, 2);
+          await nextFrames(page);
           return canvas.screenshot();
         };
         // the canvas is at rest when two pictures are equal
