@@ -203,6 +203,30 @@ inChromium('panels in Chromium', ({ on }) => {
   );
 
   it(
+    'a problem calls an object by the name that it was given; the menu of the open level leads to its history',
+    on(
+      {
+        '01': garden({
+          novae: [
+            { id: 'n1', x: 400, y: 440, radius: 32, 'x-name': 'Gate' },
+            { id: 'n2', x: 408, y: 440, radius: 32, 'x-name': 'Door' },
+          ],
+        }),
+      },
+      async ({ page }) => {
+        await page
+          .getByRole('list', { name: 'Problems' })
+          .getByRole('button', { name: /^Go to “(Gate|Door)”$/ })
+          .first()
+          .waitFor();
+        await level(page, 'Garden').locator('.tree__more').click();
+        await page.getByRole('menuitem', { name: 'History' }).click();
+        await page.getByRole('dialog', { name: 'History', exact: true }).waitFor();
+      },
+    ),
+  );
+
+  it(
     'the solver finds a run, and shows its robustness and the difficulty of the level',
     on({ '01': straight({ runs: undefined }) }, async ({ page, file, folder, saved }) => {
       await verdict(page, 'unproven');
