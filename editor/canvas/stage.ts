@@ -80,6 +80,8 @@ class LevelScene extends Scene {
   private layers: Layers | null = null;
   private picture: (() => Picture) | null = null;
   private last: Picture | null = null;
+  /** What this frame would show. */
+  private next: Picture | null = null;
   /** When the last frame was drawn, ms. */
   private drawn = Number.NEGATIVE_INFINITY;
 
@@ -87,10 +89,11 @@ class LevelScene extends Scene {
     super('level');
   }
 
-  /** Whether a frame at this time, ms, would show anything new. */
+  /** Reads the picture. @returns whether a frame at this time, ms, would show anything new */
   isDue(time: number): boolean {
-    const { last, picture, drawn } = this;
-    return last === null || picture === null || isFrameDue(last, picture(), time - drawn);
+    this.next = this.picture?.() ?? null;
+    const { last, next, drawn } = this;
+    return last === null || next === null || isFrameDue(last, next, time - drawn);
   }
 
   create(): void {
@@ -106,10 +109,9 @@ class LevelScene extends Scene {
   }
 
   override update(time: number): void {
-    const { objects, last } = this;
+    const { objects, last, next: picture } = this;
     this.drawn = time;
-    if (this.picture === null || objects === null) return;
-    const picture = this.picture();
+    if (picture === null || objects === null) return;
     const space = this.scene.get('space') as SpaceScene;
     const isRedressed = this.layers?.theme !== picture.theme;
     if (isRedressed) this.layers = this.dress(picture.theme, objects, space);
