@@ -4,10 +4,10 @@ import {
   atAccuracy,
   createSimulation,
   joinHolds,
+  maxTicksOf,
   playScript,
   type Scene,
   TICK,
-  TICK_RATE,
   type WorkBudget,
 } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
@@ -30,19 +30,12 @@ export interface AccuracyHang {
  * @param level the level
  * @param runs how the level's runs end at the requested accuracy, in the order of its list
  * @param scene the level, compiled at the requested accuracy
- * @param maxTime the longest a run may last, s
  * @param budget limits the work
  * @throws WorkLimitReached when the budget is spent
  */
-export function hangsOnAccuracy(
-  level: Level,
-  runs: readonly RunEnd[],
-  scene: Scene,
-  maxTime: number,
-  budget: WorkBudget,
-): AccuracyHang[] {
+export function hangsOnAccuracy(level: Level, runs: readonly RunEnd[], scene: Scene, budget: WorkBudget): AccuracyHang[] {
   if (runs.length === 0) return [];
-  const maxTicks = Math.round(maxTime * TICK_RATE);
+  const maxTicks = maxTicksOf(scene.terms);
   const ends = new Map<string, readonly RunEnd[]>([[scene.accuracy.name, runs]]);
   const play = (accuracy: Accuracy): void => {
     if (!ends.has(accuracy.name)) ends.set(accuracy.name, playAll(level, atAccuracy(scene, accuracy), maxTicks, budget));

@@ -11,17 +11,15 @@ export const MOST_TICKS = 10;
 
 /**
  * Measures by how many ticks all presses and releases of a run may move, as a lock records it. The limits count work and not
- * time, so the result is the same on every machine; where they end the measurement, it is a lower bound.
+ * time, so the result is the same on every machine; where they end the measurement, it is a lower bound. It may cost half of the work that the level may.
  * @param scene the compiled level
  * @param holds a run that completes the level
- * @param maxTicks the longest a run may last, ticks
- * @param maxWork the most work for it, pieces of motion
  * @returns the certified ticks, at most 10; null when the work does not suffice
  */
-export function ticksToAgree(scene: Scene, holds: readonly Hold[], maxTicks: number, maxWork: number): number | null {
-  const budget = new WorkBudget(maxWork);
+export function ticksToAgree(scene: Scene, holds: readonly Hold[]): number | null {
+  const budget = new WorkBudget(scene.terms.maxWork / 2);
   const certified = withinWork(budget, () =>
-    certify(scene, holds, { minerals: 'any' }, { limit: MOST_TICKS, maxRuns: MOST_RUNS, maxTicks, budget }),
+    certify(scene, holds, { minerals: 'any' }, { limit: MOST_TICKS, maxRuns: MOST_RUNS, budget }),
   );
   return certified?.ticks ?? null;
 }

@@ -7,21 +7,16 @@ import { withinWork } from './within-work.ts';
 /**
  * Simulates all runs of a level.
  * @param scene the compiled level
- * @param maxTime the longest a run may last, s of simulated time
  * @param budget limits the work of all runs together; a run that exceeds it is stopped
  * @returns the simulated runs in the order of the level's list; only the first has a recording
  */
-export const playRuns = (scene: Scene, maxTime: number, budget: WorkBudget): Run[] =>
-  scene.level.runs.map(({ holds }, index) => simulate(scene, holds, { maxTime, budget, record: index === 0 }));
+export const playRuns = (scene: Scene, budget: WorkBudget): Run[] =>
+  scene.level.runs.map(({ holds }, index) => simulate(scene, holds, { budget, record: index === 0 }));
 
 /** How the runs were simulated, and what examining them may cost. */
 export interface ExamineOptions {
-  /** The level, compiled at the accuracy at which the runs were simulated. It may have other runs. */
+  /** The level, compiled under the terms under which the runs were simulated. It may have other runs. */
   readonly scene: Scene;
-  /** The longest a run may last, s of simulated time; a longer run ends with `timeout`. */
-  readonly maxTime: number;
-  /** The work that one part of a check may cost, pieces of motion. */
-  readonly maxWork: number;
   /** What is left of the budget of the runs. It limits the examination of what the runs come near to. */
   readonly budget: WorkBudget;
   /** A run that a search found; it is examined like the level's own runs. */
@@ -35,21 +30,18 @@ export interface ExamineOptions {
  * @param options how the runs were simulated, and limits on the work
  * @returns the findings as plain data
  */
-export function examineRuns(
-  level: Level,
-  runs: readonly Run[],
-  { scene, maxTime, maxWork, budget, found = null }: ExamineOptions,
-): RunFindings {
+export function examineRuns(level: Level, runs: readonly Run[], { scene, budget, found = null }: ExamineOptions): RunFindings {
   const areAllPlayed = runs.every(({ stopped }) => stopped === null);
   const stopped = areAllPlayed ? null : overrunOf(budget);
   // A separate budget, so that one part of a check does not starve another.
-  const others = new WorkBudget(maxWork / 2);
-  const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, scene, maxTime, others)) : ([] as const);
+  const others = new WorkBudget(scene.terms.maxWork / 2);
+  const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, scene, others)) : ([] as const);
   const all = found === null ? runs : [...runs, found];
   const warnings = withinWork(budget, () =>
     findWarnings(
       level,
       all.filter((run) => run.stopped === null),
+      scene.terms,
     ),
   );
   return {
@@ -66,7 +58,7 @@ export function examineRuns(
     })),
     collected: [...new Set(all.flatMap(({ minerals }) => minerals.map(({ index }) => index)))],
     hangs: hangs ?? [],
-    warnings: warnings ?? findWarnings(level, []),
+    warnings: warnings ?? findWarnings(level, [], scene.terms),
     cuts: {
       runs: stopped,
       accuracies: hangs === null ? overrunOf(others) : null,

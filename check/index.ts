@@ -17,7 +17,7 @@ export {
 export { createMend, type Mend, type Mended, type MendOptions, mendedInWords } from './mend/index.ts';
 export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
-export { type LostMineral, mineralsToProve, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
+export { type LostMineral, mineralsToProve, proofBudget, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
 export { repairedFile } from './repair/index.ts';
 export { type Softlocks, softlocksOf } from './softlocks.ts';
 export { completingRuns, tightRuns } from './tight-runs.ts';

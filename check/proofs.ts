@@ -1,4 +1,4 @@
-import { type Accuracy, isAccuracyName, TICK, WorkBudget } from '../engine/index.ts';
+import { isAccuracyName, type Scene, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import {
   type Goal,
@@ -9,30 +9,33 @@ import {
   verifyProof,
 } from '../solver/index.ts';
 
+/** A budget for the proofs about a level, beside that of its runs: half of the work that the level may cost. */
+export const proofBudget = ({ terms }: Scene): WorkBudget => new WorkBudget(terms.maxWork / 2);
+
+/** What a proof has to cover under the terms of a scene; null for a custom setting, which has no proofs. */
+function proveOptions({ terms }: Scene, budget: WorkBudget) {
+  const { name } = terms.accuracy;
+  return isAccuracyName(name) ? { accuracy: name, maxTime: terms.maxTime, budget } : null;
+}
+
 /**
  * Tries to prove quickly that no run reaches a goal. There are no proofs for custom settings, only for the named accuracies.
  * The checker has confirmed every proof that is returned.
- * @param level the level
- * @param accuracy the accuracy for which the proof has to hold
+ * @param scene the compiled level; the proof has to hold under its terms
  * @param goal what a run would have to achieve
- * @param maxTicks the longest a run may last, ticks
  * @param budget limits the work of the provers
  * @returns a proof, or null when none was found; the goal may then still be out of reach
  */
-export function proveGoalImpossible(
-  level: Level,
-  accuracy: Accuracy,
-  goal: Goal,
-  maxTicks: number,
-  budget: WorkBudget = new WorkBudget(),
-): Proof | null {
-  if (!isAccuracyName(accuracy.name)) return null;
-  const proof = proveImpossible(level, { accuracy: accuracy.name, maxTime: maxTicks * TICK, budget });
+export function proveGoalImpossible(scene: Scene, goal: Goal, budget: WorkBudget = proofBudget(scene)): Proof | null {
+  const options = proveOptions(scene, budget);
+  if (options === null) return null;
+  const { level } = scene;
+  const proof = proveImpossible(level, options);
   if (proof !== null && verifyProof(level, proof).ok) return proof;
   const count = level.minerals.length;
   const needed = mineralsNeeded(goal, count);
   if (needed === 0) return null;
-  const lost = proveMineralsLost(level, accuracy, [...level.minerals.keys()], maxTicks, budget);
+  const lost = proveMineralsLost(scene, [...level.minerals.keys()], budget);
   return count - lost.length < needed ? lost[0].proof : null;
 }
 
@@ -60,22 +63,19 @@ export function mineralsToProve({ minerals }: Pick<Level, 'minerals'>, collected
 
 /**
  * Tries to prove quickly of some minerals that no run can collect them. The checker has confirmed every proof that is returned.
- * @param level the level
- * @param accuracy the accuracy for which the proofs have to hold; a custom setting has no proofs
+ * @param scene the compiled level; the proofs have to hold under its terms
  * @param asked indices of the minerals in question
- * @param maxTicks the longest a run may last, ticks
  * @param budget limits the work of the provers
  * @returns the minerals with a proof, in the order of `asked`
  */
 export function proveMineralsLost(
-  level: Level,
-  accuracy: Accuracy,
+  scene: Scene,
   asked: readonly number[],
-  maxTicks: number,
-  budget: WorkBudget = new WorkBudget(),
+  budget: WorkBudget = proofBudget(scene),
 ): LostMineral[] {
-  if (!isAccuracyName(accuracy.name) || asked.length === 0) return [];
-  const options = { accuracy: accuracy.name, maxTime: maxTicks * TICK, budget };
+  const options = proveOptions(scene, budget);
+  if (options === null || asked.length === 0) return [];
+  const { level } = scene;
   return proveMineralsUnreachable(level, options, asked).flatMap((proof) =>
     proof.about.kind === 'mineral' && verifyProof(level, proof).ok ? [{ index: proof.about.index, proof }] : [],
   );

@@ -5,6 +5,7 @@ import { boxOf } from './contact/index.ts';
 import { type EffectSet, explosionsAtStart, strongestOf } from './effects/index.ts';
 import { circlesOf, type IndexedCircles, indexed } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
+import type { Terms } from './terms.ts';
 
 /** The places in a list of all circles, without those that equal an earlier one. */
 function unlike(list: readonly Circle[]): number[] {
@@ -20,7 +21,7 @@ function unlike(list: readonly Circle[]): number[] {
 }
 
 /** Prepares a level for simulation with the effects that a program includes; see {@link compile}. */
-export function compileWith(included: EffectSet, level: Level, accuracy: Accuracy): Scene {
+export function compileWith(included: EffectSet, level: Level, terms: Terms): Scene {
   const { indexing } = included;
   const rules = rulesOf(level);
   const effects = included.choose(level);
@@ -44,7 +45,7 @@ export function compileWith(included: EffectSet, level: Level, accuracy: Accurac
     minerals: indexed(circlesOf(level.minerals), indexing),
     own,
   };
-  return sceneAt(prepared, accuracy);
+  return sceneUnder(prepared, terms);
 }
 
 /**
@@ -56,12 +57,13 @@ export function compileWith(included: EffectSet, level: Level, accuracy: Accurac
  * @returns the scene that {@link compile} would make
  */
 export const atAccuracy = (scene: Scene, accuracy: Accuracy): Scene =>
-  accuracy === scene.accuracy ? scene : sceneAt(scene, accuracy);
+  accuracy === scene.accuracy ? scene : sceneUnder(scene, { ...scene.terms, accuracy });
 
 /** What is the same at all accuracies. */
-type Prepared = Omit<Scene, 'accuracy' | 'aliens'> & { readonly aliens: IndexedCircles };
+type Prepared = Omit<Scene, 'accuracy' | 'terms' | 'aliens'> & { readonly aliens: IndexedCircles };
 
-function sceneAt(prepared: Prepared, accuracy: Accuracy): Scene {
+function sceneUnder(prepared: Prepared, terms: Terms): Scene {
+  const { accuracy } = terms;
   const { level, rules, box, effects, strongest, targets, coldCount, novae, repulsors, aliens, minerals, own } = prepared;
   const { count, x, y, r, index, spatial } = aliens;
   // continuous time has places relative to where she starts
@@ -74,6 +76,7 @@ function sceneAt(prepared: Prepared, accuracy: Accuracy): Scene {
     rules,
     box,
     accuracy,
+    terms,
     effects,
     strongest,
     targets,

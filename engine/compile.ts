@@ -1,17 +1,18 @@
 import type { Level } from '../schema/basics/index.ts';
-import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
+import { type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
 import { compileWith } from './compile-with.ts';
 import { ALL_EFFECTS } from './effects/index.ts';
 import type { Scene } from './scene.ts';
+import { type Terms, termsOf } from './terms.ts';
 
 /**
- * Prepares a level for simulation at one accuracy: chooses the effects that the level calls for and lays its objects out in
+ * Prepares a level for simulation under some terms: chooses the effects that the level calls for and lays its objects out in
  * typed arrays.
  *
  * @param level - a level that `readLevel` or `resolveLevel` gave; the engine trusts its numbers to be finite and
  * its radii to be positive
- * @param accuracy - the name of an accuracy, or a custom setting from {@link accuracyOf}; {@link DEFAULT_ACCURACY} when left
- * out
+ * @param under - the terms under which the level is simulated; or only the name of an accuracy, or a custom setting from
+ * {@link accuracyOf}, with {@link DEFAULT_TERMS} for the rest; {@link DEFAULT_ACCURACY} when left out
  * @returns the scene; it is never changed afterwards and may be shared by any number of simulations
  *
  * @example
@@ -26,6 +27,6 @@ import type { Scene } from './scene.ts';
  * }
  * ```
  */
-export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
-  return compileWith(ALL_EFFECTS, level, typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy);
+export function compile(level: Level, under: AccuracyName | Accuracy | Terms = DEFAULT_ACCURACY): Scene {
+  return compileWith(ALL_EFFECTS, level, termsOf(under));
 }

@@ -2,6 +2,7 @@ import type { Level, Rules } from '../schema/basics/index.ts';
 import type { Accuracy } from './accuracy.ts';
 import type { Box } from './contact/index.ts';
 import type { IndexedCircles } from './indexed-circles.ts';
+import type { Terms } from './terms.ts';
 
 /** The aliens as they are placed in the level. */
 export interface Aliens extends IndexedCircles {
@@ -26,7 +27,7 @@ export interface EffectChoice {
 }
 
 /**
- * A level prepared for simulation at one accuracy; {@link compile} makes it. It is never changed, so it may be shared freely.
+ * A level prepared for simulation under some terms; {@link compile} makes it. It is never changed, so it may be shared freely.
  */
 export interface Scene {
   /** The level it was made of. */
@@ -37,8 +38,10 @@ export interface Scene {
   readonly box: Box;
   /** Upper bound of her acceleration by all forces together, px/s². Every other bound is derived from it. */
   readonly strongest: number;
-  /** How the scene is simulated. */
+  /** How the scene is simulated: the accuracy of its terms. */
   readonly accuracy: Accuracy;
+  /** Under which terms whatever is said about the scene holds. */
+  readonly terms: Terms;
   /** Which effects are simulated, which are not, and why. */
   readonly effects: EffectChoice;
   /**

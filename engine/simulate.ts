@@ -1,12 +1,13 @@
 import type { Hold } from '../schema/basics/index.ts';
 import { ArcadeSimulation, FrameRecorder } from './arcade/index.ts';
 import type { Clearance } from './clearance.ts';
-import { DEFAULT_MAX_TIME, TICK, TICK_RATE } from './constants.ts';
+import { TICK, TICK_RATE } from './constants.ts';
 import { ContinuousSimulation, EventRecorder, PieceRecorder, WHOLE_METHOD } from './continuous/index.ts';
 import { Hash } from './hash.ts';
 import type { Scene } from './scene.ts';
 import { joinHolds, playScript } from './script.ts';
 import { type Mode, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Touched, type Work } from './simulation.ts';
+import { maxTicksOf } from './terms.ts';
 import type { Trajectory } from './trajectory.ts';
 import { unlimited, type WorkBudget, WorkLimitReached } from './work-budget.ts';
 
@@ -72,7 +73,7 @@ export interface Run {
 
 /** Options of {@link simulate}. */
 export interface SimulateOptions {
-  /** Simulated time after which the run ends as a `timeout`, s; {@link DEFAULT_MAX_TIME} when left out. Rounded to ticks. */
+  /** Simulated time after which the run ends as a `timeout`, s; that of the scene's terms when left out. Rounded to ticks. */
   readonly maxTime?: number;
   /**
    * Limits the work of the run, of its recording, and of reading `clearance`, `hash` and `trajectory`; no limit when left out.
@@ -126,7 +127,7 @@ export function createSimulation(scene: Scene, budget: WorkBudget = unlimited(),
  * ```
  */
 export function simulate(scene: Scene, holds: readonly Hold[], options: SimulateOptions = {}): Run {
-  const maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
+  const maxTicks = maxTicksOf({ maxTime: options.maxTime ?? scene.terms.maxTime });
   const budget = options.budget ?? unlimited();
   const keeps = options.record ?? true;
   const played = play(scene, joinHolds(holds), maxTicks, budget, keeps);

@@ -1,4 +1,4 @@
-import { createSimulation, DEFAULT_MAX_TICKS, joinHolds, playScript, type Scene, simulate, TICK_RATE } from '../engine/index.ts';
+import { createSimulation, joinHolds, maxTicksOf, playScript, type Scene, simulate, TICK_RATE } from '../engine/index.ts';
 import type { Hold } from '../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from './goal.ts';
 
@@ -45,7 +45,7 @@ export function cutHolds(holds: readonly Hold[], tick: number): Hold[] {
  * @param maxTicks the longest a run may last, ticks
  * @returns a judge that has not simulated anything yet
  */
-export function createReplay(scene: Scene, goal: Goal, maxTicks: number = DEFAULT_MAX_TICKS): Replay {
+export function createReplay(scene: Scene, goal: Goal, maxTicks: number = maxTicksOf(scene.terms)): Replay {
   const simulation = createSimulation(scene);
   const needed = mineralsNeeded(goal, scene.minerals.count);
   let ticks = 0;
@@ -106,7 +106,7 @@ export function verifyRun(
   scene: Scene,
   holds: readonly Hold[],
   goal: Goal = { minerals: 'any' },
-  maxTicks: number = DEFAULT_MAX_TICKS,
+  maxTicks: number = maxTicksOf(scene.terms),
 ): Candidate | null {
   return createReplay(scene, goal, maxTicks).play(holds);
 }

@@ -1,5 +1,5 @@
-import { ACCURACIES, type AccuracyName, compile, joinHolds } from '../../engine/index.ts';
-import { type LevelFile, type OwnRules, resolveLevel } from '../../schema/index.ts';
+import { compile, joinHolds, type Terms } from '../../engine/index.ts';
+import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import {
   type Candidate,
   createRepair,
@@ -21,9 +21,8 @@ export interface MendOptions {
   readonly before: LevelFile;
   /** The file after the change. */
   readonly after: LevelFile;
-  /** Rules of the folder, which apply where the level sets none. */
-  readonly rules: OwnRules;
-  readonly accuracy: AccuracyName;
+  /** The terms under which the run completes the one, and has to complete the other. */
+  readonly terms: Terms;
   /** The name of the run. */
   readonly run: string;
   /** The name of a run that a search finds; no other run of the file may have it. */
@@ -74,7 +73,8 @@ const SLACK = 30;
  * @param options the files before and after the change, and the run
  * @returns a search at its start
  */
-export function createMend({ before, after, rules, accuracy, run, newRun, seed = 0 }: MendOptions): Mend {
+export function createMend({ before, after, terms, run, newRun, seed = 0 }: MendOptions): Mend {
+  const { rules } = terms;
   let found: Mended[] = [];
   let effort: Effort = { runs: 0, ticks: 0 };
   const spend = (runs: number, ticks: number) => {
@@ -84,7 +84,7 @@ export function createMend({ before, after, rules, accuracy, run, newRun, seed =
   const play = (file: LevelFile, name: string): Candidate | null => {
     const level = resolveLevel(file, rules);
     const own = level.runs.find((one) => one.name === name);
-    const candidate = own === undefined ? null : verifyRun(compile(level, accuracy), own.holds);
+    const candidate = own === undefined ? null : verifyRun(compile(level, terms), own.holds);
     spend(1, candidate?.tick ?? 600);
     return candidate === null || candidate.time === 0 ? null : candidate;
   };
@@ -94,7 +94,7 @@ export function createMend({ before, after, rules, accuracy, run, newRun, seed =
     if (candidate === null) return null;
     const level = resolveLevel(file, rules);
     const holds = joinHolds(level.runs.find((one) => one.name === name)?.holds ?? []);
-    const steps = findSlackInSteps(compile(level, accuracy), holds, { minerals: 'any' }, SLACK);
+    const steps = findSlackInSteps(compile(level, terms), holds, { minerals: 'any' }, SLACK);
     for (;;) {
       const step = steps.next();
       spend(1, candidate.tick);
@@ -122,7 +122,7 @@ export function createMend({ before, after, rules, accuracy, run, newRun, seed =
     }
   }
   function* retime(): Steps<void> {
-    const [scene, former] = [compile(level, accuracy), play(before, run)];
+    const [scene, former] = [compile(level, terms), play(before, run)];
     const minerals = former?.minerals.filter((index) => index < level.minerals.length) ?? [];
     const { holds } = level.runs[own];
     const work = createRetime(scene, holds, { minerals, formerEnd: former?.tick, prefers: 'fewest' });
@@ -145,7 +145,7 @@ export function createMend({ before, after, rules, accuracy, run, newRun, seed =
     if (one !== null) found = [...found, one];
   }
   function* repair(): Steps<void> {
-    const work = createRepair(level, ACCURACIES[accuracy], { seed });
+    const work = createRepair(level, terms, { seed });
     const others = found;
     let shown: readonly Proposal[] = [];
     let spent = work.effort;
@@ -167,7 +167,7 @@ export function createMend({ before, after, rules, accuracy, run, newRun, seed =
     }
   }
   function* search(): Steps<void> {
-    const work = createSearch(compile(level, accuracy), { seed });
+    const work = createSearch(compile(level, terms), { seed });
     let spent: Effort = { ...work.effort };
     while (work.solutions.length === 0 && !work.exhausted && work.effort.ticks < EFFORT.search) {
       work.advance(SLICE);

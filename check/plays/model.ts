@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, joinHolds, type Scene } from '../../engine/index.ts';
+import { joinHolds, maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Goal, type Success, successProbability } from '../../solver/index.ts';
 import { drawShift, shiftHolds, tickNoise, uniformOf } from '../../solver/robustness/index.ts';
@@ -44,7 +44,7 @@ export interface ComparisonOptions {
   readonly samples?: number;
   /** Seed of the noise; 0 by default. */
   readonly seed?: number;
-  /** An attempt fails when it lasts longer than this, ticks; 3600 by default. */
+  /** An attempt fails when it lasts longer than this, ticks; that of the scene by default. */
   readonly maxTicks?: number;
 }
 
@@ -66,7 +66,7 @@ export function compareWithModel(
   goal: Goal,
   options: ComparisonOptions = {},
 ): ModelComparison {
-  const { samples = 1000, seed = 0, maxTicks = DEFAULT_MAX_TICKS } = options;
+  const { samples = 1000, seed = 0, maxTicks = maxTicksOf(scene.terms) } = options;
   const measure = (sigma: number): Success => {
     const success = successProbability(scene, holds, goal, sigma, { samples: sigma === 0 ? 1 : samples, seed, maxTicks });
     // without noise, one attempt is certain

@@ -1,4 +1,4 @@
-import { compile, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, WorkBudget } from '../../engine/index.ts';
+import { compile, type Terms, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { playRuns } from '../examine-runs.ts';
 import type { Attempt } from './attempt.ts';
@@ -19,10 +19,10 @@ export interface KnownRun extends Reference {
   readonly route: string;
 }
 
-/** The level's own runs that complete it, at the accuracy `precise`. */
-export function knownRuns(level: Level): KnownRun[] {
+/** The level's own runs that complete it under some terms. */
+export function knownRuns(level: Level, terms: Terms): KnownRun[] {
   if (level.runs.length === 0) return [];
-  const runs = playRuns(compile(level, 'precise'), DEFAULT_MAX_TIME, new WorkBudget(DEFAULT_MAX_WORK));
+  const runs = playRuns(compile(level, terms), new WorkBudget(terms.maxWork));
   return level.runs.flatMap(({ name, holds }, i): KnownRun[] => {
     const { outcome, events } = runs[i];
     return outcome === 'completed' ? [{ name, holds, route: routeKey(routeOf(events)) }] : [];

@@ -1,4 +1,4 @@
-import { joinHolds } from '../../engine/index.ts';
+import { joinHolds, type Terms } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Goal } from '../../solver/index.ts';
@@ -59,13 +59,20 @@ const ANY: Goal = { minerals: 'any' };
  * claims of the plays are compared with what happens and never trusted. The order of the plays does not matter but for the
  * indices of plays, and for attempt numbers unless `by` has them.
  * @param level the level
+ * @param terms under which plays and the level's own runs are simulated
  * @param plays recorded plays
  * @param options who played, and what counts as success
  */
-export function statisticsOf(level: Level, plays: readonly Play[], options: StatisticsOptions = {}): PlayStatistics {
+export function statisticsOf(
+  level: Level,
+  terms: Terms,
+  plays: readonly Play[],
+  options: StatisticsOptions = {},
+): PlayStatistics {
   const replayer = createPlayReplayer(level, options.goal ?? ANY);
   return collectStatistics(
     level,
+    terms,
     plays.map((play, i) => replayer.replay(play, i)),
     options,
   );
@@ -74,6 +81,7 @@ export function statisticsOf(level: Level, plays: readonly Play[], options: Stat
 /** {@link statisticsOf} for plays that have been simulated again, in any order. */
 export function collectStatistics(
   level: Level,
+  terms: Terms,
   replayed: readonly (Attempt | RefusedPlay)[],
   options: StatisticsOptions = {},
 ): PlayStatistics {
@@ -86,7 +94,7 @@ export function collectStatistics(
   const successes = all.filter(({ cause }) => cause === null);
   const minerals = new Array<number>(level.minerals.length + 1).fill(0);
   for (const attempt of all) if (attempt.outcome === 'completed') minerals[attempt.minerals]++;
-  const known = knownRuns(level);
+  const known = knownRuns(level, terms);
   const reference = options.reference ?? chooseReference(known, all);
   const names = new Map(known.toReversed().map(({ route, name }) => [route, name]));
   return {

@@ -1,5 +1,4 @@
 import type { Level } from '../../schema/basics/index.ts';
-import { ACCURACIES, DEFAULT_ACCURACY } from '../accuracy.ts';
 import { compileWith } from '../compile-with.ts';
 import { ContinuousSimulation, EventRecorder, type Method } from '../continuous/index.ts';
 import { BASE, EffectSet, type GamePart, LISTS_OF_BASE } from '../effects/index.ts';
@@ -8,6 +7,7 @@ import { objectLists } from '../object-lists.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
 import { INDEX_FROM, type Indexing } from '../spatial-index.ts';
+import { DEFAULT_TERMS } from '../terms.ts';
 import { unlimited } from '../work-budget.ts';
 
 /** An engine that plays levels with some parts of the game, at the default accuracy. */
@@ -71,7 +71,7 @@ export function composeEngine(parts: readonly GamePart[]): LightEngine {
         if (objects.length > 0 && !included.includes(name)) throw without(name, name);
       }
       if (level.recoil && !hasRecoil) throw without('recoil', 'recoil');
-      return compileWith(effects, level, ACCURACIES[DEFAULT_ACCURACY]);
+      return compileWith(effects, level, DEFAULT_TERMS);
     },
     createSimulation: (scene, events) =>
       new ContinuousSimulation(method, scene, events === null ? null : new EventRecorder(events), unlimited()),

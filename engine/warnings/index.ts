@@ -2,6 +2,7 @@ import { type Level, rulesOf } from '../../schema/basics/index.ts';
 import { boxOf } from '../contact/index.ts';
 import { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../more-warnings.ts';
 import type { Run } from '../simulate.ts';
+import { DEFAULT_TERMS, type Terms } from '../terms.ts';
 import { aliensExplodeAtStart } from './aliens-explode-at-start.ts';
 import { blackHoleCovered } from './black-hole-covered.ts';
 import { blackHoleOutOfReach } from './black-hole-out-of-reach.ts';
@@ -50,12 +51,18 @@ export const WARNING_CODES: readonly WarningExplanation[] = RULES.map((rule) => 
  *
  * @param level - a valid level
  * @param runs - simulated runs of this level; without any, `unused-asteroid` is not looked for
+ * @param terms - how long a run may last; {@link DEFAULT_TERMS} when left out
  * @returns the warnings in a fixed order; empty if there are none
  */
-export function findWarnings(level: Level, runs: readonly Run[] = []): Warning[] {
+export function findWarnings(
+  level: Level,
+  runs: readonly Run[] = [],
+  { maxTime }: Pick<Terms, 'maxTime'> = DEFAULT_TERMS,
+): Warning[] {
   const rules = rulesOf(level);
   const box = boxOf(rules);
-  const subject = { level, rules, box, runs, bodies: bodiesOf(level), reach: reachOf(level, rules), copies: copiesOf(level) };
+  const reach = reachOf(level, rules, maxTime);
+  const subject = { level, rules, box, runs, bodies: bodiesOf(level), reach, copies: copiesOf(level) };
   const warnings: Warning[] = [];
   for (const { explanation, find } of RULES) {
     const { code, severity } = explanation;

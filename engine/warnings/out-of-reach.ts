@@ -5,7 +5,7 @@ import type { Finding, Subject } from './warning.ts';
 /** The reasoning that both explanations share. */
 export const RULE_OF_REACH =
   'She is lost when she is farther than the range from the centre of every asteroid, and her collision box reaches at most 18.9 px beyond her centre. ' +
-  'Only asteroids that she can reach count, going from the range of one into the range of the next. In a level with recoil the warning allows for how far asteroids can drift in 60 s.';
+  'Only asteroids that she can reach count, going from the range of one into the range of the next. In a level with recoil the warning allows for how far asteroids can drift within the longest run.';
 
 /** Yields a finding if an object cannot be touched. */
 export function* outOfReach(

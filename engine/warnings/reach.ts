@@ -1,6 +1,6 @@
 import Flatbush from 'flatbush';
 import type { Asteroid, Level, Rules } from '../../schema/basics/index.ts';
-import { DEFAULT_MAX_TIME, TICK } from '../constants.ts';
+import { TICK } from '../constants.ts';
 import { boxOf } from '../contact/index.ts';
 import { EFFECTS } from '../effects/index.ts';
 import { distance, type Place } from './geometry.ts';
@@ -25,21 +25,22 @@ const MAX_COMPARISONS = 1_000_000;
 const frameJump = ({ speedLimit }: Rules): number => speedLimit * TICK * Math.sqrt(2);
 
 /**
- * Upper bound of how far recoil can carry an asteroid within the default run time, px: a t² / 2 with a = recoil / (2 radius). 0
+ * Upper bound of how far recoil can carry an asteroid within the longest run, px: a t² / 2 with a = recoil / (2 radius). 0
  * without recoil.
  */
-function drift(level: Level, { recoil }: Rules): number {
+function drift(level: Level, { recoil }: Rules, maxTime: number): number {
   if (!level.recoil) return 0;
   const smallest = level.asteroids.reduce((r, a) => Math.min(r, a.radius), Number.POSITIVE_INFINITY);
-  return (recoil * DEFAULT_MAX_TIME * DEFAULT_MAX_TIME) / (4 * smallest);
+  return (recoil * maxTime * maxTime) / (4 * smallest);
 }
 
 /**
  * Finds the asteroids that she can reach from the start, going from range to range. All of them count if she starts in no
  * range, or if an effect may put her anywhere.
+ * @param maxTime - the longest a run may last, s: recoil moves asteroids for as long
  */
-export function reachOf(level: Level, rules: Rules): Reach {
-  const slack = drift(level, rules);
+export function reachOf(level: Level, rules: Rules, maxTime: number): Reach {
+  const slack = drift(level, rules, maxTime);
   const { halfDiagonal } = boxOf(rules);
   const jumps = EFFECTS.some((effect) => effect.jumps === true && effect.calledFor(level).called);
   const reached = jumps ? [...level.asteroids.keys()] : island(level, 2 * level.range + 2 * slack + frameJump(rules));

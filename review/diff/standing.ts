@@ -1,14 +1,5 @@
 import { playRuns, proveGoalImpossible, verdictOfFindings, withinWork } from '../../check/index.ts';
-import {
-  type Accuracy,
-  compile,
-  DEFAULT_MAX_WORK,
-  type Run,
-  type Scene,
-  simulate,
-  TICK_RATE,
-  WorkBudget,
-} from '../../engine/index.ts';
+import { compile, maxTicksOf, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
 import { type Hold, isSame, type Level, LISTED_KINDS, listOf, type Verdict } from '../../schema/index.ts';
 import { findSlackInSteps } from '../../solver/index.ts';
 
@@ -40,9 +31,7 @@ export interface Standing {
 
 /** How to judge a level. */
 export interface AssessOptions {
-  readonly accuracy: Accuracy;
-  /** s of simulated time after which a run is a timeout. */
-  readonly maxTime: number;
+  readonly terms: Terms;
   /** Whether to measure how far each press and release can move. */
   readonly slack: boolean;
 }
@@ -51,16 +40,12 @@ export interface AssessOptions {
 const MOST_SLACK_WORK = 2_000_000;
 
 /** Judges a level by its own runs, as a check does. The result is plain data. */
-export function assessLevel(level: Level, { accuracy, maxTime, slack }: AssessOptions): Standing {
-  const budget = new WorkBudget(DEFAULT_MAX_WORK);
-  const scene = compile(level, accuracy);
-  const runs = playRuns(scene, maxTime, budget);
+export function assessLevel(level: Level, { terms, slack }: AssessOptions): Standing {
+  const budget = new WorkBudget(terms.maxWork);
+  const scene = compile(level, terms);
+  const runs = playRuns(scene, budget);
   const completing = runs.findIndex(({ outcome }) => outcome === 'completed');
-  const maxTicks = Math.round(maxTime * TICK_RATE);
-  const impossible =
-    completing >= 0
-      ? null
-      : proveGoalImpossible(level, accuracy, { minerals: 'any' }, maxTicks, new WorkBudget(DEFAULT_MAX_WORK / 2));
+  const impossible = completing >= 0 ? null : proveGoalImpossible(scene, { minerals: 'any' });
   const ends = runs.map(({ outcome, with: touched, time, tick, stopped }, i) => ({
     name: level.runs[i].name,
     outcome,
@@ -76,20 +61,20 @@ export function assessLevel(level: Level, { accuracy, maxTime, slack }: AssessOp
   }
   const { name, holds } = level.runs[shown];
   // only the first run was recorded
-  const played = shown === 0 ? runs[0] : (withinWork(budget, () => simulate(scene, holds, { maxTime, budget })) ?? runs[shown]);
+  const played = shown === 0 ? runs[0] : (withinWork(budget, () => simulate(scene, holds, { budget })) ?? runs[shown]);
   const { outcome, with: touched, time, tick } = played;
   const run: StandingRun = {
     ...{ name, holds, outcome, with: touched, time, tick },
     minerals: new Set(played.minerals.map(({ index }) => index)).size,
     clearance: withinWork(budget, () => played.clearance?.distance ?? null),
-    slack: slack && outcome === 'completed' ? slackOf(scene, holds, played, maxTicks) : null,
+    slack: slack && outcome === 'completed' ? slackOf(scene, holds, played) : null,
   };
   return { verdict, mineralCount: level.minerals.length, run };
 }
 
-function slackOf(scene: Scene, holds: readonly Hold[], run: Run, maxTicks: number): StandingRun['slack'] {
+function slackOf(scene: Scene, holds: readonly Hold[], run: Run): StandingRun['slack'] {
   // a shifted run may go on to the time limit
-  const costOfStep = Math.max(1, (run.work.pieces * maxTicks) / Math.max(1, run.tick));
+  const costOfStep = Math.max(1, (run.work.pieces * maxTicksOf(scene.terms)) / Math.max(1, run.tick));
   const steps = findSlackInSteps(scene, holds, { minerals: 'any' });
   for (let cost = 0; cost <= MOST_SLACK_WORK; cost += costOfStep) {
     const step = steps.next();

@@ -1,4 +1,4 @@
-import { isAccuracyName, type Scene } from '../../engine/index.ts';
+import { isAccuracyName, maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import type { Closest, Effort, Explored } from '../search/index.ts';
 import { createSolver, type Solution, type SolveOptions, type Solver } from '../solve/index.ts';
@@ -53,7 +53,7 @@ export interface Decider {
  * ```
  */
 export function createDecider(scene: Scene, options: DeciderOptions = {}): Decider {
-  const { goal, maxTicks, isStopped } = options;
+  const { goal, maxTicks = maxTicksOf(scene.terms), isStopped } = options;
   const { name } = scene.accuracy;
   const proving = isAccuracyName(name) ? createAnytimeProof(scene.level, { accuracy: name, goal, maxTicks, isStopped }) : null;
   return sideBySide(createSolver(scene, options), proving, options);

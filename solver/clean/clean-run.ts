@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import { edgesOf, holdsOf } from '../edges.ts';
 import type { Goal } from '../goal.ts';
@@ -10,7 +10,7 @@ import { earlierFrom, joined, rounded, withoutHold } from './simpler-scripts.ts'
 export interface CleanOptions {
   /** The most replays it may take; 400 by default. */
   readonly maxRuns?: number;
-  /** The longest the run may last, ticks; 3600 by default. */
+  /** The longest the run may last, ticks; that of the scene by default. */
   readonly maxTicks?: number;
 }
 
@@ -41,7 +41,7 @@ const LONGEST_CUT = 256;
  * @returns the simplified run, or null when the original does not meet the goal
  */
 export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, options: CleanOptions = {}): Cleaned | null {
-  const { maxRuns = 400, maxTicks = DEFAULT_MAX_TICKS } = options;
+  const { maxRuns = 400, maxTicks = maxTicksOf(scene.terms) } = options;
   const replay = createReplay(scene, goal, maxTicks);
   const original = replay.play(holds);
   if (original === null) return null;

@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import {
@@ -82,7 +82,7 @@ export interface DifficultyOptions {
   readonly games?: number;
   /** Seed of all random choices; 0 by default. */
   readonly seed?: number;
-  /** The longest a run may last, ticks; 3600 by default. */
+  /** The longest a run may last, ticks; that of the scene by default. */
   readonly maxTicks?: number;
   /**
    * Ticks to spend on finding runs; 5,000,000 by default. Half of them are for the runs that forgive most when none is given, half for
@@ -129,7 +129,14 @@ export function measureDifficulty(
   holds: readonly Hold[] | null,
   options: DifficultyOptions = {},
 ): Difficulty | null {
-  const { goal = ANY, samples = 1000, games = 2000, seed = 0, maxTicks = DEFAULT_MAX_TICKS, effort = SOLVE_EFFORT } = options;
+  const {
+    goal = ANY,
+    samples = 1000,
+    games = 2000,
+    seed = 0,
+    maxTicks = maxTicksOf(scene.terms),
+    effort = SOLVE_EFFORT,
+  } = options;
   const found = holds === null ? (options.runs ?? findRuns(scene, goal, { effort, seed, maxTicks }).runs) : [holds];
   if (!found.some((own) => asGiven(scene, own, goal, maxTicks) !== null)) return null;
 

@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import { type Candidate, verifyRun } from '../verified-run.ts';
@@ -43,7 +43,7 @@ export interface ShortcutOptions {
   readonly effort?: number;
   /** Seed of the searches; 0 by default. */
   readonly seed?: number;
-  /** A run fails when it lasts longer than this, ticks; 3600 by default. */
+  /** A run fails when it lasts longer than this, ticks; that of the scene by default. */
   readonly maxTicks?: number;
 }
 
@@ -65,7 +65,7 @@ const ANY: Goal = { minerals: 'any' };
  * @returns the shortcuts that were found
  */
 export function findShortcuts(scene: Scene, goal: Goal = ANY, options: ShortcutOptions = {}): Shortcuts {
-  const { run = null, effort = ASTEROID_EFFORT, stride = 1, seed = 0, maxTicks = DEFAULT_MAX_TICKS } = options;
+  const { run = null, effort = ASTEROID_EFFORT, stride = 1, seed = 0, maxTicks = maxTicksOf(scene.terms) } = options;
   const played = run === null ? null : verifyRun(scene, run, goal, maxTicks);
   const length = Math.min(options.length ?? (played === null ? ONE_PRESS_LENGTH : played.tick + 1), maxTicks);
   const presses = countOnePress(scene, goal, length, maxTicks, stride);

@@ -56,7 +56,7 @@ export function findWithoutAsteroids(
   return intended.map((asteroid): WithoutAsteroid => {
     const way = ways.find(({ targets }) => !targets.includes(asteroid));
     if (way !== undefined) return { asteroid, use: 'avoidable', run: way.run };
-    const reduced = compile(levelWithout(scene.level, asteroid), scene.accuracy);
+    const reduced = compile(levelWithout(scene.level, asteroid), scene.terms);
     if (isProvedImpossible(reduced, maxTicks)) return { asteroid, use: 'needed', run: null };
     const other = createSearch(reduced, { goal, seed, maxTicks });
     other.advance(effort);

@@ -17,7 +17,7 @@ export function* adjustRun(task: Task, index: number): Steps<void> {
   const { level, trials } = task;
   const { holds } = level.runs[index];
   if (holds.length === 0) return;
-  const retime = createRetime(compile(level, trials.accuracy), holds, { centres: false });
+  const retime = createRetime(compile(level, trials.terms), holds, { centres: false });
   const before = { runs: trials.runs, ticks: trials.ticks };
   while (!retime.finished && retime.effort.ticks < MOST_TICKS) {
     retime.advance(SLICE);

@@ -1,4 +1,4 @@
-import { type Accuracy, DEFAULT_MAX_TICKS } from '../../engine/index.ts';
+import { type Accuracy, maxTicksOf, type Terms, TICK, termsOf } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import type { Effort } from '../search/index.ts';
@@ -12,7 +12,7 @@ export interface RepairOptions {
   readonly count?: number;
   /** Seed of the searches, a whole number; 0 by default. */
   readonly seed?: number;
-  /** The longest a run may last, ticks; 3600 by default. */
+  /** The longest a run may last, ticks; that of the terms by default. */
   readonly maxTicks?: number;
   /** A proof that the level cannot be completed. It directs the repair, and saves a search of the level as it is. */
   readonly proof?: Proof | null;
@@ -46,7 +46,7 @@ export interface Repair {
  * that is found is made smaller as far as the run still completes the level, so it is the smallest that was found along its
  * way, not the smallest that there is.
  * @param level the level, with its runs
- * @param accuracy the accuracy at which runs have to complete it
+ * @param under the terms under which a run has to complete it; or only an accuracy, with the default terms for the rest
  * @param options the number of proposals, the seed and a proof that the level is impossible
  * @returns a repair at its start
  * @example
@@ -60,9 +60,9 @@ export interface Repair {
  * if (best?.change) console.log(best.size, applyChange(level, best.change));
  * ```
  */
-export function createRepair(level: Level, accuracy: Accuracy, options: RepairOptions = {}): Repair {
-  const { count = 3, seed = 0, maxTicks = DEFAULT_MAX_TICKS, proof = null } = options;
-  const task = new Task(level, accuracy, { count, seed, maxTicks, proof });
+export function createRepair(level: Level, under: Accuracy | Terms, options: RepairOptions = {}): Repair {
+  const { count = 3, seed = 0, maxTicks = maxTicksOf(termsOf(under)), proof = null } = options;
+  const task = new Task(level, { ...termsOf(under), maxTime: maxTicks * TICK }, { count, seed, proof });
   const work = repairSteps(task);
   let asked = 0;
   let finished = false;

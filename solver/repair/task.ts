@@ -1,4 +1,4 @@
-import type { Accuracy } from '../../engine/index.ts';
+import type { Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/basics/index.ts';
 import type { Proof } from '../proofs/index.ts';
 import { applyChange, type Change, changeSize } from './change.ts';
@@ -15,7 +15,6 @@ export interface Tried {
 interface Wanted {
   readonly count: number;
   readonly seed: number;
-  readonly maxTicks: number;
   readonly proof: Proof | null;
 }
 
@@ -32,10 +31,10 @@ export class Task {
   /** The smallest proposal of each group. */
   private readonly smallest = new Map<string, Proposal>();
 
-  constructor(level: Level, accuracy: Accuracy, { count, seed, maxTicks, proof }: Wanted) {
+  constructor(level: Level, terms: Terms, { count, seed, proof }: Wanted) {
     this.level = level;
     this.proof = proof;
-    this.trials = new TrialRuns(accuracy, maxTicks);
+    this.trials = new TrialRuns(terms);
     this.count = count;
     this.seed = seed;
   }

@@ -1,11 +1,12 @@
 import {
-  type Accuracy,
   boxCircleGap,
   compile,
   createSimulation,
   type Ending,
   joinHolds,
+  maxTicksOf,
   STATE_SIZE,
+  type Terms,
 } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/basics/index.ts';
 import { createSearch } from '../search/index.ts';
@@ -47,19 +48,19 @@ export interface Sought {
 export class TrialRuns {
   ticks = 0;
   runs = 0;
-  readonly accuracy: Accuracy;
+  readonly terms: Terms;
   private readonly maxTicks: number;
   private readonly state = new Float64Array(STATE_SIZE);
 
-  constructor(accuracy: Accuracy, maxTicks: number) {
-    this.accuracy = accuracy;
-    this.maxTicks = maxTicks;
+  constructor(terms: Terms) {
+    this.terms = terms;
+    this.maxTicks = maxTicksOf(terms);
   }
 
   /** Plays a run and looks how near it comes. */
   play(level: Level, holds: readonly Hold[]): Attempt {
     const { state } = this;
-    const scene = compile(level, this.accuracy);
+    const scene = compile(level, this.terms);
     const simulation = createSimulation(scene);
     const joined = joinHolds(holds);
     const last = joined.length === 0 ? 0 : joined[joined.length - 1][1];
@@ -95,7 +96,7 @@ export class TrialRuns {
 
   /** Judges a run on a level as `verifyRun` does. A run that is over at the start is none. */
   verify(level: Level, holds: readonly Hold[]): Candidate | null {
-    const run = verifyRun(compile(level, this.accuracy), holds, { minerals: 'any' }, this.maxTicks);
+    const run = verifyRun(compile(level, this.terms), holds, { minerals: 'any' });
     this.runs++;
     this.ticks += run?.tick ?? this.maxTicks;
     return run === null || run.time === 0 ? null : run;
@@ -107,7 +108,7 @@ export class TrialRuns {
    * @returns the holds of a run, or null; and the holds that lead nearest to the black hole
    */
   *search(level: Level, seed: number, ticks: number): Steps<Sought> {
-    const search = createSearch(compile(level, this.accuracy), { seed, maxTicks: this.maxTicks });
+    const search = createSearch(compile(level, this.terms), { seed });
     const before = { runs: this.runs, ticks: this.ticks };
     while (search.solutions.length === 0 && search.effort.ticks < ticks && !search.exhausted) {
       search.advance(SLICE);

@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, joinHolds, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { joinHolds, maxTicksOf, type Scene, TICK_RATE } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import { edgesOf, holdsOf } from '../edges.ts';
 import {
@@ -102,10 +102,11 @@ const CERTIFY_LIMIT = 12;
  * ```
  */
 export function createRetime(scene: Scene, holds: readonly Hold[], options: RetimeOptions = {}): Retime {
-  const { minerals = [], warm = null, within = FARTHEST, formerEnd = DEFAULT_MAX_TICKS } = options;
+  const longest = maxTicksOf(scene.terms);
+  const { minerals = [], warm = null, within = FARTHEST, formerEnd = longest } = options;
   const { prefers = 'smallest', centres = true, certifies = false } = options;
   const given = joinHolds(holds);
-  const until = Math.min(DEFAULT_MAX_TICKS, formerEnd + LONGER);
+  const until = Math.min(longest, formerEnd + LONGER);
   const task = new Task(scene, { holds: given, wanted: minerals, until, within, prefers });
   let best: Retimed | null = null;
   let trials: Trials | null = null;
@@ -115,7 +116,7 @@ export function createRetime(scene: Scene, holds: readonly Hold[], options: Reti
     const script = holdsOf(edges);
     const run = script === null ? null : verifyRun(scene, script);
     replays.runs++;
-    replays.ticks += run?.tick ?? DEFAULT_MAX_TICKS;
+    replays.ticks += run?.tick ?? longest;
     if (script === null || run === null || run.time === 0) return null;
     const shifts = edges.map((edge, i) => Math.abs(edge - task.own[i])).filter((by) => by > 0);
     const lost = minerals.filter((index) => !run.minerals.includes(index));

@@ -23,7 +23,7 @@ const GROWTH = 1.5;
 
 /** Limits for {@link certify}. */
 export interface CertifyOptions {
-  /** A run fails when it lasts longer than this, ticks; 3600 by default. */
+  /** A run fails when it lasts longer than this, ticks; that of the scene by default. */
   readonly maxTicks?: number;
   /** The most runs to simulate; 200,000 by default. */
   readonly maxRuns?: number;

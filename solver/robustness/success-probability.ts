@@ -28,7 +28,7 @@ export interface SampleOptions {
   readonly samples?: number;
   /** Seed of the noise, any whole number; 0 by default. */
   readonly seed?: number;
-  /** An attempt fails when it lasts longer than this, ticks; 3600 by default. */
+  /** An attempt fails when it lasts longer than this, ticks; that of the scene by default. */
   readonly maxTicks?: number;
 }
 

@@ -1,4 +1,4 @@
-import { createSimulation, DEFAULT_MAX_TICKS, type Scene, type Simulation, type WorkBudget } from '../../engine/index.ts';
+import { createSimulation, maxTicksOf, type Scene, type Simulation, type WorkBudget } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import { type Goal, mineralsNeeded } from '../goal.ts';
 import { verifyRun } from '../verified-run.ts';
@@ -20,7 +20,7 @@ export interface Trials {
  * Creates trials at the start of the scene.
  * @param budget limits the work of all runs together; no limit by default
  */
-export function createTrials(scene: Scene, goal: Goal, maxTicks = DEFAULT_MAX_TICKS, budget?: WorkBudget): Trials {
+export function createTrials(scene: Scene, goal: Goal, maxTicks = maxTicksOf(scene.terms), budget?: WorkBudget): Trials {
   return { scene, goal, maxTicks, simulation: createSimulation(scene, budget), runs: 0, ticks: 0 };
 }
 

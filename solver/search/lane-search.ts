@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import { mineralsNeeded } from '../goal.ts';
 import { type Candidate, createReplay } from '../verified-run.ts';
 import { CellSearch, type SearchTask } from './cell-search.ts';
@@ -32,7 +32,7 @@ class LaneSearch implements Search {
   private asked = 0;
 
   constructor(scene: Scene, options: SearchOptions) {
-    const { goal = { minerals: 'any' }, seed = 0, maxTicks = DEFAULT_MAX_TICKS, after = null } = options;
+    const { goal = { minerals: 'any' }, seed = 0, maxTicks = maxTicksOf(scene.terms), after = null } = options;
     const reports = new Reports(createReplay(scene, goal, maxTicks));
     this.scene = scene;
     this.task = { scene, needed: mineralsNeeded(goal, scene.minerals.count), maxTicks, after, reports };

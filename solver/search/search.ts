@@ -42,7 +42,7 @@ export interface SearchOptions {
   readonly goal?: Goal;
   /** Seed of the random choices, any finite number; 0 by default. */
   readonly seed?: number;
-  /** The longest a run may last, ticks; 3600 by default. */
+  /** The longest a run may last, ticks; that of the scene by default. */
   readonly maxTicks?: number;
   /** Where the search begins; at the start of the level by default. */
   readonly after?: Moment;

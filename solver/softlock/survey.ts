@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Effort } from '../search/index.ts';
 import type { LostPlace, RunLoss, SurveyedState } from './standing.ts';
@@ -16,7 +16,7 @@ export interface SurveyOptions {
   readonly explores?: boolean;
   /** Seed of the random choices, a whole number; 0 by default. */
   readonly seed?: number;
-  /** The longest a run may last, ticks; 3600 by default. */
+  /** The longest a run may last, ticks; that of the scene by default. */
   readonly maxTicks?: number;
 }
 
@@ -63,7 +63,7 @@ export interface SoftlockSurvey {
  * ```
  */
 export function createSoftlockSurvey(scene: Scene, options: SurveyOptions = {}): SoftlockSurvey {
-  const { seed = 0, maxTicks = DEFAULT_MAX_TICKS, runs = scene.level.runs.map(({ holds }) => holds) } = options;
+  const { seed = 0, maxTicks = maxTicksOf(scene.terms), runs = scene.level.runs.map(({ holds }) => holds) } = options;
   const { explores = true } = options;
   const traced = (options.traced ?? []).map(createTracedRun);
   const task = new SurveyTask(scene, { runs, seed, maxTicks });

@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import type { Goal } from '../goal.ts';
 import { type Closest, type Effort, type Explored, HeatTally } from '../search/index.ts';
@@ -19,7 +19,7 @@ export interface SolveOptions {
    * merges their solutions, the result does not depend on the number of workers.
    */
   readonly lane?: number;
-  /** The longest a run may last, ticks; 3600 by default. */
+  /** The longest a run may last, ticks; that of the scene by default. */
   readonly maxTicks?: number;
   /** What makes a run good; `robust` by default. */
   readonly objective?: Objective;
@@ -70,7 +70,7 @@ export interface Solver {
  */
 export function createSolver(scene: Scene, options: SolveOptions = {}): Solver {
   const { seed = 0, lane = 0, objective = 'robust', count = 1, known = [] } = options;
-  const { goal = { minerals: 'any' }, maxTicks = DEFAULT_MAX_TICKS } = options;
+  const { goal = { minerals: 'any' }, maxTicks = maxTicksOf(scene.terms) } = options;
   const session = createSolverSession(scene, { goal, seed, lane, maxTicks, objective, count, known });
   const work = objective === 'robust' ? new RobustWork(session).run() : solvePlain(session);
   let asked = 0;

@@ -71,7 +71,7 @@ export interface PlayerOptions {
   readonly attempts?: number;
   /** Seed of all random choices, a whole number; 0 by default. */
   readonly seed?: number;
-  /** An attempt fails when it lasts longer than this, ticks; 3600 by default. */
+  /** An attempt fails when it lasts longer than this, ticks; that of the scene by default. */
   readonly maxTicks?: number;
 }
 

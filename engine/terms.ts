@@ -1,0 +1,46 @@
+import type { OwnRules } from '../schema/basics/index.ts';
+import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
+import { DEFAULT_MAX_TIME, TICK_RATE } from './constants.ts';
+import { DEFAULT_MAX_WORK } from './work-budget.ts';
+
+/**
+ * Under which terms something is said about a level. They are made once, of options, configuration and defaults, and a
+ * {@link Scene} carries them, so that whatever is asked about it is asked under the same terms. Plain data.
+ */
+export interface Terms {
+  /** How exactly the level is simulated. */
+  readonly accuracy: Accuracy;
+  /** The longest a run may last, s of simulated time; a longer run ends with `timeout`. */
+  readonly maxTime: number;
+  /** The work that one level may cost, pieces of motion. */
+  readonly maxWork: number;
+  /** The rules of the folder, which hold where a level sets none of its own. */
+  readonly rules: OwnRules;
+}
+
+/** The terms that hold where nothing else is said. */
+export const DEFAULT_TERMS: Terms = {
+  accuracy: ACCURACIES[DEFAULT_ACCURACY],
+  maxTime: DEFAULT_MAX_TIME,
+  maxWork: DEFAULT_MAX_WORK,
+  rules: {},
+};
+
+/**
+ * The longest a run may last under some terms.
+ *
+ * @param terms - the terms
+ * @returns whole ticks of 1/60 s
+ */
+export const maxTicksOf = ({ maxTime }: Pick<Terms, 'maxTime'>): number => Math.round(maxTime * TICK_RATE);
+
+/**
+ * The terms that a name, an accuracy or terms stand for: with an accuracy alone, the other terms are {@link DEFAULT_TERMS}.
+ *
+ * @param under - the name of an accuracy, an accuracy, or terms
+ * @returns the terms
+ */
+export function termsOf(under: AccuracyName | Accuracy | Terms): Terms {
+  if (typeof under === 'string') return { ...DEFAULT_TERMS, accuracy: ACCURACIES[under] };
+  return 'accuracy' in under ? under : { ...DEFAULT_TERMS, accuracy: under };
+}
