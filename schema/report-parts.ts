@@ -14,4 +14,4 @@ export const problem = z.strictObject({
 });
 
 /** What a play is found to be, in reports; `verifyPlay` of the game has the same. */
-export const playVerdict = z.enum(['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long']);
+export const playVerdict = z.enum(['ok', 'claim-differs', 'stale-level', 'other-accuracy', 'unknown-engine', 'malformed', 'too-long']);

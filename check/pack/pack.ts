@@ -6,6 +6,8 @@ export interface Pack {
   readonly title: string;
   /** What the levels were checked with, so that they play the same. */
   readonly accuracy: AccuracyName;
+  /** The longest that a play may last, s, as in the check. */
+  readonly maxTime: number;
   readonly levels: readonly {
     /** The name under which progress is kept: the path of its file below the folder, without `.level.json`. */
     readonly id: string;
@@ -55,11 +57,12 @@ const inScript = (value: unknown): string =>
   JSON.stringify(value).replace(/[<\u2028\u2029]/g, (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, '0')}`);
 
 /** A classic script that hands a pack to the game. Each level is a line, so that a new version differs little. */
-export function packScript({ title, accuracy, levels }: Pack): string {
+export function packScript({ title, accuracy, maxTime, levels }: Pack): string {
   const lines = levels.map((level) => `    ${inScript(level)},\n`).join('');
   return `globalThis.GRAVITY_QUEST_PACK = {
   "title": ${inScript(title)},
   "accuracy": ${inScript(accuracy)},
+  "maxTime": ${inScript(maxTime)},
   "levels": [
 ${lines}  ],
 };

@@ -47,10 +47,10 @@ export interface RefusedPlay {
   /** Index of the play within the plays that were given, from 0. */
   readonly play: number;
   /**
-   * `unknown-engine`: made with another engine; `stale-level`: of another level, or another version of it; `claim-differs`: it
-   * does not end as it claims; `too-long`: it takes too much work.
+   * `unknown-engine`: made with another engine; `stale-level`: of another level, or another version of it; `other-accuracy`: at
+   * another accuracy; `claim-differs`: it does not end as it claims; `too-long`: it takes too much work or lasts too long.
    */
-  readonly verdict: Extract<PlayVerdict, 'unknown-engine' | 'stale-level' | 'claim-differs' | 'too-long'>;
+  readonly verdict: Extract<PlayVerdict, 'unknown-engine' | 'stale-level' | 'other-accuracy' | 'claim-differs' | 'too-long'>;
   /** What was expected and what was found. */
   readonly message: string;
 }

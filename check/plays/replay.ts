@@ -1,13 +1,13 @@
 import {
-  type AccuracyName,
   compile,
   createSimulation,
-  DEFAULT_MAX_WORK,
   joinHolds,
+  maxTicksOf,
   playScript,
   type RunEvent,
   type Scene,
   STATE_SIZE,
+  type Terms,
   WorkBudget,
 } from '../../engine/index.ts';
 import { claimInWords, levelHash, type Play, whyNotReplayed } from '../../game/play/index.ts';
@@ -29,23 +29,23 @@ export interface PlayReplayer {
 }
 
 /**
- * Prepares a level for the replay of its plays.
+ * Prepares a level for the replay of its plays. Only plays under the given terms count: others would say how another game plays.
  * @param level the level
+ * @param terms at which accuracy plays must have been played, how long they may last, and what a replay may cost
  * @param goal what an attempt has to achieve
  */
-export function createPlayReplayer(level: Level, goal: Goal): PlayReplayer {
-  const hash = levelHash(level);
-  const stages = new Map<AccuracyName, Stage>();
+export function createPlayReplayer(level: Level, terms: Terms, goal: Goal): PlayReplayer {
+  const acceptance = { hash: levelHash(level), accuracy: terms.accuracy.name, maxTicks: maxTicksOf(terms) };
+  let stage: Stage | null = null;
   return {
     replay(play, index) {
       const refuse = (verdict: RefusedPlay['verdict'], message: string): RefusedPlay => ({ play: index, verdict, message });
-      const { accuracy, holds, claim } = play;
-      const why = whyNotReplayed(play, hash);
+      const { holds, claim } = play;
+      const why = whyNotReplayed(play, acceptance);
       if (why !== null) return refuse(why.verdict, why.message);
-      const stage = stages.get(accuracy) ?? new Stage(compile(level, accuracy), goal);
-      stages.set(accuracy, stage);
+      stage ??= new Stage(compile(level, terms), goal);
       const attempt = stage.attempt(holds, claim.tick, claim.outcome === 'timeout' ? 'timeout' : 'left', index);
-      if (attempt === null) return refuse('too-long', `simulating it takes more work than ${DEFAULT_MAX_WORK} pieces of motion`);
+      if (attempt === null) return refuse('too-long', `simulating it takes more work than ${terms.maxWork} pieces of motion`);
       const { counted } = stage;
       if (attempt.outcome === claim.outcome && attempt.tick === claim.tick && counted === claim.minerals) return attempt;
       const found = claimInWords({ ...attempt, minerals: counted });
@@ -57,12 +57,13 @@ export function createPlayReplayer(level: Level, goal: Goal): PlayReplayer {
 /** A scene on which attempts are played, one after the other. */
 export class Stage {
   private readonly events: RunEvent[] = [];
-  private readonly budget = new WorkBudget(DEFAULT_MAX_WORK);
+  private readonly budget: WorkBudget;
   private readonly state = new Float64Array(STATE_SIZE);
   private readonly simulation;
   private readonly needed: number;
 
   constructor(scene: Scene, goal: Goal) {
+    this.budget = new WorkBudget(scene.terms.maxWork);
     this.simulation = createSimulation(scene, this.budget, this.events);
     this.needed = mineralsNeeded(goal, scene.minerals.count);
   }

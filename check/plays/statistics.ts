@@ -69,7 +69,7 @@ export function statisticsOf(
   plays: readonly Play[],
   options: StatisticsOptions = {},
 ): PlayStatistics {
-  const replayer = createPlayReplayer(level, options.goal ?? ANY);
+  const replayer = createPlayReplayer(level, terms, options.goal ?? ANY);
   return collectStatistics(
     level,
     terms,

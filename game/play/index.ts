@@ -18,4 +18,4 @@ export {
   type VerifyOptions,
   verifyPlay,
 } from './verify.ts';
-export { claimInWords, whyNotReplayed } from './why-not-replayed.ts';
+export { type AcceptedAccuracy, claimInWords, whyNotReplayed, whyOtherAccuracy } from './why-not-replayed.ts';

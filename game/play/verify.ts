@@ -2,6 +2,7 @@ import {
   type AccuracyName,
   compile,
   createSimulation,
+  DEFAULT_ACCURACY,
   DEFAULT_MAX_WORK,
   type Ending,
   type RunEvent,
@@ -14,24 +15,37 @@ import type { Level } from '../../schema/basics/index.ts';
 import { CHECKPOINT_TICKS, PlayHash } from '../player/index.ts';
 import { type ChallengeState, challengeState, expectSecret } from './challenge.ts';
 import { decodePlay } from './decode.ts';
-import { isOpen } from './format.ts';
+import { isOpen, PLAY_LIMITS } from './format.ts';
 import { levelHash } from './level-hash.ts';
 import type { Play, PlayClaim } from './play.ts';
 import { type PlaySigns, signsOf } from './signs.ts';
-import { claimInWords, whyNotReplayed } from './why-not-replayed.ts';
+import { type AcceptedAccuracy, claimInWords, whyNotReplayed } from './why-not-replayed.ts';
 
 /** What a play is found to be. */
-export const PLAY_VERDICTS = ['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long'] as const;
+export const PLAY_VERDICTS = [
+  'ok',
+  'claim-differs',
+  'stale-level',
+  'other-accuracy',
+  'unknown-engine',
+  'malformed',
+  'too-long',
+] as const;
 
 /**
  * What a play is found to be: `ok`, it is what it claims; `claim-differs`, its inputs lead to something else, or its challenge
- * does not hold; `stale-level`, it was played on another level or version of it; `unknown-engine`, with another engine or format;
- * `malformed`, it is no play; `too-long`, it is larger, longer or more work than is allowed.
+ * does not hold; `stale-level`, it was played on another level or version of it; `other-accuracy`, at an accuracy that is not taken;
+ * `unknown-engine`, with another engine or format; `malformed`, it is no play; `too-long`, it is larger, longer or more work than is allowed.
  */
 export type PlayVerdict = (typeof PLAY_VERDICTS)[number];
 
 /** Options of {@link verifyPlay}. */
 export interface VerifyOptions {
+  /**
+   * The accuracy at which plays must have been played, {@link DEFAULT_ACCURACY} when left out; `any` takes all. Name the one of
+   * your game: otherwise the sender chooses the physics.
+   */
+  readonly accuracy?: AcceptedAccuracy;
   /** Ticks that a play may have; one hour, 216,000, when left out. */
   readonly maxTicks?: number;
   /** Work that the replay may cost, pieces of motion; {@link DEFAULT_MAX_WORK} when left out. */
@@ -84,7 +98,7 @@ export interface PlayVerifier {
    * Verifies a play; see {@link verifyPlay}.
    *
    * @param bytes - the content of a `.gqr` file
-   * @param options - limits and challenge
+   * @param options - accuracy, limits and challenge, where they differ from those of the verifier
    * @returns what the play is found to be
    */
   verify(bytes: Uint8Array, options?: VerifyOptions): VerifiedPlay;
@@ -146,7 +160,10 @@ class LevelVerifier implements PlayVerifier {
   readonly hash: string;
   private readonly scenes = new Map<AccuracyName, Scene>();
 
-  constructor(readonly level: Level) {
+  constructor(
+    readonly level: Level,
+    private readonly options: VerifyOptions,
+  ) {
     this.hash = levelHash(level);
   }
 
@@ -156,7 +173,9 @@ class LevelVerifier implements PlayVerifier {
     return scene;
   }
 
-  verify(bytes: Uint8Array, options: VerifyOptions = {}): VerifiedPlay {
+  verify(bytes: Uint8Array, own: VerifyOptions = {}): VerifiedPlay {
+    const options = { ...this.options, ...own };
+    const { accuracy = DEFAULT_ACCURACY, maxTicks = PLAY_LIMITS.ticks } = options;
     const { challengeKey: key, challengeSubject: subject, now } = options;
     if (key !== undefined && now === undefined) {
       throw new RangeError('verifyPlay: expected the present time as "now" with a challengeKey, found none');
@@ -169,7 +188,7 @@ class LevelVerifier implements PlayVerifier {
     const check = key === undefined ? null : { key, subject, now: now as number };
     const challenge = challengeState(play.challenge, this.hash, check);
     const refused = (verdict: PlayVerdict, message: string): VerifiedPlay => ({ ...nothing, verdict, message, play, challenge });
-    const why = whyNotReplayed(play, this.hash, options.maxTicks);
+    const why = whyNotReplayed(play, { hash: this.hash, accuracy, maxTicks });
     if (why !== null) return refused(why.verdict, why.message);
     if (challenge === 'missing' || challenge === 'forged' || challenge === 'expired') {
       return refused('claim-differs', CHALLENGE_IN_WORDS[challenge]);
@@ -220,10 +239,11 @@ class LevelVerifier implements PlayVerifier {
  * Prepares a level for verifying many plays of it.
  *
  * @param level - the level, as `readLevel` gives it
+ * @param options - accuracy, limits and challenge; those of a call of `verify` win over them
  * @returns the verifier
  */
-export function createVerifier(level: Level): PlayVerifier {
-  return new LevelVerifier(level);
+export function createVerifier(level: Level, options: VerifyOptions = {}): PlayVerifier {
+  return new LevelVerifier(level, options);
 }
 
 /**
@@ -233,7 +253,7 @@ export function createVerifier(level: Level): PlayVerifier {
  *
  * @param level - the level as the server has it, from `readLevel`
  * @param bytes - the content of a `.gqr` file
- * @param options - limits and challenge
+ * @param options - accuracy, limits and challenge
  * @returns what the play is found to be
  * @throws {RangeError} when `challengeKey` is given without `now`, or is too short
  *

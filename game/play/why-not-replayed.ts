@@ -1,30 +1,52 @@
+import type { AccuracyName } from '../../engine/index.ts';
 import { ENGINE_ID } from './engine-id.ts';
-import { PLAY_LIMITS } from './format.ts';
 import type { Play, PlayClaim } from './play.ts';
 
 /** Why a play is not replayed. */
 export interface NotReplayed {
-  readonly verdict: 'unknown-engine' | 'stale-level' | 'too-long';
+  readonly verdict: 'unknown-engine' | 'stale-level' | 'other-accuracy' | 'too-long';
   /** What was expected and what was found. */
   readonly message: string;
+}
+
+/** Which plays are taken: those of one accuracy, or `any`. A custom setting, which is no name, takes none. */
+export type AcceptedAccuracy = AccuracyName | 'any';
+
+/**
+ * Says whether a play is of an accuracy that is not taken. A player who could choose the accuracy would choose the physics.
+ * @param play the play
+ * @param accepted the name of the accuracy that is taken, or `any`
+ * @returns null for a play that is taken
+ */
+export function whyOtherAccuracy({ accuracy }: Pick<Play, 'accuracy'>, accepted: string): NotReplayed | null {
+  if (accepted === 'any' || accuracy === accepted) return null;
+  return { verdict: 'other-accuracy', message: `expected a play at the accuracy ${accepted}, found one at ${accuracy}` };
+}
+
+/** What a play is compared with before it is replayed. */
+export interface Acceptance {
+  /** The hash of the level. */
+  readonly hash: string;
+  /** The name of the accuracy that is taken, or `any`. */
+  readonly accuracy: string;
+  /** Ticks that a play may have. */
+  readonly maxTicks: number;
 }
 
 /**
  * Says why a play is not worth a replay.
  * @param play the play
- * @param hash the hash of the level
- * @param maxTicks ticks that a play may have
+ * @param acceptance which plays are taken
  * @returns null for a play that can be replayed
  */
-export function whyNotReplayed(
-  { engine, level, claim }: Play,
-  hash: string,
-  maxTicks: number = PLAY_LIMITS.ticks,
-): NotReplayed | null {
+export function whyNotReplayed(play: Play, { hash, accuracy, maxTicks }: Acceptance): NotReplayed | null {
+  const { engine, level, claim } = play;
   if (engine !== ENGINE_ID) {
     return { verdict: 'unknown-engine', message: `expected a play of engine ${ENGINE_ID}, found one of ${engine}` };
   }
   if (level !== hash) return { verdict: 'stale-level', message: `expected a play of level ${hash}, found one of ${level}` };
+  const other = whyOtherAccuracy(play, accuracy);
+  if (other !== null) return other;
   if (claim.tick > maxTicks) {
     return { verdict: 'too-long', message: `expected a play of at most ${maxTicks} ticks, found one of ${claim.tick}` };
   }

@@ -4,6 +4,7 @@ import { compile, createSimulation } from '../../engine/index.ts';
 import {
   challengeFor,
   createPlayer,
+  createVerifier,
   decodePlay,
   ENGINE_ID,
   encodePlay,
@@ -154,7 +155,6 @@ describe('claims that are not true', () => {
       { ...open, claim: { ...open.claim, outcome: 'timeout' } },
       'first between tick 600 and 900',
     ],
-    ['another accuracy', { accuracy: 'fast' }, 'the replay differs from the play: first between tick 0 and 600'],
   ])('%s', (_, change, message) => {
     expect(claim.tick % 600).toBeGreaterThan(1);
     const found = verdictOf(change);
@@ -175,6 +175,26 @@ describe('claims that are not true', () => {
       message: `expected a play of engine ${ENGINE_ID}, found one of 00112233445566aa`,
       work: 0,
     });
+  });
+
+  it('are of another accuracy than is asked for, and of another than that at which they were played', () => {
+    expect(verdictOf({ accuracy: 'fast' })).toMatchObject({
+      verdict: 'other-accuracy',
+      message: 'expected a play at the accuracy precise, found one at fast',
+      found: null,
+      work: 0,
+    });
+    for (const accuracy of ['fast', 'any'] as const) {
+      expect(verifyPlay(level, encodePlay({ ...play, accuracy: 'fast' }), { accuracy })).toMatchObject({
+        verdict: 'claim-differs',
+        message: expect.stringContaining('the replay differs from the play: first between tick 0 and 600'),
+      });
+    }
+    // whoever made the verifier decides, and a call of it may decide otherwise
+    const verifier = createVerifier(level, { accuracy: 'arcade' });
+    expect(verifier.verify(bytes).verdict).toBe('other-accuracy');
+    expect(verifier.verify(bytes, { accuracy: 'precise' }).verdict).toBe('ok');
+    expect(verifier.verify(bytes, { maxTicks: 10 }).verdict).toBe('other-accuracy');
   });
 
   it('have been found out only if they were replayed to the end', () => {

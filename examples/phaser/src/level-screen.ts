@@ -3,7 +3,7 @@ import { createRunner, type Runner, type Skin } from 'gravity-quest-toolkit/phas
 import { element, textButton } from './dom.ts';
 import { ghostsOf, type Hold, type Rival } from './ghosts.ts';
 import { GHOSTS_IN_WORDS, Hud } from './hud.ts';
-import type { Accuracy, PlayableEntry } from './pack.ts';
+import type { PlayableEntry, Terms } from './pack.ts';
 import { Panel } from './panel.ts';
 import type { Progress } from './progress.ts';
 import { GHOST_CHOICES, type Settings } from './settings.ts';
@@ -51,7 +51,7 @@ export interface Visit {
 export interface Look {
   /** `webgl` or `canvas`; null: what is faster. */
   readonly renderer: string | null;
-  readonly accuracy: Accuracy;
+  readonly terms: Terms;
 }
 
 interface Recorded {
@@ -160,7 +160,7 @@ export class LevelScreen {
     if (opening !== this.opening) return;
     this.runner?.destroy();
     this.runner = createRunner(scene, entry.level, {
-      accuracy: this.look.accuracy,
+      ...this.look.terms,
       area: () => this.area(),
       skin: isCalm() ? CALM_SKIN : {},
       restartAfter: visit.watched == null ? RESTART_AFTER : null,

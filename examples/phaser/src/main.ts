@@ -19,9 +19,9 @@ const query = new URLSearchParams(location.search);
 async function findPack(): Promise<{ pack: PackReading; notices: string[]; isLinked: boolean }> {
   const linked = await levelInLink(location.hash);
   if (linked !== null && 'level' in linked) {
-    const { level } = linked;
+    const { level, terms } = linked;
     const entries = [{ id: 'link', chapter: null, number: 1, level }];
-    return { pack: { title: level.name, accuracy: 'precise', entries, problem: null }, notices: [], isLinked: true };
+    return { pack: { title: level.name, terms, entries, problem: null }, notices: [], isLinked: true };
   }
   const pack = readPack((globalThis as { GRAVITY_QUEST_PACK?: unknown }).GRAVITY_QUEST_PACK);
   return { pack, notices: linked === null ? [] : [linked.problem], isLinked: false };
@@ -43,7 +43,7 @@ async function start(): Promise<void> {
     );
   });
   const settings = readSettings(store);
-  const progress = createProgress(playable, store);
+  const progress = createProgress(playable, pack.terms, store);
   const sound = createSound(settings);
 
   const toggleMute = () => {
@@ -101,7 +101,7 @@ async function start(): Promise<void> {
     say,
     open: (file) => {
       if (file.size > LARGEST_FILE) menu.notice(`${file.name} is no play: it has ${file.size} bytes.`, 'bad');
-      else void file.arrayBuffer().then((bytes) => take(readPlay(new Uint8Array(bytes), playable)));
+      else void file.arrayBuffer().then((bytes) => take(readPlay(new Uint8Array(bytes), playable, pack.terms)));
     },
   });
   const screen = new LevelScreen(
@@ -119,10 +119,11 @@ async function start(): Promise<void> {
       },
       linkTo: (text) => {
         const page = location.href.replace(/#.*/, '');
-        return `${page}#${isLinked ? `${partOf(location.hash, 'level')}&` : ''}play=${text}`;
+        const kept = isLinked ? ['level', 'accuracy', 'max-time'].flatMap((key) => partOf(location.hash, key) ?? []) : [];
+        return `${page}#${[...kept, `play=${text}`].join('&')}`;
       },
     },
-    { renderer: query.get('renderer'), accuracy: pack.accuracy },
+    { renderer: query.get('renderer'), terms: pack.terms },
   );
 
   document.querySelector('#app')?.replaceChildren(menu.root, screen.root, live);
@@ -154,7 +155,7 @@ async function start(): Promise<void> {
   });
 
   const text = playInLink(location.hash);
-  if (text !== null) take(readPlayText(text, playable));
+  if (text !== null) take(readPlayText(text, playable, pack.terms));
   else if (isLinked) show(playable[0]);
   const idle = globalThis.requestIdleCallback ?? ((run: () => void) => setTimeout(run, 200));
   idle(() => screen.prepare());

@@ -24,13 +24,26 @@ export interface BrokenEntry {
   readonly problem: string;
 }
 
+/** What levels are played under, so that they play as they were checked. */
+export interface Terms {
+  readonly accuracy: Accuracy;
+  /** The longest that a play may last, s. */
+  readonly maxTime: number;
+}
+
+/** What holds where neither pack nor link says anything. */
+export const USUAL_TERMS: Terms = { accuracy: 'precise', maxTime: 60 };
+
+/** s; one hour, the longest play that there is */
+const LONGEST = 3600;
+
 /** The name of an accuracy. */
 export type Accuracy = Extract<PlayerOptions['accuracy'], string>;
 const ACCURACIES: readonly Accuracy[] = ['arcade', 'fast', 'standard', 'precise'];
 
 export interface PackReading {
   readonly title: string;
-  readonly accuracy: Accuracy;
+  readonly terms: Terms;
   readonly entries: readonly Entry[];
   /** What is wrong with the pack as a whole; null if it can be played. */
   readonly problem: string | null;
@@ -63,12 +76,21 @@ function readEntry(found: unknown, number: number, taken: ReadonlySet<string>): 
   return 'level' in reading ? { id, chapter, number, level: reading.level } : broken(reading.problem);
 }
 
+/** Reads terms. @returns them, or what is wrong with them */
+export function termsOf(accuracy: unknown, maxTime: unknown): Terms | { problem: string } {
+  if (!ACCURACIES.includes(accuracy as Accuracy))
+    return { problem: `expected one of ${ACCURACIES.join(', ')} as "accuracy", found ${JSON.stringify(accuracy)}` };
+  if (typeof maxTime !== 'number' || !(maxTime > 0) || maxTime > LONGEST)
+    return { problem: `expected seconds, more than 0 and at most ${LONGEST}, as "maxTime", found ${JSON.stringify(maxTime)}` };
+  return { accuracy: accuracy as Accuracy, maxTime };
+}
+
 /**
  * Reads the pack that pack.js has set. A level that can't be read leaves the others playable.
  * @param found `globalThis.GRAVITY_QUEST_PACK`
  */
 export function readPack(found: unknown): PackReading {
-  const refused = (problem: string): PackReading => ({ title: 'Gravity Quest', accuracy: 'precise', entries: [], problem });
+  const refused = (problem: string): PackReading => ({ title: 'Gravity Quest', terms: USUAL_TERMS, entries: [], problem });
   if (found === undefined) return refused('pack.js was not loaded: it must be beside this page and set GRAVITY_QUEST_PACK.');
   if (!isRecord(found) || !Array.isArray(found.levels)) {
     return refused('pack.js is damaged: expected GRAVITY_QUEST_PACK = { title, levels: [{ id, level }] }.');
@@ -80,12 +102,9 @@ export function readPack(found: unknown): PackReading {
     taken.add(entry.id);
     return entry;
   });
-  const { accuracy = 'precise' } = found;
-  if (!ACCURACIES.includes(accuracy as Accuracy)) {
-    return refused(
-      `pack.js is damaged: expected one of ${ACCURACIES.join(', ')} as "accuracy", found ${JSON.stringify(accuracy)}.`,
-    );
-  }
+  const { accuracy = USUAL_TERMS.accuracy, maxTime = USUAL_TERMS.maxTime } = found;
+  const terms = termsOf(accuracy, maxTime);
+  if ('problem' in terms) return refused(`pack.js is damaged: ${terms.problem}.`);
   const problem = entries.length === 0 ? 'The pack has no levels: expected at least one in pack.js.' : null;
-  return { title, accuracy: accuracy as Accuracy, entries, problem };
+  return { title, terms, entries, problem };
 }

@@ -4,13 +4,14 @@ import {
   decodePlay,
   encodePlay,
   levelHash,
+  type Play,
   type Player,
   playFromText,
   playOf,
   playToText,
 } from 'gravity-quest-toolkit/game';
 import type { Hold } from './ghosts.ts';
-import type { PlayableEntry } from './pack.ts';
+import type { PlayableEntry, Terms } from './pack.ts';
 import { keyOf, type Store } from './settings.ts';
 
 /** How far the player has come in a pack. */
@@ -27,23 +28,33 @@ export interface Progress {
 /** Characters of a level's hash that tell its versions apart. */
 const VERSION_LENGTH = 8;
 
-export function createProgress(entries: readonly PlayableEntry[], store: Store): Progress {
-  // a time counts for the version of the level in which it was reached
-  const keys = new Map(entries.map(({ id, level }) => [id, `${id}@${levelHash(level).slice(0, VERSION_LENGTH)}`]));
-  const keyFor = (id: string): string => keys.get(id) ?? id;
-  const pack = createPack(
-    entries.map(({ id, level }) => ({ id: keyFor(id), level })),
-    store,
-    keyOf('progress'),
-  );
+/** The play in a text; null if there is none. */
+function playIn(text: string | null | undefined): Play | null {
+  const bytes = text == null ? null : playFromText(text);
+  const decoded = bytes === null ? null : decodePlay(bytes);
+  return decoded?.ok === true ? decoded.play : null;
+}
+
+export function createProgress(entries: readonly PlayableEntry[], { accuracy }: Terms, store: Store): Progress {
+  // a time counts for the version of the level and the accuracy at which it was reached
+  const versions = new Map(entries.map(({ id, level }) => [id, `${id}@${levelHash(level).slice(0, VERSION_LENGTH)}`]));
+  const keyFor = (id: string): string => `${versions.get(id) ?? id}@${accuracy}`;
+  const packOf = (keyed: (id: string) => string) =>
+    createPack(
+      entries.map(({ id, level }) => ({ id: keyed(id), level })),
+      store,
+      keyOf('progress'),
+    );
+  const pack = packOf(keyFor);
+  // earlier pages did not tell accuracies apart, but each play names its own
+  const earlier = packOf((id) => versions.get(id) ?? id);
+  for (const { id } of entries) {
+    const best = earlier.best(versions.get(id) ?? id);
+    if (best !== null && playIn(best.play)?.accuracy === accuracy) pack.record(keyFor(id), best);
+  }
   return {
     best: (id) => pack.best(keyFor(id)),
-    bestHolds(id) {
-      const text = pack.best(keyFor(id))?.play;
-      const bytes = text == null ? null : playFromText(text);
-      const decoded = bytes === null ? null : decodePlay(bytes);
-      return decoded?.ok === true ? decoded.play.holds : null;
-    },
+    bestHolds: (id) => playIn(pack.best(keyFor(id))?.play)?.holds ?? null,
     isUnlocked: (id) => pack.isUnlocked(keyFor(id)),
     record: (id, player) =>
       pack.record(keyFor(id), {
