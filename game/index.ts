@@ -5,6 +5,7 @@ export {
 } from '../schema/plain/index.ts';
 export { type Best, createPack, type Pack, type PackLevel, type PackStorage } from './pack/index.ts';
 export {
+  type AcceptedAccuracy,
   type ChallengeState,
   challengeFor,
   createVerifier,

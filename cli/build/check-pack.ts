@@ -1,5 +1,5 @@
 import { type Pack, packedLevel } from '../../check/pack/index.ts';
-import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../schema/index.ts';
 import { cacheFolder } from '../cache/index.ts';
 import {
@@ -20,8 +20,6 @@ import type { PackFile } from './find-pack.ts';
 /** How the levels of a pack are checked. */
 export interface BuildOptions {
   readonly asked: AskedOptions;
-  /** undefined: that of the configuration, else the default */
-  readonly accuracy?: AccuracyName;
   /** The folder of the cache, or false for none; null: the usual one. */
   readonly cache: boolean | string | null;
   readonly jobs: number;
@@ -32,6 +30,8 @@ export interface BuildOptions {
 /** What became of the levels of a pack. */
 export interface BuiltPack {
   readonly accuracy: AccuracyName;
+  /** The longest that a run may last, s. */
+  readonly maxTime: number;
   /** In the order of the pack. */
   readonly levels: readonly (CheckedLevel & { readonly id: string })[];
   /** The bytes that were checked, by file; none of a file that can't be read. */
@@ -44,15 +44,17 @@ export interface BuiltPack {
 export async function checkPack(
   files: readonly PackFile[],
   configuration: Configuration,
-  { asked, accuracy: wanted, cache: choice, jobs, onProgress }: BuildOptions,
+  { asked, cache: choice, jobs, onProgress }: BuildOptions,
 ): Promise<BuiltPack> {
-  const accuracy = wanted ?? configuration.accuracy ?? DEFAULT_ACCURACY;
   const settings: CheckSettings = {
     ...settingsFor(asked, configuration, files.length),
-    accuracy: ACCURACIES[accuracy],
     forLock: false,
     inFull: false,
   };
+  const { maxTime } = settings.terms;
+  const accuracy = settings.terms.accuracy.name;
+  // a page plays at an accuracy that has a name, so a build has no options for another
+  if (!isAccuracyName(accuracy)) throw new Error(`not the name of an accuracy: ${accuracy}`);
   const folder = cacheFolder(choice);
   const cache = folder === null ? null : openLevelCache(folder, settings);
   const bytes = new Map<string, Uint8Array>();
@@ -69,7 +71,7 @@ export async function checkPack(
   }
   const ids = new Map(files.map(({ file, id }) => [file, id]));
   const judged = await judgeLevels(levels, configuration);
-  return { accuracy, levels: judged.map((level) => ({ ...level, id: ids.get(level.file)! })), bytes, signal };
+  return { accuracy, maxTime, levels: judged.map((level) => ({ ...level, id: ids.get(level.file)! })), bytes, signal };
 }
 
 /** @throws Failure if it is not a regular file: a pipe can't be read both by the check and for the pack */
@@ -85,7 +87,7 @@ function bytesOrNull(file: string): Uint8Array | null {
 
 /** The pack of levels that were checked and are valid. */
 export function packOf(
-  { accuracy, levels, bytes }: BuiltPack,
+  { accuracy, maxTime, levels, bytes }: BuiltPack,
   {
     title,
     rules,
@@ -102,6 +104,7 @@ export function packOf(
   return {
     title,
     accuracy,
+    maxTime,
     levels: levels.map(({ id, file, found }) => {
       const read = readLevel(bytes.get(file)!);
       if (!read.ok) throw new Error(`${file}: was valid and now is not`);

@@ -17,7 +17,7 @@ export interface Candidate {
 }
 
 const isAsClaimed = (play: Play, { level, hash }: KnownLevel): boolean =>
-  createVerifier(level).verify(encodePlay({ ...play, level: hash }), { maxWork: WORK }).verdict === 'ok';
+  createVerifier(level).verify(encodePlay({ ...play, level: hash }), { accuracy: play.accuracy, maxWork: WORK }).verdict === 'ok';
 
 /** The level on which the inputs of a play end as it claims, at nearly the same tick; null if they do so on none. */
 export function candidateFor(play: Play, levels: readonly KnownLevel[]): Candidate | null {

@@ -7,6 +7,7 @@ export {
   type PlayJobSettings,
   type PlayOptions,
   planned,
+  playAccuracyOption,
   playSettings,
   unusableInWords,
   unusableLevels,

@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { type Command, Option } from 'commander';
-import { PLAY_LIMITS } from '../../game/index.ts';
+import { ACCURACIES, DEFAULT_TERMS } from '../../engine/basics/index.ts';
+import { type AcceptedAccuracy, PLAY_LIMITS } from '../../game/index.ts';
 import type { OwnRules } from '../../schema/index.ts';
 import type { Configuration } from '../configuration.ts';
 import { Failure } from '../failure.ts';
@@ -9,6 +10,7 @@ import { findConfigured } from '../level-paths.ts';
 import { collect, wholeNumberOption } from '../options.ts';
 import { readBytes } from '../read-bytes.ts';
 import { namedPath } from '../shown-path.ts';
+import { type TermsOptions, termsFrom } from '../terms.ts';
 import { visible } from '../visible.ts';
 import { type Catalogue, readCatalogue } from './catalogue.ts';
 import { ownEngine } from './engine-module.ts';
@@ -21,7 +23,15 @@ export interface PlayOptions {
   readonly challengeKey?: string;
   readonly now?: number;
   readonly maxTicks: number;
+  readonly accuracy?: AcceptedAccuracy;
 }
+
+/** `--accuracy` of plays, which may be `any`. */
+export const playAccuracyOption = (): Option =>
+  new Option(
+    '--accuracy <name>',
+    `the accuracy at which plays must have been played; any takes all (default: that of gq.config.json, else ${JSON.stringify(DEFAULT_TERMS.accuracy.name)})`,
+  ).choices([...Object.keys(ACCURACIES), 'any']);
 
 const secondsOption = wholeNumberOption('seconds since 1970', 0, 0xffff_ffff);
 
@@ -48,6 +58,8 @@ export interface PlayJobSettings {
   readonly files: readonly string[];
   readonly rules: OwnRules;
   readonly engines: string | null;
+  /** The name of the accuracy at which plays must have been played, or `any`. */
+  readonly accuracy: string;
   /** `key`: its file. */
   readonly challenge: { readonly key: string; readonly now: number } | null;
   readonly maxTicks: number;
@@ -58,15 +70,16 @@ export interface PlayJobSettings {
 
 /** What the options and the configuration choose. */
 export async function playSettings(
-  options: PlayOptions & { readonly maxWork: number },
+  options: PlayOptions & Pick<TermsOptions, 'maxWork'>,
   configuration: Configuration,
 ): Promise<{ readonly settings: PlayJobSettings; readonly unreadable: FoundFiles['unreadable'] }> {
-  const { challengeKey: key, engines = null, maxTicks, maxWork } = options;
-  const { rules } = configuration;
+  const { challengeKey: key, engines = null, maxTicks, maxWork: most } = options;
+  const { rules, maxWork, accuracy: usual } = termsFrom({ maxWork: most }, configuration);
+  const accuracy = options.accuracy ?? usual.name;
   if (key !== undefined) readKey(key);
   const { files, unreadable } = await findConfigured(options.levels ?? [], configuration);
   const challenge = key === undefined ? null : { key, now: options.now ?? Math.floor(Date.now() / 1000) };
-  return { settings: { files, rules, engines, challenge, maxTicks, maxWork }, unreadable };
+  return { settings: { files, rules, engines, accuracy, challenge, maxTicks, maxWork }, unreadable };
 }
 
 /** Settings for a plan: shards refuse other levels and another key than those of now. */
@@ -95,12 +108,13 @@ export function expectAsPlanned(settings: PlayJobSettings): void {
 
 /** @param candidates how many stale plays are tried on the levels that there are */
 export const deskSettings = (
-  { files, rules, engines, challenge, maxTicks, maxWork }: PlayJobSettings,
+  { files, rules, engines, accuracy, challenge, maxTicks, maxWork }: PlayJobSettings,
   candidates: number,
 ): PlaySettings => ({
   files,
   rules,
   engines,
+  accuracy,
   options: {
     maxTicks,
     maxWork,

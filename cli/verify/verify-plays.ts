@@ -1,4 +1,5 @@
 import { decodePlay, type Play, type VerifiedPlay, type VerifyOptions } from '../../game/index.ts';
+import { whyOtherAccuracy } from '../../game/play/index.ts';
 import type { OwnRules, VerifyReport } from '../../schema/index.ts';
 import { type Candidate, candidateFor } from './candidate.ts';
 import { type Catalogue, type KnownLevel, readCatalogue } from './catalogue.ts';
@@ -23,7 +24,9 @@ export interface PlaySettings {
   readonly rules: OwnRules;
   /** The folder with older engines; null: there is none. */
   readonly engines: string | null;
-  readonly options: VerifyOptions;
+  /** The name of the accuracy at which plays must have been played, or `any`. */
+  readonly accuracy: string;
+  readonly options: Omit<VerifyOptions, 'accuracy'>;
   /** How many stale plays are tried on the levels that there are. */
   readonly candidates: number;
 }
@@ -99,13 +102,16 @@ export class PlayDesk {
       const candidate = older === null ? this.candidate(play) : null;
       return { report: report('stale-level', this.stale(candidate), null, NOTHING, candidate?.known) };
     }
+    // asked here, since an older engine may not know that it has to ask
+    const other = whyOtherAccuracy(play, this.settings.accuracy);
+    if (other !== null) return { report: report(other.verdict, other.message, known) };
     return {
       task: {
         bytes: content,
         level: { file: known.file, hash: known.hash },
         rules: this.settings.rules,
         engine: older === null ? null : { id: engine, folder: older.folder },
-        options: { ...this.settings.options, challengeSubject: item.subject ?? undefined },
+        options: { ...this.settings.options, accuracy: 'any', challengeSubject: item.subject ?? undefined },
       },
       complete(verified) {
         if (verified === null) return report('stale-level', `${known.file} has changed since gq began to verify`, known);

@@ -18,4 +18,4 @@ export {
   type VerifyOptions,
   verifyPlay,
 } from './verify.ts';
-export { type AcceptedAccuracy, claimInWords, whyNotReplayed, whyOtherAccuracy } from './why-not-replayed.ts';
+export { type AcceptedAccuracy, claimInWords, whyNotReplayed, whyOtherAccuracy, whyOtherEngine } from './why-not-replayed.ts';

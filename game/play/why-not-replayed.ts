@@ -23,6 +23,16 @@ export function whyOtherAccuracy({ accuracy }: Pick<Play, 'accuracy'>, accepted:
   return { verdict: 'other-accuracy', message: `expected a play at the accuracy ${accepted}, found one at ${accuracy}` };
 }
 
+/**
+ * Says whether a play was made with another engine.
+ * @param play the play
+ * @returns null for a play of this engine
+ */
+export const whyOtherEngine = ({ engine }: Pick<Play, 'engine'>): NotReplayed | null =>
+  engine === ENGINE_ID
+    ? null
+    : { verdict: 'unknown-engine', message: `expected a play of engine ${ENGINE_ID}, found one of ${engine}` };
+
 /** What a play is compared with before it is replayed. */
 export interface Acceptance {
   /** The hash of the level. */
@@ -40,10 +50,9 @@ export interface Acceptance {
  * @returns null for a play that can be replayed
  */
 export function whyNotReplayed(play: Play, { hash, accuracy, maxTicks }: Acceptance): NotReplayed | null {
-  const { engine, level, claim } = play;
-  if (engine !== ENGINE_ID) {
-    return { verdict: 'unknown-engine', message: `expected a play of engine ${ENGINE_ID}, found one of ${engine}` };
-  }
+  const { level, claim } = play;
+  const engine = whyOtherEngine(play);
+  if (engine !== null) return engine;
   if (level !== hash) return { verdict: 'stale-level', message: `expected a play of level ${hash}, found one of ${level}` };
   const other = whyOtherAccuracy(play, accuracy);
   if (other !== null) return other;

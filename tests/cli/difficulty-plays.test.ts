@@ -46,6 +46,8 @@ const { directory: cwd, remove } = makeFiles({
   ...Object.fromEntries(Object.entries(plays).map(([name, play]) => [name, encodePlay(play)])),
   'plays/ann/11.gqr': encodePlay(plays['plays/ann/1.gqr']).subarray(0, 50),
   'plays/ann/12.gqr': encodePlay(lie),
+  'two/arcade.gqr': encodePlay(playedBy(levelOf(files['pack/second.level.json']), 'arcade')(HOLD)),
+  'two/precise.gqr': encodePlay(second(HOLD)),
   'old.gqr': encodePlay({ ...lie, engine: '0'.repeat(16), level: '0'.repeat(64) }),
   'plays/readme.txt': 'hello',
   'lines.ndjson': [
@@ -76,6 +78,18 @@ async function difficulty(...args: string[]): Promise<Reported> {
 }
 
 describe('gq difficulty --plays', () => {
+  it('counts plays of the accuracy at which it measures, and names the others', async () => {
+    const counted = async (...args: string[]) => {
+      const { stderr, report } = await difficulty('pack/second.level.json', '--plays', 'two', ...args);
+      const [{ players }] = report.levels;
+      return { attempts: players?.attempts, refused: players?.refused.map(({ verdict }) => verdict), stderr };
+    };
+    expect(await counted()).toMatchObject({ attempts: 1, refused: ['other-accuracy'] });
+    expect(await counted('--accuracy', 'arcade')).toMatchObject({ attempts: 1, refused: ['other-accuracy'] });
+    expect(await counted('--accuracy', 'fast')).toMatchObject({ attempts: 0, refused: ['other-accuracy', 'other-accuracy'] });
+    expect(await counted('--max-time', '1')).toMatchObject({ attempts: 0, refused: ['other-accuracy', 'too-long'] });
+  });
+
   it('says how players fare, takes folders for players in natural order, and has the same result for any number of threads', async () => {
     const args = ['pack/first.level.json', '--plays', 'plays'];
     const { code, stdout, report } = await difficulty(...args, '--jobs', '1');

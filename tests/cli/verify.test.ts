@@ -1,8 +1,9 @@
 import { cpSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
-import { challengeFor, ENGINE_ID, levelHash, playToText } from '../../game/index.ts';
+import { challengeFor, ENGINE_ID, encodePlay, levelHash, playToText } from '../../game/index.ts';
 import { type VerifyReport, verifyReportSchema } from '../../schema/index.ts';
+import { playedBy } from '../check/played.ts';
 import { shipped } from '../levels/shipped-pack.ts';
 import { type Ended, gq, gqProcess, makeFiles } from './gq.ts';
 import { changed, playOfRun } from './plays.ts';
@@ -46,6 +47,46 @@ const reports = ({ stdout }: Ended): VerifyReport[] =>
     .split('\n')
     .filter((line) => line !== '')
     .map((line) => verifyReportSchema.parse(JSON.parse(line)));
+
+describe('gq verify, accuracies', () => {
+  const arcade = encodePlay(playedBy(swing.level, 'arcade')(swing.level.runs[0].holds));
+  const folder = makeFiles({
+    'levels/b.level.json': swing.text,
+    'arcade.gqr': arcade,
+    'precise.gqr': other,
+    'in-arcade/gq.config.json': '{ "accuracy": "arcade" }',
+    'in-arcade/levels/b.level.json': swing.text,
+  });
+  afterAll(folder.remove);
+  const verdicts = async (at: string, ...args: string[]) => {
+    const ended = await gq(['verify', ...args, '--format', 'json'], { cwd: join(folder.directory, at) });
+    return [ended.code, ...reports(ended).map(({ verdict }) => verdict)];
+  };
+
+  it('are chosen by who verifies, never by the sender', async () => {
+    expect(await verdicts('.', 'arcade.gqr', 'precise.gqr')).toEqual([1, 'other-accuracy', 'ok']);
+    expect(await verdicts('.', 'arcade.gqr', 'precise.gqr', '--accuracy', 'arcade')).toEqual([1, 'ok', 'other-accuracy']);
+    expect(await verdicts('.', 'arcade.gqr', 'precise.gqr', '--accuracy', 'any')).toEqual([0, 'ok', 'ok']);
+    expect(await verdicts('in-arcade', '../arcade.gqr', '../precise.gqr')).toEqual([1, 'ok', 'other-accuracy']);
+    expect(await verdicts('in-arcade', '../arcade.gqr', '--accuracy', 'precise')).toEqual([1, 'other-accuracy']);
+  });
+
+  it('are part of a plan', async () => {
+    const run = (...args: string[]) => gq(args, { cwd: folder.directory });
+    const plan = ['plan', 'arcade.gqr', 'precise.gqr', '--for', 'verify', '--shards', '1', '--force'];
+    for (const [accuracy, expected] of [
+      ['arcade', ['ok', 'other-accuracy']],
+      ['any', ['ok', 'ok']],
+    ] as const) {
+      expect((await run(...plan, '--accuracy', accuracy)).stderr).not.toContain('error');
+      await run('verify', '--plan', 'plan.json', '--shard', '0', '--out', accuracy);
+      const merged = await run('merge', accuracy, '--plan', 'plan.json', '--format', 'json');
+      expect(reports(merged).map(({ verdict }) => verdict)).toEqual(expected);
+    }
+    const refused = await run('plan', 'levels', '--shards', '1', '--accuracy', 'any');
+    expect(refused).toMatchObject({ code: 2, stderr: expect.stringContaining('--accuracy any is for plays') });
+  });
+});
 
 describe('gq verify', () => {
   it('says of every play in files and folders what it is, in order', async () => {

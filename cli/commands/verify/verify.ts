@@ -10,7 +10,7 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure, systemReason } from '../../failure.ts';
 import { once, statOrError, unreadableFolders, walk } from '../../files.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
-import { jobsOption, maxWorkOption } from '../../options.ts';
+import { jobsOption } from '../../options.ts';
 import { firstPack } from '../../packs/index.ts';
 import { print } from '../../print.ts';
 import { readConfiguration } from '../../read-configuration.ts';
@@ -20,6 +20,7 @@ import { namedPath } from '../../shown-path.ts';
 import { siblingHint } from '../../sibling-hint.ts';
 import { hearSignals } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
+import { maxWorkOption, type TermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import {
   addPlayOptions,
@@ -31,6 +32,7 @@ import {
   PlayDesk,
   type PlayItem,
   type PlayOptions,
+  playAccuracyOption,
   playPretty,
   playSettings,
   startThreads,
@@ -48,8 +50,7 @@ const PLAY_FILE = /\.gqr$/;
 /** So many stale plays of files are tried on the levels that there are. */
 const CANDIDATES = 20;
 
-interface Options extends ConfigOptions, PlayOptions, ShardOptions {
-  readonly maxWork: number;
+interface Options extends ConfigOptions, PlayOptions, ShardOptions, Pick<TermsOptions, 'maxWork'> {
   readonly jobs: number;
   readonly format?: 'pretty' | 'json';
 }
@@ -63,13 +64,15 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       '[file...]',
       'plays (.gqr), directories of them, packs (.ndjson with a play a line, .tar, also as .gz or .zst), or -: NDJSON on standard input',
     )
+    .addOption(playAccuracyOption())
     .addOption(maxWorkOption())
     .addOption(jobsOption(availableParallelism()))
     .addOption(new Option('--format <format>', 'format of the report (default: pretty; json with -)').choices(['pretty', 'json']))
     .addHelpText(
       'after',
       `
-Verdicts: ok; claim-differs; stale-level: no level has the play's hash; unknown-engine; malformed; too-long.
+Verdicts: ok; claim-differs; stale-level: no level has the play's hash; other-accuracy: it was played at another accuracy, so the
+physics was not that of these levels; unknown-engine; malformed; too-long.
 
 With -, each line is a play as base64url, or {"id": ..., "play": "<base64url>", "subject": ...}; --format json is the default then.
 --format json prints a JSON object per play on a line of its own, in the order of the plays, as soon as it is known.
