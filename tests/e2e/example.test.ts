@@ -4,7 +4,9 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import type { BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, describe, expect, it } from 'vitest';
+import type { AccuracyName } from '../../engine/index.ts';
 import { createPlayer, encodePlay, playOf, playToText } from '../../game/index.ts';
+import { levelFragment } from '../../phaser/links/index.ts';
 import { readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { complaintsAbout } from './axe.ts';
@@ -22,10 +24,10 @@ const LEVELS = fileURLToPath(new URL('../../levels', import.meta.url));
 const fileOf = (name: string): unknown => JSON.parse(readFileSync(join(LEVELS, `${name}.level.json`), 'utf8'));
 
 /** The text of a play of a level by its own run. */
-function playText(file: unknown, run = 0): string {
+function playText(file: unknown, run = 0, accuracy: AccuracyName = 'precise'): string {
   const reading = readLevel(Buffer.from(JSON.stringify(file)));
   if (!reading.ok) throw new Error(reading.problems[0].message);
-  const player = createPlayer(reading.level, { replay: reading.level.runs[run].holds });
+  const player = createPlayer(reading.level, { accuracy, replay: reading.level.runs[run].holds });
   while (player.ending === null) player.advance(100);
   return playToText(encodePlay(playOf(player)));
 }
@@ -290,6 +292,7 @@ else {
       ['damaged', { levels: 7 }, /pack\.js is damaged/],
       ['empty', { title: 'None', levels: [] }, /has no levels/],
       ['of an unknown accuracy', { title: 'None', accuracy: 'exact', levels: [] }, /expected one of arcade, .*found "exact"/],
+      ['without a time', { title: 'None', maxTime: 0, levels: [] }, /expected seconds, .* as "maxTime", found 0/],
     ])('says that the pack is %s', (_, pack, message) =>
       on({ pack }, (page) => page.getByRole('alert').getByText(message).waitFor())(),
     );
@@ -325,11 +328,42 @@ else {
       }),
     );
 
+    it(
+      'plays a pack, a link and the plays of others under the terms of the pack',
+      on({ pack: { ...three(), accuracy: 'arcade' }, fragment: `#play=${playText(quick('Two'), 0, 'arcade')}` }, async (page) => {
+        await panel(page, 'Race this play').getByRole('button', { name: 'Watch it' }).click();
+        await panel(page, 'She reaches the black hole.').waitFor();
+      }),
+    );
+
+    it('plays a level of a link under the terms of the link, and sends them along', async () => {
+      const terms = `${await levelFragment(JSON.stringify(quick('Two')))}&accuracy=arcade&max-time=90`;
+      const play = `play=${playText(quick('Two'), 0, 'arcade')}`;
+      await on({ query: '?replay', fragment: `#${terms}&${play}` }, async (page, address) => {
+        await panel(page, 'Race this play').getByRole('button', { name: 'Race it' }).click();
+        await panel(page, 'Completed').locator('.good').getByText('As fast as the play of the link').waitFor();
+        await page.evaluate('navigator.clipboard.writeText = () => Promise.reject(new Error("refused"))');
+        await page.getByRole('button', { name: 'Copy a link' }).click();
+        expect(await page.getByLabel('Text to copy').inputValue()).toBe(`${address}?replay#${terms}&${play}`);
+      })();
+      await on({ fragment: `#${terms.replace('arcade', 'exact')}` }, async (page) => {
+        await page
+          .getByRole('alert')
+          .getByText(/expected one of arcade, .*found "exact"/)
+          .waitFor();
+      })();
+    });
+
     it.each([
       ['a damaged play', `#play=${playText(fileOf('02-first-swing')).slice(0, -9)}`, /The play can't be shown/],
       ['no play', '#play=???', /The play can't be shown: it is damaged/],
       ['a play of an unknown level', `#play=${playText(straight())}`, /it belongs to a level that is not here/],
       ['a damaged level', '#level=abc', /the level in this link is damaged/],
+      [
+        'a play at another accuracy',
+        `#play=${playText(fileOf('02-first-swing'), 0, 'arcade')}`,
+        /expected a play at the accuracy precise, found one at arcade/,
+      ],
     ])('says that a link has %s, and stays playable', (_, fragment, message) =>
       on({ fragment }, async (page) => {
         await page.getByRole('alert').getByText(message).waitFor();
