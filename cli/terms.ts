@@ -1,6 +1,7 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import {
   ACCURACIES,
+  ACCURACY_LIMITS,
   type Accuracy,
   type AccuracyName,
   accuracyOf,
@@ -41,9 +42,7 @@ interface AccuracyOptions {
   readonly contact?: 'frame' | 'swept';
 }
 
-const HIGHEST_RATE = 100_000;
-/** px; below this, only the rounding of doubles is left */
-const TIGHTEST = 1e-14;
+const { rate: RATE, tolerance: TOLERANCE } = ACCURACY_LIMITS;
 
 const EXAMPLES = 'for example --integrator rk4 --rate 120, or --integrator taylor --tolerance 1e-6';
 
@@ -95,11 +94,7 @@ const addCustomSetting = (command: Command): Command =>
         'taylor',
       ]),
     )
-    .option(
-      '--rate <hz>',
-      'custom setting: steps per second, for euler, verlet and rk4',
-      numberOption('steps a second', 0, HIGHEST_RATE),
-    )
+    .option('--rate <hz>', 'custom setting: steps per second, for euler, verlet and rk4', parseRate)
     .option('--tolerance <px>', 'custom setting: error per second, for taylor', parseTolerance)
     .addOption(
       new Option(
@@ -108,10 +103,18 @@ const addCustomSetting = (command: Command): Command =>
       ).choices(['frame', 'swept']),
     );
 
+const parseRate = (text: string): number => {
+  const value = numberOption('steps a second', 0, RATE.most)(text);
+  if (value >= RATE.least) return value;
+  throw new InvalidArgumentError(`expected at least ${RATE.least} step a second`);
+};
+
 const parseTolerance = (text: string): number => {
-  const value = numberOption('an error in px', 0, 1)(text);
-  if (value >= TIGHTEST) return value;
-  throw new InvalidArgumentError(`expected an error of at least ${TIGHTEST} px: rounding of doubles exceeds anything smaller`);
+  const value = numberOption('an error in px', 0, TOLERANCE.most)(text);
+  if (value >= TOLERANCE.least) return value;
+  throw new InvalidArgumentError(
+    `expected an error of at least ${TOLERANCE.least} px: rounding of doubles exceeds anything smaller`,
+  );
 };
 
 /**

@@ -6,6 +6,7 @@ import { type EffectSet, explosionsAtStart, strongestOf } from './effects/index.
 import { circlesOf, type IndexedCircles, indexed } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
 import type { Terms } from './terms.ts';
+import { validAccuracy } from './valid-accuracy.ts';
 
 /** The places in a list of all circles, without those that equal an earlier one. */
 function unlike(list: readonly Circle[]): number[] {
@@ -55,9 +56,10 @@ export function compileWith(included: EffectSet, level: Level, terms: Terms): Sc
  * @param scene - the scene
  * @param accuracy - the accuracy
  * @returns the scene that {@link compile} would make
+ * @throws {RangeError} when the accuracy is none
  */
 export const atAccuracy = (scene: Scene, accuracy: Accuracy): Scene =>
-  accuracy === scene.accuracy ? scene : sceneUnder(scene, { ...scene.terms, accuracy });
+  accuracy === scene.accuracy ? scene : sceneUnder(scene, { ...scene.terms, accuracy: validAccuracy(accuracy) });
 
 /** What is the same at all accuracies. */
 type Prepared = Omit<Scene, 'accuracy' | 'terms' | 'aliens'> & { readonly aliens: IndexedCircles };

@@ -13,6 +13,7 @@ import { type Terms, termsOf } from './terms.ts';
  * its radii to be positive
  * @param under - the terms under which the level is simulated; or only the name of an accuracy, or a custom setting from
  * {@link accuracyOf}, with {@link DEFAULT_TERMS} for the rest; {@link DEFAULT_ACCURACY} when left out
+ * @throws {RangeError} when the accuracy is none, or a custom setting contradicts itself
  * @returns the scene; it is never changed afterwards and may be shared by any number of simulations
  *
  * @example

@@ -1,6 +1,7 @@
 import type { OwnRules } from '../schema/basics/index.ts';
 import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
 import { DEFAULT_MAX_TIME, TICK_RATE } from './constants.ts';
+import { validAccuracy } from './valid-accuracy.ts';
 import { DEFAULT_MAX_WORK } from './work-budget.ts';
 
 /**
@@ -39,10 +40,16 @@ export const maxTicksOf = ({ maxTime }: Pick<Terms, 'maxTime'>): number => Math.
  *
  * @param under - the name of an accuracy, an accuracy, or terms
  * @returns the terms
+ * @throws {RangeError} when the accuracy is none, a custom setting contradicts itself, or a limit is not positive
  */
 export function termsOf(under: AccuracyName | Accuracy | Terms): Terms {
-  if (typeof under === 'string') return { ...DEFAULT_TERMS, accuracy: ACCURACIES[under] };
-  return 'accuracy' in under ? under : { ...DEFAULT_TERMS, accuracy: under };
+  if (typeof under === 'object' && under !== null && 'accuracy' in under) {
+    for (const limit of ['maxTime', 'maxWork'] as const)
+      if (!(under[limit] > 0)) throw new RangeError(`terms, ${limit}: expected more than 0, found ${under[limit]}`);
+    const accuracy = validAccuracy(under.accuracy);
+    return accuracy === under.accuracy ? under : { ...under, accuracy };
+  }
+  return { ...DEFAULT_TERMS, accuracy: validAccuracy(under) };
 }
 
 /**

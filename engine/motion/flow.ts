@@ -1,3 +1,5 @@
+import { HEAD_ON } from '../tolerances.ts';
+
 /** No force: a straight line. */
 export const COAST = 0;
 /** A force towards or away from the centre of the frame, and a steady force w: u'' = alpha u / |u| + beta u + w. */
@@ -9,6 +11,10 @@ export const SLIDE = 3;
 
 /** A steady force alone: u'' = w. */
 export const STEADY = 4;
+
+/** Whether she falls through the centre of the force; see {@link HEAD_ON}. */
+export const isInCentre = ({ kind }: Flow, x: Float64Array, y: Float64Array): boolean =>
+  kind === CENTRAL && x[0] * x[0] + y[0] * y[0] < HEAD_ON * HEAD_ON;
 
 /** The smooth motion between two events, in a frame whose origin is the centre of the force. */
 export class Flow {
