@@ -27,7 +27,7 @@ const BASES: readonly (Prover | 'random' | 'windy')[] = [
 ];
 
 /** Her speed at the start as shares of the speed limit: about where provers stop following her, and about the limit itself. */
-const SHARES = [0.05, 0.2, 0.45, 0.499, 0.501, 0.55, 0.6, 0.7, 0.707, 0.709, 0.9, 0.99, 1];
+const SHARES = [0.05, 0.2, 0.45, 0.499, 0.501, 0.55, 0.6, 0.7, 0.705, 0.709, 0.9, 0.99, 1];
 
 /**
  * A level of any style, from a seed. What the styles keep apart is mixed: rules over the whole range that a level may have, low
