@@ -1,11 +1,15 @@
 import { writeFileSync } from 'node:fs';
 import { optionValue } from '../harness.ts';
+import { packLevels } from '../levels.ts';
 import {
   ALL_ACCURACIES,
   ALL_PROVERS,
+  attackCompletable,
   attackLevel,
+  attackMixed,
   attackOrbits,
   attackSolvable,
+  emptyMixed,
   emptyOrbits,
   emptySolvable,
   emptyTally,
@@ -15,7 +19,8 @@ import {
 
 /**
  * Attacks every kind of proof at every accuracy with claims that are known to be false; every other level has rules of its own,
- * and half of each have winds and wormholes. Then it lets all provers try levels that runs complete. Options on the command
+ * and half of each have winds and wormholes. Then it gives all provers many false claims in levels of any style, without the
+ * checker, among them the shipped levels from states of their runs, and lets them try levels that runs complete. Options on the command
  * line: --claims N (for each; 10000), --claim-seconds S (for each; an equal part of `most` when left out), --prover NAME,
  * --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). Sets the exit code to 1 if a false claim is accepted.
  * @param most - time for all of them together, s
@@ -27,7 +32,7 @@ export function attackProofs(most: number): void {
   const provers = ALL_PROVERS.filter((name) => name === (optionValue('--prover') ?? name));
   const accuracies = ALL_ACCURACIES.filter((name) => name === (optionValue('--accuracy') ?? name));
   const pairs =
-    provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length + accuracies.length + 1;
+    provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length + 2 * accuracies.length + 1;
   const seconds = Number(optionValue('--claim-seconds') ?? most / pairs);
   const accepted: unknown[] = [];
   console.log('proof             accuracy  levels  claims  foreign  mutated    ruled  searched  accepted');
@@ -66,6 +71,18 @@ export function attackProofs(most: number): void {
   const { levels, ending, claims: asked, searched, wrong } = orbits;
   console.log(`${' '.repeat(25)} ${[levels, ending, asked, searched, wrong.length].map((n) => String(n).padStart(8)).join('')}`);
   accepted.push(...wrong);
+  console.log('\nevery prover, without the checker    claims  proved');
+  for (const accuracy of accuracies) {
+    const tally = emptyMixed();
+    const until = Date.now() + 1000 * seconds;
+    for (const { level } of packLevels())
+      for (const { holds } of level.runs) if (Date.now() < until) attackCompletable(level, holds, accuracy, 20, tally);
+    for (let seed = from; tally.claims < claims && Date.now() < until; seed++) attackMixed(seed, accuracy, tally);
+    console.log(`${accuracy.padEnd(34)} ${String(tally.claims).padStart(8)} ${String(tally.proved.length).padStart(7)}`);
+    for (const { prover, about } of tally.proved.slice(0, 5))
+      console.log(`  PROVED: by ${prover}, about ${JSON.stringify(about)}`);
+    accepted.push(...tally.proved);
+  }
   console.log('\nany level         accuracy  levels  completed  collected  proved  twins  accepted');
   for (const accuracy of accuracies) {
     const tally = emptySolvable();

@@ -95,6 +95,13 @@ export const driftAfter = (game: Game, asteroid: number, seconds: number): numbe
   driftWithin(game, asteroid, seconds * (seconds + TICK));
 
 /**
+ * What fixed steps may add to her acceleration with recoil, px/s². Her velocity is the one relative to the asteroid plus the
+ * asteroid's own; recoil belongs to both, and a step may turn it in one of them otherwise than in the other (lemma `pushes`).
+ */
+export const recoilBlur = ({ level: { recoil, asteroids }, rules }: Game): number =>
+  recoil ? asteroids.reduce((most, { radius }) => Math.max(most, (1.01 * rules.recoil) / radius), 0) : 0;
+
+/**
  * Below this speed, px/s, an object that is accelerated by at most `strongest`, px/s², does not reach the speed limit within a
  * step, so that the limit does not bend its path.
  */

@@ -1,5 +1,5 @@
 import { TICK } from '../../engine/index.ts';
-import { bendWithin, driftAfter, easySpeed, isEasyFor } from './assumptions.ts';
+import { bendWithin, driftAfter, easySpeed, isEasyFor, recoilBlur } from './assumptions.ts';
 import { standingCircles } from './blockers.ts';
 import type { About, Blocker, BoxNumbers, FanGrid } from './proof.ts';
 import { mouthDiscs, RIM_SLACK } from './rims.ts';
@@ -63,7 +63,7 @@ export function followFan(
     boxes += next.size;
     layer = next;
   }
-  const closed = !near && layer.size === 0 && isEasyFor(setting, grid.frames * TICK);
+  const closed = !near && layer.size === 0 && fan.isEasy();
   return { closed, layers, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
 }
 
@@ -78,6 +78,9 @@ class Fan {
   private readonly winds: readonly (Circle & { readonly a: readonly [number, number] })[];
   private readonly mouths: readonly Circle[];
   private readonly a = new Float64Array(4);
+  private readonly blur: number;
+  /** The greatest acceleration at any accuracy, px/s². */
+  private readonly strongest: number;
   readonly endedBy = new Set<Blocker>();
   readonly squares = new Map<number, { x: number; y: number }>();
 
@@ -86,6 +89,8 @@ class Fan {
     this.setting = setting;
     this.grid = grid;
     this.step = grid.frames * TICK;
+    this.blur = recoilBlur(setting);
+    this.strongest = setting.strongest + this.blur;
     const [ux, uy] = grid.axis;
     const turned = ({ x, y }: { x: number; y: number }, r: number): Circle => ({ x: x * ux + y * uy, y: y * ux - x * uy, r });
     const place = ({ x, y }: { x: number; y: number }) => ({ x: x - level.astronaut.x, y: y - level.astronaut.y });
@@ -98,6 +103,12 @@ class Fan {
       return { ...turned(place(c), c.radius), a: [x, y] };
     });
     this.mouths = mouthDiscs(level).map((c) => turned(place(c), c.radius));
+  }
+
+  /** Whether she stays below the speed limit throughout every step. */
+  isEasy(): boolean {
+    const { level, rules } = this.setting;
+    return isEasyFor({ level, rules, strongest: this.strongest }, this.step);
   }
 
   start(): Map<number, Box> {
@@ -115,34 +126,47 @@ class Fan {
 
   /**
    * Adds everything that a box becomes in a step that ends at `time` to `next`. Returns false when it comes near the object.
+   *
+   * In frames her velocity follows a push a frame later than its place. So a step has the pushes at places from a frame before it
+   * on, and the first step has a frame's push less, because nothing pushed before.
    */
   advance(box: Box, time: number, next: Map<number, Box>): boolean {
     const { step, a } = this;
+    const isFirst = time <= step;
+    const before = isFirst ? 0 : TICK;
     this.setting.budget.look(4 + 2 * this.asteroids.length + this.fields.length);
     // All places within the step.
-    const bend = bendWithin(this.setting.strongest, step * (step + TICK)) + SLACK;
+    const bend = bendWithin(this.strongest, step * (step + TICK)) + SLACK;
     const xa = box[0] + Math.min(0, step * box[4]) - bend;
     const xb = box[1] + Math.max(0, step * box[5]) + bend;
     const ya = box[2] + Math.min(0, step * box[6]) - bend;
     const yb = box[3] + Math.max(0, step * box[7]) + bend;
     if (nearestTo(this.goal, xa, xb, ya, yb) <= this.goal.r + SLACK) return false;
     for (const mouth of this.mouths) if (nearestTo(mouth, xa, xb, ya, yb) <= mouth.r + RIM_SLACK) return false;
-    this.accelerations(xa, xb, ya, yb, time);
-    this.blow(xa, xb, ya, yb);
-    // The term a t² / 2. Frames push before or after they move, so up to half a frame's push is missing or added.
+    const xm = Math.min(xa, box[0] - before * box[5] - SLACK);
+    const xn = Math.max(xb, box[1] - before * box[4] + SLACK);
+    const ym = Math.min(ya, box[2] - before * box[7] - SLACK);
+    const yn = Math.max(yb, box[3] - before * box[6] + SLACK);
+    this.accelerations(xm, xn, ym, yn, time);
+    this.blow(xm, xn, ym, yn);
+    for (let n = 0; n < 4; n++) a[n] += n % 2 === 0 ? -this.blur : this.blur;
+    // The term a t² / 2. Frames push before they move, so there is half a frame's push more, and in the first step one less.
     const less = 0.5 * step * (step - TICK);
     const more = 0.5 * step * (step + TICK);
     const low = (v: number) => Math.min(v * less, v * more);
     const high = (v: number) => Math.max(v * less, v * more);
+    const least = isFirst ? step - TICK : step;
+    const slowest = (v: number) => Math.min(v * least, v * step);
+    const fastest = (v: number) => Math.max(v * least, v * step);
     const moved: Box = [
       down(box[0] + box[4] * step + low(a[0])),
       up(box[1] + box[5] * step + high(a[1])),
       down(box[2] + box[6] * step + low(a[2])),
       up(box[3] + box[7] * step + high(a[3])),
-      down(box[4] + a[0] * step),
-      up(box[5] + a[1] * step),
-      down(box[6] + a[2] * step),
-      up(box[7] + a[3] * step),
+      down(box[4] + slowest(a[0])),
+      up(box[5] + fastest(a[1])),
+      down(box[6] + slowest(a[2])),
+      up(box[7] + fastest(a[3])),
     ];
     if (Math.max(-moved[4], moved[5], -moved[6], moved[7]) > easySpeed(this.setting.rules)) return false;
     this.put(next, moved, time);
@@ -227,10 +251,10 @@ class Fan {
         const g0 = push / far;
         const g1 = push / near;
         include(
-          least(xa - field.x, g0, g1),
-          greatest(xb - field.x, g0, g1),
-          least(ya - field.y, g0, g1),
-          greatest(yb - field.y, g0, g1),
+          Math.max(-push, least(xa - field.x, g0, g1)),
+          Math.min(push, greatest(xb - field.x, g0, g1)),
+          Math.max(-push, least(ya - field.y, g0, g1)),
+          Math.min(push, greatest(yb - field.y, g0, g1)),
         );
       }
     }
@@ -253,10 +277,10 @@ class Fan {
       const g0 = Math.max(0, pull * (1 / (farthestFrom(rock, xa, xb, ya, yb) + moved) - 1 / range));
       const g1 = Math.max(0, pull * (1 / near - 1 / range));
       include(
-        least(rock.x - moved - xb, g0, g1),
-        greatest(rock.x + moved - xa, g0, g1),
-        least(rock.y - moved - yb, g0, g1),
-        greatest(rock.y + moved - ya, g0, g1),
+        Math.max(-pull, least(rock.x - moved - xb, g0, g1)),
+        Math.min(pull, greatest(rock.x + moved - xa, g0, g1)),
+        Math.max(-pull, least(rock.y - moved - yb, g0, g1)),
+        Math.min(pull, greatest(rock.y + moved - ya, g0, g1)),
       );
     }
   }

@@ -1,5 +1,5 @@
 import { TICK } from '../../engine/index.ts';
-import { easySpeed } from './assumptions.ts';
+import { easySpeed, recoilBlur } from './assumptions.ts';
 import { soonOverReason, startAxis } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
@@ -34,8 +34,10 @@ export const FINEST_PIPES = MOST.length - 1;
 export const MOST_PIPES = MOST[1];
 
 /** Whether `flowpipe` may find a proof with this fineness. */
-export function mayFlow({ level, rules, jump, strongest }: Setting, fineness: number): boolean {
+export function mayFlow(setting: Setting, fineness: number): boolean {
+  const { level, rules, jump } = setting;
   const { vx, vy } = level.astronaut;
+  const strongest = setting.strongest + recoilBlur(setting);
   const fastest = Math.sqrt(vx * vx + vy * vy) + 2 * strongest * LONGEST[Math.min(fineness, FINEST_PIPES)];
   // At rest she can wait for any time.
   return jump === 0 && (vx !== 0 || vy !== 0) && fastest <= easySpeed(rules);

@@ -1,5 +1,5 @@
 import { type Box, TICK } from '../../engine/index.ts';
-import { bendWithin, driftAfter } from './assumptions.ts';
+import { bendWithin, driftAfter, recoilBlur } from './assumptions.ts';
 import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
 import type { About, Blocker, Flowpipe, PipeGrid, PipePart, PipeStep, Strip, ThingRef } from './proof.ts';
 import { RIM_SLACK, rimDiscs } from './rims.ts';
@@ -7,7 +7,7 @@ import type { Setting, Thing } from './setting.ts';
 
 /** The directions in which sets of places are bounded, in eighths of a turn. Direction m + 4 is opposite to direction m. */
 const DIAGONAL = Math.sqrt(0.5);
-const DIRECTIONS: readonly (readonly [number, number])[] = [
+export const DIRECTIONS: readonly (readonly [number, number])[] = [
   [1, 0],
   [DIAGONAL, DIAGONAL],
   [0, 1],
@@ -62,7 +62,7 @@ const ANY_TURN: Turn = { x: 1, y: 0, chord: 2 };
  * she drifted from now on. It includes her place, her velocity and how the two depend on each other, and while she drifts
  * nothing of it changes.
  */
-interface Pipe {
+export interface Pipe {
   /** Greatest coordinate in each direction, px; index moment * 8 + direction. */
   readonly far: Float64Array;
   readonly turn: Turn;
@@ -91,6 +91,7 @@ export interface PipeResult {
  * push a(s) shifts the drift place of moment t by the integral of (t - s) a(s). After each step, strips that certainly overlap
  * a hazard are cut off; the angle of her box is known well enough for that, because it points at the target since the last
  * press. Sets are cut along a grid over the drift places of two moments, and joined in its cells.
+ * @param watch told the sets at the start of each step, which is numbered from 0
  */
 export function followPipes(
   setting: Setting,
@@ -98,12 +99,14 @@ export function followPipes(
   goal: Thing,
   grid: PipeGrid,
   most: { readonly sets: number; readonly parts: number },
+  watch?: (pipes: readonly Pipe[], step: number) => void,
 ): PipeResult {
   const fan = new PipeFan(setting, about, goal, grid);
   const layers: (readonly [PipeStep, PipeStep])[][] = [];
   let pipes = [fan.start()];
   let sets = 0;
   let parts = 0;
+  watch?.(pipes, 0);
   while (layers.length < grid.steps) {
     const next: Layer = { pipes: [], inCells: new Map() };
     const taken: (readonly [PipeStep, PipeStep])[] = [];
@@ -116,6 +119,7 @@ export function followPipes(
     }
     layers.push(taken);
     pipes = next.pipes;
+    watch?.(pipes, layers.length);
     sets += pipes.length;
     if (pipes.length === 0) return fan.result(true, false, layers);
   }
@@ -144,6 +148,7 @@ class PipeFan {
   private readonly endedBy = new Set<string>();
   private readonly enders: Blocker[] = [];
   private readonly squares = new Map<number, Point>();
+  private readonly blur: number;
   private readonly pulls = new Float64Array(SIDES);
   private readonly pushes = new Float64Array(SIDES);
 
@@ -153,6 +158,7 @@ class PipeFan {
     this.setting = setting;
     this.grid = grid;
     this.step = grid.frames * TICK;
+    this.blur = recoilBlur(setting);
     this.late = grid.steps;
     this.early = Math.floor(grid.steps / 3);
     const circle = (c: Point & { radius: number }): Circle => ({
@@ -232,7 +238,7 @@ class PipeFan {
         const along = lever > 0 ? m : opposite(m);
         const push = isPushed === 'always' ? this.pushes[along] : Math.max(0, isPushed ? this.pushes[along] : 0);
         const force = isPushed === 'always' ? push : Math.max(push, this.pulls[along]);
-        pressed[moment * SIDES + m] += Math.abs(lever) * force + SLACK;
+        pressed[moment * SIDES + m] += Math.abs(lever) * (force + this.blur) + SLACK;
         if (isPushed) free[moment * SIDES + m] += Math.abs(lever) * push + SLACK;
       }
     }
@@ -249,7 +255,7 @@ class PipeFan {
     const now = (to - 1) * SIDES;
     const then = to * SIDES;
     // A stage of a stepping method may also lie beside the path.
-    const { strongest } = this.setting;
+    const strongest = this.setting.strongest + this.blur;
     const bend = bendWithin(strongest, this.step * this.step) + Math.max(0.01, 2.5e-4 * strongest);
     const most = (m: number) => Math.max(far[now + m], far[then + m]) + bend;
     return [-most(4), most(0), -most(6), most(2)];

@@ -1,7 +1,7 @@
 import { type Box, boxOf, DEFAULT_MAX_TIME, TICK } from '../../engine/index.ts';
 import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
 import type { About } from '../proofs/index.ts';
-import { driftIn, longestFrame, mostPush } from './assumptions.ts';
+import { driftIn, longestFrame, mostPush, stepBlur } from './assumptions.ts';
 
 /**
  * What a certificate is checked against: places relative to the start (which is 0, 0), and the numbers on which the arguments
@@ -28,6 +28,8 @@ export interface Claim {
   readonly frames: boolean;
   /** Whether steps have a fixed length, so that a push may be that of a place some px away (`fast`, `standard`). */
   readonly steps: boolean;
+  /** What fixed steps may add to what acts on her in any direction, px/s²; 0 in frames and where errors do not count. */
+  readonly blur: number;
   /** Length of the longest run, s; null for any length. */
   readonly seconds: number | null;
   /** The longest jump between two observations, px; 0 in continuous time. */
@@ -72,6 +74,7 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
     push,
     frames,
     steps: play === 'steps',
+    blur: play === 'steps' ? stepBlur(level, rules) : 0,
     seconds: maxTime,
     jump: frames ? frameJump() : 0,
     drift,

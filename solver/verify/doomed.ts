@@ -1,5 +1,4 @@
 import { TICK } from '../../engine/index.ts';
-import type { Rules } from '../../schema/basics/index.ts';
 import type { BoxNumbers, Doomed, FanGrid, ThingRef } from '../proofs/index.ts';
 import { farFromLimit } from './assumptions.ts';
 import type { Claim } from './claim.ts';
@@ -55,7 +54,8 @@ const times = (a: Interval, b: Interval): Interval => {
  * next set, except for the parts that have ended: they lie entirely in one hazard or out of range. No set comes near the object
  * within its step, and after the last step nothing is left. How the boxes were cut and joined does not matter. A step holds for
  * every method that pushes her as the game could push her at the places of that step, once per frame or continuously (lemma
- * `pushes`).
+ * `pushes`). In frames a push acts on her velocity a frame later, so the places of the frame before belong to a step as well, and
+ * the first step may have a frame's push less.
  */
 export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | null {
   if (!isGrid(grid)) return 'its grid is not valid';
@@ -66,7 +66,8 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
   const seconds = grid.frames * TICK;
   // Each step begins no faster than the first one, or far from the limit on both axes, and stays below the limit.
   const fastest = Math.max(Math.sqrt(vx * vx + vy * vy), 1.4143 * farFromLimit(claim.rules));
-  if (!(fastest + claim.push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may reach the speed limit within a step';
+  const push = claim.push + claim.blur;
+  if (!(fastest + push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may reach the speed limit within a step';
   const blocked = blockedDiscs(claim, scene);
   let after: Box[] = [startOf(scene)];
   let looked = 0;
@@ -84,11 +85,13 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
     }
     after = [];
     for (const box of boxes) {
-      const way = placesWithin(box, seconds, claim.push);
+      const way = placesWithin(box, seconds, push);
       if (!(distances(scene.thing, way)[0] > claim.touch + ROUNDING)) return `she may touch it in step ${n + 1}`;
       const mayJump = scene.mouths.some((mouth) => !(distances(mouth, way)[0] > mouth.radius + ON_RIM));
       if (mayJump) return `she may enter a wormhole in step ${n + 1}`;
-      const moved = advance(box, ...accelerations(claim.rules, scene, way, (n + 1) * seconds), seconds);
+      const lag = claim.frames ? TICK : 0;
+      const pushed = accelerations(claim, scene, n === 0 ? way : withPlacesBefore(way, box, lag), (n + 1) * seconds);
+      const moved = advance(box, ...pushed, seconds, n === 0 ? lag : 0);
       if (!(Math.max(-moved.vx[0], moved.vx[1], -moved.vy[0], moved.vy[1]) <= farFromLimit(claim.rules)))
         return 'she may reach the speed limit';
       after.push(moved);
@@ -139,17 +142,29 @@ export function placesWithin({ x, y, vx, vy }: Box, seconds: number, push: numbe
   return { x: along(x, vx), y: along(y, vy) };
 }
 
-/** Computes v t + a t² / 2 with an acceleration that may vary within its bounds. Frames push half a frame earlier or later. */
-export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: number): Box {
+/** The same with the places where she was up to `lag` seconds before, drifting. */
+export function withPlacesBefore(way: Rectangle, { x, y, vx, vy }: Box, lag: number): Rectangle {
+  const before = (p: Interval, v: Interval) => add(p, times(v, [-lag, 0]));
+  return { x: hull(way.x, before(x, vx)), y: hull(way.y, before(y, vy)) };
+}
+
+/**
+ * Computes v t + a t² / 2 with an acceleration that may vary within its bounds. Frames push half a frame earlier or later.
+ * @param missing for how long nothing has pushed her at first, s
+ */
+export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: number, missing: number): Box {
   const weight: Interval = [0.5 * seconds * (seconds - TICK), 0.5 * seconds * (seconds + TICK)];
   const place = (p: Interval, v: Interval, a: Interval) => add(add(p, times(v, [seconds, seconds])), times(a, weight));
-  const velocity = (v: Interval, a: Interval) => add(v, times(a, [seconds, seconds]));
+  const velocity = (v: Interval, a: Interval) => add(v, times(a, [seconds - missing, seconds]));
   return { x: place(x, vx, ax), y: place(y, vy, ay), vx: velocity(vx, ax), vy: velocity(vy, ay) };
 }
 
-/** All possible accelerations at the places of a rectangle, with the gun on or off. Winds add to everything else. */
+/**
+ * All possible accelerations at the places of a rectangle, with the gun on or off. Winds, and what fixed steps may add, come on
+ * top of everything else.
+ */
 export function accelerations(
-  rules: Rules,
+  { rules, blur }: Pick<Claim, 'rules' | 'blur'>,
   { asteroids, fields, winds, drift }: TurnedScene,
   way: Rectangle,
   seconds: number,
@@ -189,7 +204,8 @@ export function accelerations(
     ax = add(ax, blowing(wind.ax));
     ay = add(ay, blowing(wind.ay));
   }
-  return [ax, ay];
+  const blurred: Interval = [-blur, blur];
+  return [add(ax, blurred), add(ay, blurred)];
 }
 
 /**
@@ -211,7 +227,8 @@ function central(
     ];
   const strength: Interval = [Math.min(perPx(near), perPx(far)), Math.max(perPx(near), perPx(far))];
   const way = (c: number, p: Interval): Interval => [c - p[1] - moved, c - p[0] + moved];
-  return [times(way(centre.x, x), strength), times(way(centre.y, y), strength)];
+  const atMost = ([a, b]: Interval): Interval => [Math.max(-strongest, a), Math.min(strongest, b)];
+  return [atMost(times(way(centre.x, x), strength)), atMost(times(way(centre.y, y), strength))];
 }
 
 /** Whether every place of a rectangle ends the run: it lies in one hazard, or out of range of all asteroids. */

@@ -80,7 +80,7 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
   if (!Array.isArray(layers)) return 'its steps are not valid';
   const seconds = grid.frames * TICK;
   const { vx, vy } = claim.level.astronaut;
-  if (Math.sqrt(vx * vx + vy * vy) + claim.push * seconds * grid.steps > farFromLimit(claim.rules))
+  if (Math.sqrt(vx * vx + vy * vy) + (claim.push + claim.blur) * seconds * grid.steps > farFromLimit(claim.rules))
     return 'she may reach the speed limit';
   const scene: Scene = { ...turnedScene(claim, grid.axis), claim, seconds, times: [Math.floor(grid.steps / 3), grid.steps] };
   let bundles: ReadonlyMap<number, Bundle> = new Map([[0, startOf(scene)]]);
@@ -88,7 +88,7 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
   for (let step = 1; bundles.size > 0; step++) {
     const goOn = `some runs may continue after ${step - 1} steps`;
     if (step > grid.steps) return goOn;
-    const ways = new Map([...bundles].map(([k, bundle]) => [k, wayTo(bundle, step, seconds, claim.push)]));
+    const ways = new Map([...bundles].map(([k, bundle]) => [k, wayTo(bundle, step, seconds, claim.push + claim.blur)]));
     for (const way of ways.values()) {
       if (!(distances(scene.thing, way).least > claim.touch + ROUNDING)) return `she may touch it in step ${step}`;
       const mayEnter = (disc: Circle) => !(distances(disc, way).least > disc.radius + ON_RIM);
@@ -179,7 +179,8 @@ function afterStep(scene: Scene, bundle: Bundle, way: Area, step: number): Bundl
   const chasers = afterChase(scene.claim.rules, bundle.chasers, way, seconds);
   const zero = COMPASS.map(() => 0);
   const free = field === null ? null : field.always ? field.push : most(field.push, zero);
-  const pressed = field?.always === true ? field.push : most(most(pull, zero), free ?? zero);
+  const held = field?.always === true ? field.push : most(most(pull, zero), free ?? zero);
+  const pressed = held.map((force) => force + scene.claim.blur);
   const pushed = (forces: readonly number[]) =>
     bundle.atTimes.map((octagon, i) => {
       if (octagon === null || (i < step && !scene.times.includes(i))) return null;

@@ -2,9 +2,12 @@ import { describe, expect, it } from 'vitest';
 import {
   ALL_ACCURACIES,
   ALL_PROVERS,
+  attackCompletable,
   attackLevel,
+  attackMixed,
   attackOrbits,
   attackSolvable,
+  emptyMixed,
   emptyOrbits,
   emptySolvable,
   emptyTally,
@@ -13,6 +16,7 @@ import {
 } from '../../bench/soak/attack/index.ts';
 import type { AccuracyName } from '../../engine/index.ts';
 import { isHunt } from '../is-hunt.ts';
+import { pack } from '../levels/shipped-pack.ts';
 
 const CONTINUOUS = ALL_ACCURACIES.filter((name) => name !== 'arcade');
 
@@ -73,6 +77,31 @@ describe('orbits, without a prover', () => {
     expect(tally.ending).toBeGreaterThan(2);
     expect(tally.claims).toBeGreaterThan(60);
   });
+});
+
+describe('many false claims for every prover, whatever the checker would say', () => {
+  const wrong = ({ proved }: ReturnType<typeof emptyMixed>) =>
+    proved.map(({ prover, level, about }) => ({ prover, level, about }));
+
+  it.each(isHunt ? ALL_ACCURACIES : (['arcade', 'precise'] as const))('levels of any style: %s', (accuracy) => {
+    const tally = emptyMixed();
+    for (let seed = 0; seed < (isHunt ? 200 : 20); seed++) attackMixed(seed, accuracy, tally);
+    expect(wrong(tally)).toEqual([]);
+    // Otherwise the test would be vacuous.
+    expect(tally.claims).toBeGreaterThan(200);
+    for (const prover of ['out-of-range', 'enclosed', 'doomed'] as const) expect(tally.twins[prover], prover).toBeGreaterThan(0);
+  });
+
+  it.each(isHunt ? ALL_ACCURACIES : (['arcade', 'precise'] as const))(
+    'shipped levels from states of their runs: %s',
+    (accuracy) => {
+      const tally = emptyMixed();
+      for (const { level } of pack)
+        for (const run of level.runs) attackCompletable(level, run.holds, accuracy, isHunt ? 5 : 90, tally);
+      expect(wrong(tally)).toEqual([]);
+      expect(tally.claims).toBeGreaterThan(40);
+    },
+  );
 });
 
 const SOLVED_AT = isHunt ? ALL_ACCURACIES : (['arcade', 'standard'] as const);

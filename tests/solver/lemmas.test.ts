@@ -4,7 +4,7 @@ import { type AccuracyName, boxCircleGap, boxOf, compile, createSimulation, simu
 import { DEFAULT_RULES, type Hold, type Level, NO_OBJECTS, type OwnRules, rulesOf } from '../../schema/index.ts';
 import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
 import { claimOf, type Play } from '../../solver/verify/claim.ts';
-import { accelerations, advance, type Box, placesWithin, type Rectangle } from '../../solver/verify/doomed.ts';
+import { accelerations, advance, type Box, placesWithin, type Rectangle, withPlacesBefore } from '../../solver/verify/doomed.ts';
 import { offLine } from '../../solver/verify/fall.ts';
 import { mouthsOf } from '../../solver/verify/mouths.ts';
 import { type Circle, turnedScene } from '../../solver/verify/turned-scene.ts';
@@ -405,37 +405,56 @@ describe('mouths: only a mouth moves her, from inside it by the displacement to 
   });
 });
 
+/**
+ * Levels in which little is left to chance: she is in a wind all the time, and recoil is as strong as she is pulled or stronger,
+ * so that what a method adds or leaves out shows.
+ */
+const blownLevel: fc.Arbitrary<Level> = fc
+  .record({
+    speed: fc.tuple(whole(-60, 60), whole(-60, 60)),
+    wind: fc.tuple(whole(-100, 100), whole(-100, 100)),
+    place: fc.tuple(real(-150, 150), real(-150, 150)),
+    radius: fc.constantFrom(0.05, 0.5, 16),
+    recoil: fc.boolean(),
+  })
+  .map(({ speed: [vx, vy], wind: [ax, ay], place: [x, y], radius, recoil }) => ({
+    ...EMPTY,
+    recoil,
+    astronaut: { x: 0, y: 0, vx, vy },
+    asteroids: [rock(x, y, radius)],
+    winds: [{ id: null, x: 0, y: 0, radius: 2000, ax, ay }],
+  }));
+
 describe('pushes: after some ticks her state is within what the pushes at the places on the way allow', () => {
   it.each(accuracyNames)('%s', (accuracy) => {
     let steps = 0;
     fc.assert(
-      fc.property(windyLevel, someRules, script, whole(2, 8), (of, rules, plan, frames) => {
+      fc.property(fc.oneof(windyLevel, blownLevel), someRules, script, whole(2, 8), (of, rules, plan, frames) => {
         const level = { ...of, rules };
         const { speedLimit } = rulesOf(level);
         const claim = claimOf(level, HOLE, 60, PLAYS[accuracy]);
         const scene = turnedScene(claim, [1, 0]);
         const { all } = statesOf(level, accuracy, plan);
         const seconds = frames * TICK;
-        // A frame moves by the velocity including the pending push, which the last observation does not have.
-        const at = (i: number) => {
-          const { s } = all[i];
-          const v = accuracy === 'arcade' ? [(all[i + 1].s[0] - s[0]) / TICK, (all[i + 1].s[1] - s[1]) / TICK] : [s[2], s[3]];
-          return { x: s[0], y: s[1], vx: v[0], vy: v[1] };
-        };
+        // A frame moves by a velocity that has the push of the frame before.
+        const lag = accuracy === 'arcade' ? TICK : 0;
+        const push = claim.push + claim.blur;
         const about = (n: number) => [n - 1e-7, n + 1e-7] as const;
-        for (let i = 0; i + frames + 1 < all.length; i += frames) {
-          const from = at(i);
+        for (let i = 0; i + frames < all.length; i += frames) {
+          const [x, y, vx, vy] = all[i].s;
           // At the speed limit there is no proof.
-          if (Math.hypot(from.vx, from.vy) + claim.push * (seconds + TICK) > speedLimit) break;
-          const box: Box = { x: about(from.x), y: about(from.y), vx: about(from.vx), vy: about(from.vy) };
-          const way = placesWithin(box, seconds, claim.push);
+          if (Math.hypot(vx, vy) + push * (seconds + TICK) > speedLimit) break;
+          const box: Box = { x: about(x), y: about(y), vx: about(vx), vy: about(vy) };
+          const way = placesWithin(box, seconds, push);
           if (scene.mouths.some((mouth) => isNear(mouth, way))) continue;
-          const [ax, ay] = accelerations(claim.rules, scene, way, (i + frames) * TICK);
-          const after = advance(box, ax, ay, seconds);
-          const to = at(i + frames);
+          // Nothing has pushed her before the start.
+          const pushed = i === 0 ? way : withPlacesBefore(way, box, lag);
+          const [ax, ay] = accelerations(claim, scene, pushed, (i + frames) * TICK);
+          const after = advance(box, ax, ay, seconds, i === 0 ? lag : 0);
+          const to = all[i + frames].s;
           steps++;
-          for (const key of ['x', 'y', 'vx', 'vy'] as const) {
-            if (to[key] < after[key][0] || to[key] > after[key][1]) expect.fail(`${key} ${to[key]} is not in ${after[key]}`);
+          for (const [n, key] of (['x', 'y', 'vx', 'vy'] as const).entries()) {
+            if (to[n] < after[key][0] || to[n] > after[key][1]) expect.fail(`${key} ${to[n]} is not in ${after[key]}`);
           }
           for (let k = i; k <= i + frames; k++) {
             const [x, y] = all[k].s;
@@ -443,7 +462,7 @@ describe('pushes: after some ticks her state is within what the pushes at the pl
           }
         }
       }),
-      { numRuns: 50 },
+      { numRuns: 80 },
     );
     expect(steps).toBeGreaterThan(300);
   });

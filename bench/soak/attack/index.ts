@@ -9,7 +9,10 @@ import { type Play, playLevel, STYLES } from './plays.ts';
 import { levelFor, type Prover } from './styles.ts';
 import { withWindsAndWormholes } from './winds-and-wormholes.ts';
 
+export { attackCompletable, attackMixed, emptyMixed } from './mixed.ts';
+export { mixedLevel } from './mixed-level.ts';
 export { attackOrbits, emptyOrbits } from './orbits.ts';
+export { playLevel, STYLES } from './plays.ts';
 export { attackSolvable, emptySolvable } from './solvable.ts';
 export type { Prover };
 export const ALL_PROVERS = Object.keys(PROVERS) as Prover[];

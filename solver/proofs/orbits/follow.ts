@@ -1,5 +1,5 @@
 import { TICK } from '../../../engine/index.ts';
-import { isEasyFor } from '../assumptions.ts';
+import { easySpeed, isEasyFor } from '../assumptions.ts';
 import type { About, Blocker, OrbitGrid } from '../proof.ts';
 import { distance } from '../rounding.ts';
 import type { Setting, Thing } from '../setting.ts';
@@ -64,8 +64,10 @@ export function followOrbits(
   if (!fan.fits() || !isEasyFor(setting, grid.frames * TICK)) return end(false, 0, 'the grid is too fine or she is too fast');
   // what she touches at the start counts, even if a hazard ends the run there
   if (distance(goal, { x: 0, y: 0 }) <= goal.touch + SLACK) return end(false, 0, 'the object is at the start');
-  let now = fan.start();
+  let now = new Layer();
   let next = new Layer();
+  const off = fan.start(now);
+  if (off !== null) return end(false, 0, off);
   for (let step = 0; step <= most.steps; step++) {
     watch.layer?.(now, step);
     if (now.size === 0) return end(true, step, '');
@@ -89,6 +91,8 @@ class OrbitFan {
   private readonly mostLooks: number;
   /** Length of a step, s. */
   private readonly step: number;
+  /** What she may reach in the first step, px/s. It is below the speed limit (`isEasyFor`). */
+  private readonly fastestAtFirst: number;
   private readonly raw = new Layer();
   private readonly box = new Float64Array(NUMBERS);
   private readonly cut = new Float64Array(NUMBERS);
@@ -99,9 +103,13 @@ class OrbitFan {
     this.charts = new Charts(setting, this.scene);
     this.forces = new Forces(setting, this.scene, this.charts);
     this.moves = new Moves(setting, this.scene, this.charts, this.forces, watch);
-    this.cells = new Cells(setting, this.scene, this.charts, grid, this.moves.fastest);
     this.mostLooks = mostLooks;
     this.step = grid.frames * TICK;
+    const { vx, vy } = setting.level.astronaut;
+    const recoil = Math.max(0, ...this.scene.rocks.map(({ k }) => k));
+    const gain = (setting.strongest + recoil) * (this.step + TICK);
+    this.fastestAtFirst = Math.max(easySpeed(setting.rules), Math.sqrt(vx * vx + vy * vy) + gain);
+    this.cells = new Cells(setting, this.scene, this.charts, grid, this.fastestAtFirst);
   }
 
   /** What ended runs so far. */
@@ -113,9 +121,12 @@ class OrbitFan {
     return this.cells.fits();
   }
 
-  start(): Layer {
+  /**
+   * Puts the start into the charts of the asteroids that may be nearest.
+   * @returns why it gave up; null when it did not
+   */
+  start(layer: Layer): string | null {
     const { vx, vy } = this.setting.level.astronaut;
-    const layer = new Layer();
     const made = new Float64Array(NUMBERS);
     for (const [i, rock] of this.scene.rocks.entries()) {
       made[0] = -rock.x - SLACK;
@@ -134,9 +145,10 @@ class OrbitFan {
       made[10] = E - 1e-4 - 1e-8 * E;
       made[11] = E + 1e-4 + 1e-8 * E;
       // source is a Cartesian box about i
-      this.convert(made, 2 * i + 1, i, layer);
+      const why = this.convert(made, 2 * i + 1, i, layer);
+      if (why !== null) return why;
     }
-    return layer;
+    return null;
   }
 
   /**
@@ -147,6 +159,7 @@ class OrbitFan {
     const { raw, scene, setting } = this;
     const { box } = this.moves;
     this.charts.until(step * this.step);
+    this.moves.fastest = step === 1 ? this.fastestAtFirst : easySpeed(setting.rules);
     raw.clear();
     const cost = 8 + 2 * scene.rocks.length + scene.fields.length + 2 * scene.hazards.length;
     for (let b = 0; b < now.size; b++) {

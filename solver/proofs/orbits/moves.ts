@@ -1,4 +1,3 @@
-import { easySpeed } from '../assumptions.ts';
 import { RIM_SLACK } from '../rims.ts';
 import type { Setting } from '../setting.ts';
 import { mostSquare } from './agree.ts';
@@ -16,8 +15,8 @@ export class Moves {
   readonly box = new Float64Array(NUMBERS);
   /** Whether it has polar coordinates. */
   isPolar = false;
-  /** Below this speed she can be followed, px/s. */
-  readonly fastest: number;
+  /** Up to this speed she can be followed in the present step, px/s. */
+  fastest = 0;
   private readonly setting: Setting;
   private readonly scene: OrbitScene;
   private readonly charts: Charts;
@@ -31,7 +30,6 @@ export class Moves {
     this.charts = charts;
     this.forces = forces;
     this.watch = watch;
-    this.fastest = easySpeed(setting.rules);
     this.crowded = scene.rocks.length > 1 || scene.fields.length > 0 || scene.winds.length > 0;
   }
 
