@@ -23,9 +23,16 @@ function letters(text: string): number[] {
   return [...text].map((letter) => letter.charCodeAt(0));
 }
 
+const PAGE = 'an HTML page';
+const ANSWER = 'the error of a server';
+
+/** Kinds that a failed download leaves in place of a file. */
+export const FROM_SERVERS: readonly string[] = [PAGE, ANSWER];
+
 /** Texts that are not JSON, by how they begin, in lower case. */
-const MARKUP: readonly (readonly [kind: string, beginning: RegExp])[] = [
-  ['an HTML page', /^(<!doctype html|<html[\s>])/],
+const TEXTS: readonly (readonly [kind: string, beginning: RegExp])[] = [
+  [PAGE, /^(<!doctype html|<html[\s>]|<head[\s>])/],
+  [ANSWER, /^[45]\d\d:? [a-z]/],
   ['an SVG picture', /^<(.*<)?svg[\s>]/s],
   ['an XML file', /^<\?xml/],
 ];
@@ -61,7 +68,7 @@ export function foreignKind(source: Uint8Array | string): string | null {
     .replace(/^\u00ef\u00bb\u00bf/, '')
     .trimStart()
     .toLowerCase();
-  return MARKUP.find(([, beginning]) => beginning.test(start))?.[0] ?? null;
+  return TEXTS.find(([, beginning]) => beginning.test(start))?.[0] ?? null;
 }
 
 /** Whether the bytes begin with the byte order mark of UTF-16. */

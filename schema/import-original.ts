@@ -223,6 +223,7 @@ function readSource(source: Uint8Array | string): JsonReading {
   const json = readJson(module.value, 'skip');
   if (json.ok) return { ...json, text: module.text };
   const [first, ...rest] = json.problems;
+  if (first.code === 'merge-markers') return { ok: false, problems: json.problems, text: module.text };
   const hint = `Only a module that exports plain JSON can be read. Write its value as JSON: ${AS_JSON}.`;
   return { ok: false, problems: [{ ...first, hint }, ...rest], text: module.text };
 }

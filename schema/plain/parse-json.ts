@@ -1,3 +1,4 @@
+import { mergeMarkers } from '../merge-markers.ts';
 import { MAX_DEPTH } from '../open-brackets.ts';
 import { createPlaceFinder } from '../text-place.ts';
 import { Failure, inWords } from './failure.ts';
@@ -23,10 +24,12 @@ export function parseJson(text: string): unknown {
   let at = 0;
 
   function fail(expected: string): never {
+    const markers = mergeMarkers(text, at);
     // a text may end in the middle of an escape
-    const { line, column } = createPlaceFinder(text)(Math.min(at, text.length));
+    const { line, column } = createPlaceFinder(text)(markers?.offset ?? Math.min(at, text.length));
     const found = at < text.length ? inWords(String.fromCodePoint(text.codePointAt(at) as number)) : 'the end';
-    throw new Failure(`expected ${expected}, found ${found}`, path, `line ${line}, column ${column}`);
+    const message = markers?.message ?? `expected ${expected}, found ${found}`;
+    throw new Failure(message, path, `line ${line}, column ${column}`);
   }
 
   /** The character at the next place that is not blank. */
