@@ -5,6 +5,7 @@ import { LEVEL_VERSION, type LevelFile } from './level.ts';
 import { LIMITS } from './limits.ts';
 import { readModule } from './module-text.ts';
 import { toWords } from './names.ts';
+import { otherEditor } from './other-editors.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem } from './problem.ts';
 import { type JsonReading, MAX_FILE_SIZE, readJson, toProblems } from './read-json.ts';
 
@@ -240,6 +241,8 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
   const json = readSource(source);
   if (!json.ok) return json;
   const { text, value, locator } = json;
+  const other = otherEditor(value, 'levels of the original game or a Tiled map');
+  if (other !== null) return { ok: false, problems: toProblems([other], locator), text };
   const reader = new OriginalReader();
   const levels: ImportedLevel[] = [];
   const skipped: string[] = [];

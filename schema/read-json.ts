@@ -1,4 +1,4 @@
-import { FROM_SERVERS, foreignKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
+import { foreignKind, hintForKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
 import { createLocator, type Locator } from './locate.ts';
 import { mergeMarkers } from './merge-markers.ts';
 import { pointerFile } from './pointer-file.ts';
@@ -42,10 +42,16 @@ function wholeFile(code: Finding['code'], message: string, hint: string): JsonRe
 
 type Content = 'level' | 'configuration' | 'pack' | 'lock';
 
-const EMPTY: Readonly<Record<Content, string>> = { level: 'a level', configuration: '{ }', pack: 'the order of the levels', lock: '{ "version": 1, "levels": {} }' };
+const EMPTY: Readonly<Record<Content, string>> = {
+  level: 'a level',
+  configuration: '{ }',
+  pack: 'the order of the levels',
+  lock: '{ "version": 1, "levels": {} }',
+};
 
 function hintFor(kind: string, content: Content): string {
-  if (FROM_SERVERS.includes(kind)) return 'If it was downloaded, take the file itself: on GitHub it is behind "Raw".';
+  const own = hintForKind(kind);
+  if (own !== null) return own;
   if (content !== 'level') return 'Write a JSON text that begins with {, or name another file.';
   return kind.endsWith('archive')
     ? 'Unpack it and take the level files that are in it.'
