@@ -24,7 +24,7 @@ interface Version {
 /** Compares two versions of a level file and judges both. */
 export function diffLevel({ pair, rules, settings }: DiffTask): DiffedLevel {
   const open = (file: FileVersion | null, own: OwnRules): Version | null =>
-    file === null ? null : { file, read: readLevel(file.bytes, { byteOrderMark: 'skip', rules: own }) };
+    file === null ? null : { file, read: readLevel(file.bytes, { rules: own }) };
   const [before, after] = [open(pair.before, rules.before), open(pair.after, rules.after)];
   const [old, now] = [validOf(before), validOf(after)];
   const changes = old === null || now === null ? null : diffLevels(old.document.file, now.document.file);

@@ -39,7 +39,7 @@ function play(
   { accuracy, maxTime }: DiffSettings,
 ): PlayedVersion | null {
   if (file === null || judged?.standing == null) return null;
-  const read = readLevel(file.bytes, { byteOrderMark: 'skip', rules });
+  const read = readLevel(file.bytes, { rules });
   if (!read.ok) return null;
   const { run } = judged.standing;
   if (run === null) return { level: read.level, run: null, judged: null };
