@@ -51,7 +51,7 @@ function textOf(source: string | Uint8Array): string {
   }
   if (source.length > MAX_FILE_SIZE) throw new Failure('expected at most 8 MiB, found more', []);
   const pointer = pointerFile(source);
-  if (pointer !== null) throw new Failure(`expected the content of the file, found ${pointer.found}: ${pointer.hint}`, []);
+  if (pointer !== null) throw new Failure(`expected the content of the file, found ${pointer.found}. ${pointer.hint}`, []);
   const { text, bad } = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
   if (bad !== null) throw new Failure(`expected UTF-8, found the byte ${bad.byte.toString(16)} at offset ${bad.at}`, []);
   if (text.startsWith('\ufeff')) throw new Failure('expected {, found a byte order mark; gq fmt removes it', []);
