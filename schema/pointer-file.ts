@@ -9,25 +9,16 @@ export interface PointerFile {
 /** Pointers of Git LFS and git-annex are shorter, and so are paths. */
 const LONGEST = 1024;
 
-const LFS = /^version https:\/\/(?:git-lfs|hawser)\.github\.com\/spec\/v\d+\s/;
+/** How a pointer of Git LFS begins. */
+export const LFS = /^version https:\/\/(?:git-lfs|hawser)\.github\.com\/spec\/v\d+\s/;
 const ANNEX = /^(?:\.\.\/)*(?:\.git|\/)?\/?annex\/objects\/\S+\s*$/;
 
 /** One line without a character that JSON or XML begins with, which ends as the name of a file does. */
 const PATH = /^[^\s"'<>{}[\]:,]+\.(?:json|tmj|tmx|gqr|ndjson|tar|tgz|gz|zst)\r?\n?$/;
 
-function kindOf(text: string): PointerFile | null {
-  if (LFS.test(text)) {
-    const size = /^size (\d+)\r?$/m.exec(text)?.[1];
-    const where = size === undefined ? '' : ` (${size} bytes are elsewhere)`;
-    return { found: `a Git LFS pointer${where}`, hint: 'Run git lfs install and git lfs pull, which put the content here.' };
-  }
-  if (ANNEX.test(text)) return { found: 'a pointer of git-annex', hint: 'Run git annex get with its path.' };
-  if (PATH.test(text)) {
-    const hint = 'If git wrote it for a symbolic link, set core.symlinks and check it out again; or copy the file here.';
-    return { found: 'only a path', hint };
-  }
-  return null;
-}
+/** The text of a file that may be a pointer; '' for one that is too long. A pointer is ASCII: other bytes make none of one. */
+const textOf = (source: Uint8Array | string): string =>
+  source.length > LONGEST ? '' : typeof source === 'string' ? source : String.fromCharCode(...source);
 
 /**
  * Recognizes a text that only says where the content of a file is: of Git LFS, of git-annex, or of a symbolic link that was
@@ -37,7 +28,14 @@ function kindOf(text: string): PointerFile | null {
  * @returns what it is and what to do; null for anything else
  */
 export function pointerFile(source: Uint8Array | string): PointerFile | null {
-  if (source.length > LONGEST) return null;
-  // a pointer is ASCII, and other bytes make none of one
-  return kindOf(typeof source === 'string' ? source : String.fromCharCode(...source));
+  const text = textOf(source);
+  if (LFS.test(text)) {
+    const size = /^size (\d+)\r?$/m.exec(text)?.[1];
+    const where = size === undefined ? '' : ` (${size} bytes are elsewhere)`;
+    return { found: `a Git LFS pointer${where}`, hint: 'Run git lfs install and git lfs pull, which put the content here.' };
+  }
+  if (ANNEX.test(text)) return { found: 'a pointer of git-annex', hint: 'Run git annex get with its path.' };
+  if (!PATH.test(text)) return null;
+  const hint = 'If git wrote it for a symbolic link, set core.symlinks and check it out again; or copy the file here.';
+  return { found: 'only a path', hint };
 }

@@ -1,4 +1,4 @@
-import { mergeMarkers } from '../merge-markers.ts';
+import { MERGE_MARKER } from '../merge-markers.ts';
 import { MAX_DEPTH } from '../open-brackets.ts';
 import { createPlaceFinder } from '../text-place.ts';
 import { Failure, inWords } from './failure.ts';
@@ -24,12 +24,12 @@ export function parseJson(text: string): unknown {
   let at = 0;
 
   function fail(expected: string): never {
-    const markers = mergeMarkers(text, at);
+    const merge = text.search(MERGE_MARKER);
     // a text may end in the middle of an escape
-    const { line, column } = createPlaceFinder(text)(markers?.offset ?? Math.min(at, text.length));
-    const found = at < text.length ? inWords(String.fromCodePoint(text.codePointAt(at) as number)) : 'the end';
-    const message = markers?.message ?? `expected ${expected}, found ${found}`;
-    throw new Failure(message, path, `line ${line}, column ${column}`);
+    const { line, column } = createPlaceFinder(text)(merge < 0 ? Math.min(at, text.length) : merge);
+    const there = at < text.length ? inWords(String.fromCodePoint(text.codePointAt(at) as number)) : 'the end';
+    const found = merge < 0 ? there : 'an unresolved merge';
+    throw new Failure(`expected ${expected}, found ${found}`, path, `line ${line}, column ${column}`);
   }
 
   /** The character at the next place that is not blank. */

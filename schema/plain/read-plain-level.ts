@@ -2,7 +2,7 @@ import type { OwnRules } from '../default-rules.ts';
 import { LEVEL_VERSION } from '../level-constants.ts';
 import type { Level } from '../level-types.ts';
 import { type JsonObject, MIGRATIONS, migrate } from '../migrate.ts';
-import { pointerFile } from '../pointer-file.ts';
+import { LFS } from '../pointer-file.ts';
 import { toPointer } from '../problem.ts';
 import { MAX_FILE_SIZE } from '../read-json.ts';
 import { decodeUtf8 } from '../utf8.ts';
@@ -50,11 +50,11 @@ function textOf(source: string | Uint8Array): string {
     throw new Failure(`expected the text or the bytes of a level file, found ${inWords(source)}`, []);
   }
   if (source.length > MAX_FILE_SIZE) throw new Failure('expected at most 8 MiB, found more', []);
-  const pointer = pointerFile(source);
-  if (pointer !== null) throw new Failure(`expected the content of the file, found ${pointer.found}. ${pointer.hint}`, []);
   const { text, bad } = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
   if (bad !== null) throw new Failure(`expected UTF-8, found the byte ${bad.byte.toString(16)} at offset ${bad.at}`, []);
   if (text.startsWith('\ufeff')) throw new Failure('expected {, found a byte order mark; gq fmt removes it', []);
+  // what a server gives that has a repository without what git lfs pull fetches
+  if (LFS.test(text)) throw new Failure('expected a level, found a Git LFS pointer', []);
   return text;
 }
 

@@ -30,6 +30,7 @@ const VERSION_LENGTH = 8;
 export function createProgress(entries: readonly PlayableEntry[], store: Store): Progress {
   // a time counts for the version of the level in which it was reached
   const keys = new Map(entries.map(({ id, level }) => [id, `${id}@${levelHash(level).slice(0, VERSION_LENGTH)}`]));
+  const minerals = new Map(entries.map(({ id, level }) => [id, level.minerals.length]));
   const keyFor = (id: string): string => keys.get(id) ?? id;
   const pack = createPack(
     entries.map(({ id, level }) => ({ id: keyFor(id), level })),
@@ -37,7 +38,11 @@ export function createProgress(entries: readonly PlayableEntry[], store: Store):
     keyOf('progress'),
   );
   return {
-    best: (id) => pack.best(keyFor(id)),
+    best(id) {
+      const best = pack.best(keyFor(id));
+      // what the browser has kept may be of anyone
+      return best === null ? null : { ...best, minerals: Math.min(best.minerals, minerals.get(id) ?? 0) };
+    },
     bestHolds(id) {
       const text = pack.best(keyFor(id))?.play;
       const bytes = text == null ? null : playFromText(text);
@@ -48,7 +53,7 @@ export function createProgress(entries: readonly PlayableEntry[], store: Store):
     record: (id, player) =>
       pack.record(keyFor(id), {
         tick: player.tick,
-        minerals: player.mineralCount,
+        minerals: player.collectedCount,
         play: playToText(encodePlay(playOf(player))),
       }),
   };
