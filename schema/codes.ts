@@ -40,6 +40,11 @@ const EXPLANATIONS = {
     why: 'Its first bytes are those of another kind of file. Whatever the file is called, it holds no level that could be read.',
     fix: 'Choose the level file: a JSON text that begins with `{`. Unpack an archive first.',
   },
+  'pointer-file': {
+    title: 'the file only says where its content is',
+    why: 'Git LFS and git-annex keep large files elsewhere, and leave a short text in their place until the content is fetched. Where symbolic links are off, git writes the path of a link as a text. Either way, the level is not here.',
+    fix: 'Fetch the content: `git lfs install` and `git lfs pull`, or `git annex get` with the path. In CI, check out with LFS (`lfs: true` of actions/checkout). In place of a link, copy the file. Levels are small: they need no LFS.',
+  },
   'not-utf8': {
     title: 'the file is not UTF-8 text',
     why: 'Level files are UTF-8. The bytes of another encoding would be read as different letters on different machines.',
@@ -180,6 +185,12 @@ const EXPLANATIONS = {
     why: 'A hold is [press, release): the gun is held from the tick of the press up to, but not including, the tick of the release. If the release does not come after the press, the gun is never held.',
     fix: 'Swap the two ticks, or remove the hold.',
     example: '[96, 12]  ->  [12, 96]',
+  },
+  'merge-markers': {
+    title: 'git could not merge the file, and its markers are still there',
+    why: 'Between <<<<<<< and >>>>>>> the file has both versions of some lines, one after the other, with ======= between them. That is no JSON, and nobody has decided yet which version is right.',
+    fix: 'Keep one version of the lines and delete the markers; or take the whole file of one side with `git checkout --ours` or `git checkout --theirs` and its path. Then `git add` it. After `gq git-setup`, git merges levels by object, and a level with a conflict can still be opened.',
+    example: '<<<<<<< HEAD\n"range": 200,\n=======\n"range": 300,\n>>>>>>> other  ->  "range": 300,',
   },
   'merge-conflict': {
     title: 'a merge left something undecided',

@@ -1,3 +1,6 @@
+import { BESIDE_MAPS } from './other-editors.ts';
+import { xmlRoot } from './xml-root.ts';
+
 /** First bytes of other kinds of files; null matches any byte. The first match counts. */
 const BEGINNINGS: readonly (readonly [kind: string, bytes: readonly (number | null)[]])[] = [
   ['a PNG picture', [0x89, 0x50, 0x4e, 0x47]],
@@ -23,12 +26,38 @@ function letters(text: string): number[] {
   return [...text].map((letter) => letter.charCodeAt(0));
 }
 
-/** Texts that are not JSON, by how they begin, in lower case. */
-const MARKUP: readonly (readonly [kind: string, beginning: RegExp])[] = [
-  ['an HTML page', /^(<!doctype html|<html[\s>])/],
-  ['an SVG picture', /^<(.*<)?svg[\s>]/s],
-  ['an XML file', /^<\?xml/],
-];
+const PAGE = 'an HTML page';
+const ANSWER = 'the error of a server';
+const MAP = 'a map of Tiled';
+
+/** Kinds that a failed download leaves in place of a file. */
+const FROM_SERVERS: readonly string[] = [PAGE, ANSWER];
+
+/** What to do with a file of a kind that `foreignKind` names; null where only another file helps. */
+export function hintForKind(kind: string): string | null {
+  if (FROM_SERVERS.includes(kind)) return 'If it was downloaded, take the file itself: on GitHub it is behind "Raw".';
+  if (kind === MAP) return 'gq import with its path and --out DIR makes a level of it.';
+  return Object.values(BESIDE_MAPS).find(({ found }) => found === kind)?.hint ?? null;
+}
+
+/** Texts that are not JSON, by their first element. */
+const ELEMENTS: Readonly<Record<string, string>> = {
+  html: PAGE,
+  head: PAGE,
+  svg: 'an SVG picture',
+  map: MAP,
+  ...Object.fromEntries(Object.entries(BESIDE_MAPS).map(([name, { found }]) => [name, found])),
+};
+
+/** The kind of a text that is not JSON; null if it may be JSON. */
+function kindOfText(text: string): string | null {
+  const start = text.replace(/^(?:\ufeff|\u00ef\u00bb\u00bf)/, '').trimStart();
+  if (/^<!doctype html/i.test(start)) return PAGE;
+  if (/^[45]\d\d:? [a-z]/i.test(start)) return ANSWER;
+  const element = xmlRoot(start)?.toLowerCase();
+  if (element !== undefined && Object.hasOwn(ELEMENTS, element)) return ELEMENTS[element];
+  return /^<\?xml/i.test(start) ? 'an XML file' : null;
+}
 
 /** Number of bytes that are examined. */
 const HEAD = 1024;
@@ -57,11 +86,7 @@ export function foreignKind(source: Uint8Array | string): string | null {
     if (!isUtf16(head) && isBinary(head)) return 'a binary file';
   }
   const text = typeof head === 'string' ? head : String.fromCharCode(...head);
-  const start = text
-    .replace(/^\u00ef\u00bb\u00bf/, '')
-    .trimStart()
-    .toLowerCase();
-  return MARKUP.find(([, beginning]) => beginning.test(start))?.[0] ?? null;
+  return kindOfText(text);
 }
 
 /** Whether the bytes begin with the byte order mark of UTF-16. */

@@ -5,6 +5,7 @@ import { LEVEL_VERSION, type LevelFile } from './level.ts';
 import { LIMITS } from './limits.ts';
 import { readModule } from './module-text.ts';
 import { toWords } from './names.ts';
+import { otherEditor } from './other-editors.ts';
 import { type Finding, MAX_FINDINGS, type Path, type Problem } from './problem.ts';
 import { type JsonReading, MAX_FILE_SIZE, readJson, toProblems } from './read-json.ts';
 
@@ -223,6 +224,7 @@ function readSource(source: Uint8Array | string): JsonReading {
   const json = readJson(module.value, 'skip');
   if (json.ok) return { ...json, text: module.text };
   const [first, ...rest] = json.problems;
+  if (first.code === 'merge-markers') return { ok: false, problems: json.problems, text: module.text };
   const hint = `Only a module that exports plain JSON can be read. Write its value as JSON: ${AS_JSON}.`;
   return { ok: false, problems: [{ ...first, hint }, ...rest], text: module.text };
 }
@@ -239,6 +241,8 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
   const json = readSource(source);
   if (!json.ok) return json;
   const { text, value, locator } = json;
+  const other = otherEditor(value, 'levels of the original game or a Tiled map');
+  if (other !== null) return { ok: false, problems: toProblems([other], locator), text };
   const reader = new OriginalReader();
   const levels: ImportedLevel[] = [];
   const skipped: string[] = [];

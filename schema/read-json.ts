@@ -1,5 +1,7 @@
-import { foreignKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
+import { foreignKind, hintForKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
 import { createLocator, type Locator } from './locate.ts';
+import { mergeMarkers } from './merge-markers.ts';
+import { pointerFile } from './pointer-file.ts';
 import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from './problem.ts';
 import { scanJson } from './scan-json.ts';
 import { createPlaceFinder } from './text-place.ts';
@@ -38,11 +40,18 @@ function wholeFile(code: Finding['code'], message: string, hint: string): JsonRe
   return { ok: false, problems: [{ code, severity: 'error', message, hint, pointer: '', line: null, column: null }], text: '' };
 }
 
-type Content = 'level' | 'configuration' | 'pack';
+type Content = 'level' | 'configuration' | 'pack' | 'lock';
 
-const EMPTY: Readonly<Record<Content, string>> = { level: 'a level', configuration: '{ }', pack: 'the order of the levels' };
+const EMPTY: Readonly<Record<Content, string>> = {
+  level: 'a level',
+  configuration: '{ }',
+  pack: 'the order of the levels',
+  lock: '{ "version": 1, "levels": {} }',
+};
 
 function hintFor(kind: string, content: Content): string {
+  const own = hintForKind(kind);
+  if (own !== null) return own;
   if (content !== 'level') return 'Write a JSON text that begins with {, or name another file.';
   return kind.endsWith('archive')
     ? 'Unpack it and take the level files that are in it.'
@@ -59,6 +68,12 @@ function badByteFinding(bytes: Uint8Array, bad: { byte: number; at: number; offs
     part: 'value',
     offset: bad.offset,
   };
+}
+
+/** What is wrong with a text that is not JSON: what git has left there rather than what follows from it. */
+function failureOf(text: string, failure: Finding): Finding {
+  const markers = mergeMarkers(text, failure.offset ?? 0);
+  return markers === null ? failure : { code: 'merge-markers', ...markers, path: [], part: 'value' };
 }
 
 /** The pointer of a path; if a key makes it too long, that of the value around it. */
@@ -117,6 +132,13 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
       `Check that the path names a ${content === 'level' ? 'level file' : content}.`,
     );
   }
+  const pointer = pointerFile(source);
+  if (pointer !== null) {
+    const { found, hint } = pointer;
+    const message = `expected the content of the file, found ${found}`;
+    const text = typeof source === 'string' ? source : decodeUtf8(source).text;
+    return toPlacedProblems([{ code: 'pointer-file', message, hint, path: [], part: 'value', offset: 0 }], text);
+  }
   const kind = foreignKind(source);
   if (kind !== null) return wholeFile('not-a-level', `expected a ${content} as JSON text, found ${kind}`, hintFor(kind, content));
   const order = unmarkedUtf16(source);
@@ -150,6 +172,6 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
   }
   const { failure, repeated, hasExtensions } = scanJson(text);
   const findings = [...marks, ...repeated];
-  if (failure !== null) return toPlacedProblems([...findings, failure], text);
+  if (failure !== null) return toPlacedProblems([...findings, failureOf(text, failure)], text);
   return { ok: true, text, value: JSON.parse(text), locator: createLocator(text), hasExtensions, findings };
 }

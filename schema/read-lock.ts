@@ -157,7 +157,7 @@ function checkLock(value: unknown): Finding[] {
  * @returns the lock, or every problem found, each with its place
  */
 export function readLock(source: Uint8Array | string): LockReading {
-  const json = readJson(source, 'skip');
+  const json = readJson(source, 'skip', 'lock');
   if (!json.ok) return json;
   const findings = [...json.findings, ...checkLock(json.value)];
   if (findings.length > 0) return { ok: false, problems: toProblems(findings, json.locator), text: json.text };

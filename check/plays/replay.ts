@@ -48,7 +48,7 @@ export function createPlayReplayer(level: Level, terms: Terms, goal: Goal): Play
       if (attempt === null) return refuse('too-long', `simulating it takes more work than ${terms.maxWork} pieces of motion`);
       const { counted } = stage;
       if (attempt.outcome === claim.outcome && attempt.tick === claim.tick && counted === claim.minerals) return attempt;
-      const found = claimInWords({ ...attempt, minerals: counted });
+      const found = claimInWords({ ...attempt, minerals: counted }, attempt.minerals);
       return refuse('claim-differs', `expected ${claimInWords(claim)}, as the play claims; found ${found}`);
     },
   };

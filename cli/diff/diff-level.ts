@@ -27,7 +27,7 @@ interface Version {
 /** Compares two versions of a level file and judges both. */
 export function diffLevel({ pair, settings: { terms, slack } }: DiffTask): DiffedLevel {
   const open = (file: FileVersion | null, own: Terms): Version | null =>
-    file === null ? null : { file, read: readLevel(file.bytes, { byteOrderMark: 'skip', rules: own.rules }), terms: own };
+    file === null ? null : { file, read: readLevel(file.bytes, { rules: own.rules }), terms: own };
   const [before, after] = [open(pair.before, terms.before), open(pair.after, terms.after)];
   const [old, now] = [validOf(before), validOf(after)];
   const changes = old === null || now === null ? null : diffLevels(old.document.file, now.document.file);

@@ -29,7 +29,7 @@ export function playVersions(pair: Pair, diffed: DiffedLevel, { terms }: DiffSet
 
 function play(file: FileVersion | null, judged: JudgedVersion | null, terms: Terms): PlayedVersion | null {
   if (file === null || judged?.standing == null) return null;
-  const read = readLevel(file.bytes, { byteOrderMark: 'skip', rules: terms.rules });
+  const read = readLevel(file.bytes, { rules: terms.rules });
   if (!read.ok) return null;
   const { run } = judged.standing;
   if (run === null) return { level: read.level, run: null, judged: null };

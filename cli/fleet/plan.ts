@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import * as z from 'zod';
 import { ENGINE_ID } from '../../game/index.ts';
+import { strictJson } from '../../schema/basics/index.ts';
 import { codeFingerprint } from '../cache/index.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { readRegularFile } from '../regular-file.ts';
@@ -89,12 +90,12 @@ export function readPlan(path: string, code: Code = ownCode()): Plan {
     if (error instanceof Failure) throw error;
     throw refuse(`the plan can't be read: ${systemReason(error)}`);
   }
-  let value: unknown;
-  try {
-    value = JSON.parse(text);
-  } catch (error) {
-    throw refuse(`expected a plan, found no valid JSON: ${(error as Error).message}; gq plan makes one`);
-  }
+  const json = strictJson(text);
+  if (!json.ok)
+    throw refuse(
+      `line ${json.line}, column ${json.column}: expected a plan, found no JSON of one: ${json.message}; gq plan makes one`,
+    );
+  const { value } = json;
   const { gq, version } = (value ?? {}) as { readonly gq?: unknown; readonly version?: unknown };
   if (gq !== 'plan') throw refuse('expected a plan; gq plan makes one');
   if (version !== PLAN_VERSION) {

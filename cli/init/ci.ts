@@ -2,6 +2,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
 import { repositoryOf } from '../repository.ts';
+import { shellWord } from '../shown-path.ts';
 import { readText } from './read-text.ts';
 import { readTemplate } from './templates.ts';
 
@@ -34,15 +35,19 @@ export function chooseCi(folder: string): Ci {
 
 const CHECKS = /\bgq check\b|gravity-quest-toolkit/;
 
-/** A value of YAML. */
-const inYaml = (text: string): string => (/^[\w./-]+$/.test(text) ? text : JSON.stringify(text));
+/** Texts that are no texts in some version of YAML. */
+const WORDS = /^(?:true|false|null|yes|no|on|off|y|n)$/i;
+
+/** A text as a value of YAML. */
+const inYaml = (text: string): string =>
+  /^(?:\.\/)?[a-z_](?:[\w./ -]*[\w./-])?$/i.test(text) && !WORDS.test(text) ? text : JSON.stringify(text);
 
 /** The workflow for a project in a folder of the repository: paths lead there. */
 function githubWorkflow(folder: string): string {
   const text = readTemplate('github-workflow.yml');
   if (folder === '') return text;
   return text
-    .replaceAll('working-directory: .', `working-directory: ${inYaml(folder)}`)
+    .replaceAll('working-directory: .', () => `working-directory: ${inYaml(folder)}`)
     .replace(
       /: (\.\/node_modules\/.*|\.\/package-lock\.json)$/gm,
       (_, path: string) => `: ${inYaml(`./${folder}${path.slice(1)}`)}`,
@@ -53,9 +58,9 @@ function gitlabJob(folder: string): string {
   const text = readTemplate('gitlab-ci.yml');
   if (folder === '') return text;
   return text
-    .replace('    - npm ci', `    - cd ${JSON.stringify(folder)}\n    - npm ci`)
-    .replace('        - package-lock.json', `        - ${inYaml(`${folder}/package-lock.json`)}`)
-    .replace('junit: gq-junit.xml', `junit: ${inYaml(`${folder}/gq-junit.xml`)}`);
+    .replace('    - npm ci', () => `    - ${inYaml(`cd ${shellWord(folder)}`)}\n    - npm ci`)
+    .replace('        - package-lock.json', () => `        - ${inYaml(`${folder}/package-lock.json`)}`)
+    .replace('junit: gq-junit.xml', () => `junit: ${inYaml(`${folder}/gq-junit.xml`)}`);
 }
 
 function planGithub(root: string, folder: string): PlannedText {

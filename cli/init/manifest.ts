@@ -1,4 +1,5 @@
 import { join } from 'node:path';
+import { strictJson } from '../../schema/basics/index.ts';
 import type { PlannedText } from './ci.ts';
 import { readText } from './read-text.ts';
 
@@ -6,14 +7,10 @@ type Json = Record<string, unknown>;
 
 const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** The object that a JSON text holds; null if it holds none. */
+/** The object that a JSON text holds; null if it holds none, or has a key twice, of which one would be lost in writing. */
 export function objectIn(text: string): Json | null {
-  try {
-    const value: unknown = JSON.parse(text.replace(/^\ufeff/, ''));
-    return isObject(value) ? value : null;
-  } catch {
-    return null;
-  }
+  const json = strictJson(text.replace(/^\ufeff/, ''));
+  return json.ok && isObject(json.value) ? json.value : null;
 }
 
 /** Writes an object with the indentation and line ends of the text that it replaces. */
@@ -33,7 +30,7 @@ export function planManifest(folder: string): PlannedText {
   const before = readText(file);
   if (before === null) return { file, text: `${JSON.stringify({ private: true, scripts: { [SCRIPT]: COMMAND } }, null, 2)}\n` };
   const manifest = objectIn(before);
-  if (manifest === null) return { file, text: null, note: 'it is not valid JSON' };
+  if (manifest === null) return { file, text: null, note: 'it is not valid JSON, or has a key twice' };
   const scripts = manifest.scripts ?? {};
   if (!isObject(scripts)) return { file, text: null, note: 'its scripts are not an object' };
   const calling = Object.keys(scripts).find((name) => String(scripts[name]).includes(COMMAND));

@@ -45,7 +45,7 @@ export function openLock(file: string, isNew: boolean): OpenedLock {
   const read = readLock(readBytes(file));
   if (read.ok) return { file, ...read };
   const problems = showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr));
-  const hint = /^<{7} /m.test(read.text)
+  const hint = read.problems.some(({ code }) => code === 'merge-markers')
     ? `a merge has left both sides in it: take one (git checkout --ours -- ${shellPath(file)}), then agree anew with gq check --update-lock`
     : 'correct it, or delete it and agree anew with gq check --update-lock';
   throw new Failure(`nothing was done: the lock is not valid:\n${problems}${hint}`);

@@ -1,13 +1,17 @@
-import { createReadStream } from 'node:fs';
+import { createReadStream, readSync } from 'node:fs';
 import { pipeline, type Transform } from 'node:stream';
 import * as zlib from 'node:zlib';
 import { Failure, systemReason } from '../failure.ts';
+import { refusePointer } from '../pointer.ts';
 import { NotAFile, openRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import type { PackFormat } from './formats.ts';
 
 /** Bytes that are read at a time. */
 const PIECE = 256 * 1024;
+
+/** Bytes in which a pack may turn out to be a pointer to one; a pointer has fewer. */
+const HEAD = 2048;
 
 /** Node has zstd from 22.15 on. */
 const { createZstdDecompress } = zlib as { createZstdDecompress?: (options: object) => Transform };
@@ -40,8 +44,13 @@ export async function* openPack(path: string, { compression }: PackFormat): Asyn
 
 function opened(path: string): number {
   try {
-    return openRegularFile(path);
+    const descriptor = openRegularFile(path);
+    const head = Buffer.alloc(HEAD);
+    // at a place of its own: the stream still begins with the first byte
+    refusePointer(path, 'a pack', head.subarray(0, readSync(descriptor, head, 0, HEAD, 0)));
+    return descriptor;
   } catch (error) {
+    if (error instanceof Failure) throw error;
     const expected = error instanceof NotAFile ? '; expected a file' : '';
     throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}${expected}`);
   }

@@ -1,6 +1,7 @@
 import { createRequire } from 'node:module';
 import * as zlib from 'node:zlib';
 import { Failure } from '../failure.ts';
+import { refusePointer } from '../pointer.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import { packFormat } from './formats.ts';
@@ -25,6 +26,7 @@ export function entryName(path: string): { readonly pack: string; readonly label
 export function readEntry(pack: string, label: string): Uint8Array {
   const packed = readRegularFile(pack, MOST_BYTES);
   if (packed.length > MOST_BYTES) throw new Failure(`${namedPath(pack)}: it is too large to take out a single entry: unpack it`);
+  refusePointer(pack, 'a pack', packed);
   const format = packFormat(pack)!;
   const bytes = format.compression === null ? packed : unpacked(pack, packed, format.compression);
   const found = format.kind === 'tar' ? filesOf(pack, bytes, label) : linesOf(bytes, label);

@@ -9,11 +9,9 @@ const MOST_NAMED = 20;
  * What was not checked, for people: lines, or nothing if all was checked. No line begins with a file, whose name GitHub could take
  * for a command.
  */
-export function earlyEndInWords({ unchecked, interrupted, unlisted = 0 }: Results): string {
-  const rest =
-    unlisted === 0
-      ? ''
-      : `and ${plural(unlisted, 'level')} more that ${unlisted === 1 ? 'fails' : 'fail'}: --format json lists all levels\n`;
+export function earlyEndInWords({ unchecked, interrupted, unlisted }: Results): string {
+  const words = unlistedInWords({ unlisted });
+  const rest = words === '' ? '' : `${words}\n`;
   if (unchecked.length === 0) return interrupted ? 'interrupted by a signal after the last level\n' : rest;
   const why = interrupted ? 'interrupted by a signal' : 'ended early';
   const are = unchecked.length === 1 ? 'is' : 'are';
@@ -21,3 +19,9 @@ export function earlyEndInWords({ unchecked, interrupted, unlisted = 0 }: Result
   const more = unchecked.length > MOST_NAMED ? `  - and ${unchecked.length - MOST_NAMED} more\n` : '';
   return `${why}: ${plural(unchecked.length, 'level')} ${are} not checked:\n${named.join('')}${more}`;
 }
+
+/** The levels of a large set that fail and that a report does not list; '' if there are none. */
+export const unlistedInWords = ({ unlisted = 0 }: Pick<Results, 'unlisted'>): string =>
+  unlisted === 0
+    ? ''
+    : `and ${plural(unlisted, 'level')} more that ${unlisted === 1 ? 'fails' : 'fail'}: --format json lists all levels`;

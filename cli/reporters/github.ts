@@ -3,7 +3,7 @@ import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { earlyEndInWords } from './early-end.ts';
 import { pathInWorkspace } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';
-import { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';
+import { type Annotation, workflowCommands } from './workflow-command.ts';
 
 /** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */
 export function checkGithub(results: Results, { places, linkTo, quiet = false }: ReportContext): string {
@@ -35,7 +35,7 @@ export function checkGithub(results: Results, { places, linkTo, quiet = false }:
   const words = counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ');
   const summary = `${plural(totals.levels, 'level')}${words === '' ? '' : `: ${words}`}`;
   if (results.excess) annotations.push(excessOf(results.excess));
-  return `${errorsFirst(annotations).map(workflowCommand).join('')}${summary}\n${earlyEndInWords(results)}`;
+  return `${workflowCommands(annotations)}${summary}\n${earlyEndInWords(results)}`;
 }
 
 const excessOf = (message: string): Annotation => ({

@@ -3,4 +3,4 @@ export { pathInWorkspace } from './paths.ts';
 export { placesOf } from './places.ts';
 export { reportCheck } from './report-check.ts';
 export { type Places, REPORTER_NAMES, type ReporterName } from './reporter.ts';
-export { type Annotation, errorsFirst, workflowCommand } from './workflow-command.ts';
+export { type Annotation, workflowCommands } from './workflow-command.ts';

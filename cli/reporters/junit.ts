@@ -3,6 +3,7 @@ import type { CheckedPack } from '../pack-file/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import { visibleLine } from '../visible.ts';
+import { unlistedInWords } from './early-end.ts';
 import { pathInRepository } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { runInWords } from './run-in-words.ts';
@@ -19,7 +20,8 @@ interface TestCase {
 }
 
 /** The results of `check` as JUnit XML: a test case for each level, a suite for each folder. */
-export function checkJunit({ levels, packs = [], unchecked, interrupted, excess }: Results, context: ReportContext): string {
+export function checkJunit(results: Results, context: ReportContext): string {
+  const { levels, packs = [], unchecked, interrupted, excess } = results;
   const why = interrupted ? 'not checked: a signal ended the check early' : 'not checked: the check ended early';
   const cases = [
     ...levels.map((level) => caseOf(level, context)),
@@ -32,7 +34,7 @@ export function checkJunit({ levels, packs = [], unchecked, interrupted, excess 
       folder,
       cases.filter((one) => one.folder === folder),
       context,
-      excess ?? null,
+      [excess ?? '', unlistedInWords(results)].filter((text) => text !== ''),
     ),
   );
   const { skipped: _, ...counts } = countsOf(cases);
@@ -50,12 +52,12 @@ function countsOf(cases: readonly TestCase[]) {
   };
 }
 
-/** @param excess that there are too many warnings in the whole check: no level fails by it */
+/** @param words what is true of the whole check and of no level: too many warnings, levels that are not listed */
 function suiteOf(
   folder: string,
   cases: readonly TestCase[],
   { version, terms: { accuracy, maxTime, maxWork } }: ReportContext,
-  excess: string | null,
+  words: readonly string[],
 ): string {
   const said = {
     'gq.version': version,
@@ -66,9 +68,9 @@ function suiteOf(
   const properties = Object.entries(said)
     .map(([name, value]) => `      <property${xmlAttributes({ name, value })}/>\n`)
     .join('');
-  const error = excess === null ? '' : `    <system-err>${xmlText(excess)}\n</system-err>\n`;
+  const system = words.length === 0 ? '' : `    <system-err>${xmlText(words.join('\n'))}\n</system-err>\n`;
   const head = xmlAttributes({ name: folder, ...countsOf(cases) });
-  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}${error}  </testsuite>\n`;
+  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}${system}  </testsuite>\n`;
 }
 
 /** How a test case is found: its folder as the class, its file as the name. */

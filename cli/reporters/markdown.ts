@@ -36,7 +36,7 @@ export function markdownWithin(
   mostBytes: number,
   shown: (file: string) => string = (file) => file,
 ): string {
-  const { levels, packs = [] } = results;
+  const { levels, packs = [], unlisted = 0 } = results;
   const failing = levels.filter(isFailing);
   const passing = levels.filter((level) => !isFailing(level));
   const warned = passing.filter(({ problems }) => problems.length > 0);
@@ -48,7 +48,8 @@ export function markdownWithin(
     failing.map((level) => part(row(level, shown))),
     TABLE,
   );
-  const orders = space.take(packs.filter(({ problems }) => problems.length > 0).map((pack) => part(details(pack, '', shown))));
+  const wrong = packs.filter(({ problems }) => problems.length > 0);
+  const orders = space.take(wrong.map((pack) => part(details(pack, '', shown))));
   const problems = space.take([...failing, ...warned].map((level) => part(details(level, placeText(level, linkTo), shown))));
   const fine = space.take(
     passing.map((level) => part(row(level, shown))),
@@ -57,7 +58,8 @@ export function markdownWithin(
   const early = space.take(earlyEnd(results).map(part));
 
   const left = [
-    [failing.length - rows.length, 'failing level', 'failing levels'],
+    [failing.length + unlisted - rows.length, 'failing level', 'failing levels'],
+    [wrong.length - orders.length, 'order of a pack', 'orders of packs'],
     [failing.length + warned.length - problems.length, 'level with its problems', 'levels with their problems'],
     [passing.length - fine.length, 'completable level', 'completable levels'],
   ] as const;

@@ -8,6 +8,7 @@ import { EXPLAINED_CODES } from '../explained-codes.ts';
 import { failureOf } from '../show-failure/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import { visible, visibleLine } from '../visible.ts';
+import { unlistedInWords } from './early-end.ts';
 import { pathInRepository, rootOf } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';
 
@@ -16,12 +17,26 @@ const SCHEMA = 'https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schem
 /** The folder that paths are relative to, as readers of SARIF call the root of a repository. */
 const ROOT = '%SRCROOT%';
 
+/** GitHub refuses a run with more results. */
+const MOST_RESULTS = 25_000;
+
+/** Files that were not checked and that a message names. */
+const MOST_NAMED = 100;
+
 /** The results of `check` as SARIF 2.1.0: a result for each problem, a rule for each code that occurs. */
 export function checkSarif(results: Results, context: ReportContext): string {
   const { levels, packs = [] } = results;
-  const codes = [...new Set([...levels, ...packs].flatMap(({ problems }) => problems.map(({ code }) => code)))].sort();
   const fingerprints = new Fingerprints();
   const { exitCode, places, version } = context;
+  const all = [
+    ...levels.flatMap((level) => {
+      const place = failureOf(level, context.linkTo);
+      return level.problems.map((problem) => resultOf(level, place, problem, fingerprints, context));
+    }),
+    ...packs.flatMap((pack) => pack.problems.map((problem) => resultOf(pack, null, problem, fingerprints, context))),
+  ];
+  const { kept, leftOut } = worst(all);
+  const codes = [...new Set(kept.map(({ ruleId }) => ruleId))].sort();
   const run = {
     tool: {
       driver: { name: 'gq', fullName: 'Gravity Quest toolkit', semanticVersion: version, version, rules: codes.map(ruleOf) },
@@ -32,19 +47,33 @@ export function checkSarif(results: Results, context: ReportContext): string {
         ...(results.excess ? { exitCodeDescription: results.excess } : {}),
         executionSuccessful: exitCode < 2,
         workingDirectory: { uri: folderUri(places.directory) },
-        toolExecutionNotifications: earlyEnd(results),
+        toolExecutionNotifications: [...leftOut, ...unlisted(results), ...earlyEnd(results)],
       },
     ],
     originalUriBaseIds: { [ROOT]: { uri: folderUri(rootOf(places)) } },
     columnKind: 'utf16CodeUnits',
-    results: [
-      ...levels.flatMap((level) =>
-        level.problems.map((problem) => resultOf(level, failureOf(level, context.linkTo), problem, codes, fingerprints, context)),
-      ),
-      ...packs.flatMap((pack) => pack.problems.map((problem) => resultOf(pack, null, problem, codes, fingerprints, context))),
-    ],
+    results: kept.map((result) => ({ ...result, ruleIndex: codes.indexOf(result.ruleId) })),
   };
   return `${JSON.stringify({ $schema: SCHEMA, version: '2.1.0', runs: [run] }, null, 2)}\n`;
+}
+
+type Result = ReturnType<typeof resultOf>;
+
+/** The results that a reader takes, errors before warnings, in the order in which they came; and how many are left out. */
+function worst(all: readonly Result[]): { readonly kept: readonly Result[]; readonly leftOut: readonly Notification[] } {
+  if (all.length <= MOST_RESULTS) return { kept: all, leftOut: [] };
+  const errors = all.filter(({ level }) => level === 'error');
+  const warnings = all.filter(({ level }) => level !== 'error');
+  const keptErrors = errors.slice(0, MOST_RESULTS);
+  const keptWarnings = warnings.slice(0, MOST_RESULTS - keptErrors.length);
+  const kept = new Set([...keptErrors, ...keptWarnings]);
+  const lost = [
+    [errors.length - keptErrors.length, 'error'],
+    [warnings.length - keptWarnings.length, 'warning'],
+  ] as const;
+  const words = lost.filter(([count]) => count > 0).map(([count, one]) => plural(count, one));
+  const text = `${words.join(' and ')} left out: a run may have ${MOST_RESULTS} results, and errors come first; the JSON report has all`;
+  return { kept: all.filter((result) => kept.has(result)), leftOut: [{ level: 'warning', message: { text } }] };
 }
 
 function ruleOf(code: string) {
@@ -69,7 +98,6 @@ function resultOf(
   checked: Pick<CheckedLevel, 'file' | 'unreadable'>,
   place: ReturnType<typeof failureOf>,
   problem: ShownProblem,
-  codes: readonly string[],
   fingerprints: Fingerprints,
   context: ReportContext,
 ) {
@@ -82,7 +110,6 @@ function resultOf(
   const region = line === null ? { startLine: 1 } : { startLine: line, startColumn: column ?? 1 };
   return {
     ruleId: code,
-    ruleIndex: codes.indexOf(code),
     level: severity,
     message: { text: wellFormed(visible(lines.join('\n'))) },
     locations: [{ physicalLocation: checked.unreadable ? { artifactLocation } : { artifactLocation, region } }],
@@ -121,9 +148,23 @@ const folderUri = (folder: string): string => pathToFileURL(join(folder, '/')).h
 /** Halves of characters can't be percent-encoded. */
 const wellFormed = (text: string): string => text.replace(/\p{Surrogate}/gu, '\ufffd');
 
-function earlyEnd({ unchecked, interrupted }: Results) {
+/** What happened besides results, as readers of SARIF are told. */
+interface Notification {
+  readonly level: 'error' | 'warning';
+  readonly message: { readonly text: string };
+}
+
+/** The levels of a large set that fail and are not listed. */
+function unlisted(results: Results): readonly Notification[] {
+  const text = unlistedInWords(results);
+  return text === '' ? [] : [{ level: 'warning', message: { text } }];
+}
+
+function earlyEnd({ unchecked, interrupted }: Results): readonly Notification[] {
   if (!interrupted && unchecked.length === 0) return [];
   const why = interrupted ? 'a signal ended the check early' : 'the check ended early';
-  const files = unchecked.map((file) => wellFormed(visibleLine(file))).join(', ');
-  return [{ level: 'error', message: { text: `${why}: ${plural(unchecked.length, 'level')} not checked: ${files}` } }];
+  const named = unchecked.slice(0, MOST_NAMED).map((file) => wellFormed(visibleLine(file)));
+  const more = unchecked.length > MOST_NAMED ? ` and ${unchecked.length - MOST_NAMED} more` : '';
+  const text = `${why}: ${plural(unchecked.length, 'level')} not checked: ${named.join(', ')}${more}`;
+  return [{ level: 'error', message: { text } }];
 }

@@ -1,4 +1,5 @@
 import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
+import { strictJson } from '../../schema/basics/index.ts';
 
 /** Bytes of the longest line that is read: a play of the largest size as text, and room for its name. */
 export const MOST_BYTES = 2 * PLAY_LIMITS.bytes;
@@ -58,12 +59,12 @@ export function readLine(text: string | null): SubmittedPlay | null {
   const trimmed = text.trim();
   if (trimmed === '') return null;
   if (!/^[{"[]/.test(trimmed)) return submitted(null, null, trimmed);
-  let value: unknown;
-  try {
-    value = JSON.parse(trimmed);
-  } catch {
-    return { id: null, verdict: 'malformed', why: `${EXPECTED}, found a line that is not valid JSON` };
+  const json = strictJson(trimmed);
+  if (!json.ok) {
+    const column = text.indexOf(trimmed) + json.column;
+    return { id: null, verdict: 'malformed', why: `${EXPECTED}; at column ${column}: ${json.message}` };
   }
+  const { value } = json;
   if (typeof value === 'string') return submitted(null, null, value);
   if (typeof value !== 'object' || value === null || Array.isArray(value)) {
     return { id: null, verdict: 'malformed', why: `${EXPECTED}, found a list` };

@@ -1,4 +1,5 @@
 import { bytesToHex } from '@noble/hashes/utils.js';
+import { pointerFile } from '../../schema/basics/index.ts';
 import { holdsOf } from '../player/index.ts';
 import {
   ACCURACY_CODES,
@@ -134,6 +135,8 @@ function read(bytes: Uint8Array): Play {
   }
   const reader = new Reader(bytes);
   if (MAGIC.some((byte, i) => bytes[i] !== byte)) {
+    const pointer = pointerFile(bytes);
+    if (pointer !== null) reader.refuse('a play', `${pointer.found}. ${pointer.hint}`);
     reader.refuse(
       'a play, which begins with the bytes 89 47 51 52',
       bytes.length === 0 ? 'no bytes' : bytesToHex(bytes.subarray(0, 4)),

@@ -12,7 +12,7 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
-import { CHECKPOINT_TICKS, PlayHash } from '../player/index.ts';
+import { CHECKPOINT_TICKS, countCollected, PlayHash } from '../player/index.ts';
 import { type ChallengeState, challengeState, expectSecret } from './challenge.ts';
 import { decodePlay } from './decode.ts';
 import { isOpen, PLAY_LIMITS } from './format.ts';
@@ -106,6 +106,8 @@ export interface PlayVerifier {
 
 interface Replayed {
   readonly found: PlayClaim;
+  /** Different minerals that were collected, while `found` has those that the game counts. */
+  readonly collected: number;
   readonly hash: string;
   readonly ending: Ending | null;
   /** The first checkpoint that differs, from 0; null if none does. */
@@ -115,6 +117,7 @@ interface Replayed {
 /** Plays the inputs of a play, up to its end or to the first checkpoint that differs. */
 function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
   const events: RunEvent[] = [];
+  const taken: RunEvent[] = [];
   const simulation = createSimulation(scene, budget, events);
   // a player does not report what happens before its first tick
   events.length = 0;
@@ -132,7 +135,10 @@ function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
     const checkpoint = (Math.floor(tick / CHECKPOINT_TICKS) + 1) * CHECKPOINT_TICKS;
     const until = Math.min(last, checkpoint, next < edges.length ? edges[next] : end);
     simulation.advance(until - tick, next % 2 === 1);
-    for (const event of events) hash.event(event);
+    for (const event of events) {
+      hash.event(event);
+      if (event.type === 'mineral') taken.push(event);
+    }
     events.length = 0;
     hash.tick();
     const { length } = hash.checkpoints;
@@ -144,7 +150,8 @@ function replay(scene: Scene, play: Play, budget: WorkBudget): Replayed {
     minerals: simulation.mineralCount,
     outcome: ending?.outcome ?? (isOpen(outcome) ? outcome : 'left'),
   };
-  return { found, hash: hash.digest(found.outcome === 'left' ? '' : found.outcome), ending, wrong };
+  const collected = countCollected(simulation, taken, scene.minerals.count);
+  return { found, collected, hash: hash.digest(found.outcome === 'left' ? '' : found.outcome), ending, wrong };
 }
 
 const seconds = (tick: number): string => (tick / TICK_RATE).toFixed(2);
@@ -205,7 +212,7 @@ class LevelVerifier implements PlayVerifier {
 
   private compare(
     play: Play,
-    { found, hash, ending, wrong }: Replayed,
+    { found, collected, hash, ending, wrong }: Replayed,
   ): Pick<VerifiedPlay, 'verdict' | 'message' | 'found' | 'ending' | 'differs' | 'signs'> {
     const { claim } = play;
     const span = (from: number, to: number) => ({
@@ -228,10 +235,11 @@ class LevelVerifier implements PlayVerifier {
     }
     const last = span(play.checkpoints.length * CHECKPOINT_TICKS, Math.max(found.tick, claim.tick));
     if (found.tick !== claim.tick || found.minerals !== claim.minerals || found.outcome !== claim.outcome) {
-      return differs(`expected ${claimInWords(claim)}, as the play claims; found ${claimInWords(found)}`, last);
+      return differs(`expected ${claimInWords(claim)}, as the play claims; found ${claimInWords(found, collected)}`, last);
     }
     if (hash !== play.hash) return differs(`the replay differs from the play: first between ${last.words}`, last);
-    return { verdict: 'ok', message: claimInWords(found), found, ending, differs: null, signs: signsOf(this.level, play) };
+    const message = claimInWords({ ...found, minerals: collected });
+    return { verdict: 'ok', message, found, ending, differs: null, signs: signsOf(this.level, play) };
   }
 }
 

@@ -62,6 +62,11 @@ export function whyNotReplayed(play: Play, { hash, accuracy, maxTicks }: Accepta
   return null;
 }
 
-/** What a play claims, or is found to be. */
-export const claimInWords = ({ tick, minerals, outcome }: PlayClaim): string =>
-  `${outcome} at tick ${tick} with ${minerals} mineral${minerals === 1 ? '' : 's'}`;
+/**
+ * What a play claims, or is found to be.
+ * @param collected how many different minerals that is, where it is known
+ */
+export function claimInWords({ tick, minerals, outcome }: PlayClaim, collected: number = minerals): string {
+  const counted = collected === minerals ? '' : `, counted as ${minerals}`;
+  return `${outcome} at tick ${tick} with ${collected} mineral${collected === 1 ? '' : 's'}${counted}`;
+}

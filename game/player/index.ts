@@ -1,3 +1,4 @@
+export { countCollected } from './collected.ts';
 export { createPlayer } from './create-player.ts';
 export type { Ghost } from './ghost.ts';
 export { holdsOf } from './gun.ts';

@@ -1,6 +1,7 @@
 import { DEFAULT_MAX_TIME, type RunEvent, type Scene, type Simulation, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/basics/index.ts';
 import { Body } from './body.ts';
+import { countCollected } from './collected.ts';
 import { eventPlace } from './event-place.ts';
 import { type Ghost, GhostRun } from './ghost.ts';
 import { Gun, type GunCopy } from './gun.ts';
@@ -52,8 +53,10 @@ export interface Player {
   readonly held: boolean;
   /** The asteroid that the gun pulls her towards: index within the level's asteroids, from 0; or null. */
   readonly target: number | null;
-  /** Minerals collected so far. `arcade` may count one twice, as the original game did. */
+  /** Minerals counted so far, as a play claims them. `arcade` may count one twice, as the original game did. */
   readonly mineralCount: number;
+  /** Different minerals collected so far: never more than the level has. What people are shown. */
+  readonly collectedCount: number;
   /** Her state after the last tick: x, y (px), vx, vy (px/s), cos, sin. */
   readonly state: Readonly<Float64Array>;
   /** Her state before the last tick. */
@@ -196,6 +199,10 @@ export class LevelPlayer implements Player {
 
   get mineralCount(): number {
     return this.simulation.mineralCount;
+  }
+
+  get collectedCount(): number {
+    return countCollected(this.simulation, this.events, this.level.minerals.length);
   }
 
   get state(): Float64Array {

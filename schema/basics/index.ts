@@ -7,5 +7,7 @@ export * from '../level-types.ts';
 export { LIMITS } from '../limits.ts';
 export { entryName, objectName, touchedName } from '../names.ts';
 export { objectsIn } from '../objects-in.ts';
+export { pointerFile } from '../pointer-file.ts';
 export { MAX_FILE_SIZE } from '../read-json.ts';
+export { strictJson } from '../strict-json.ts';
 export { LONGEST_RUN, MOST_WORK } from '../terms-limits.ts';

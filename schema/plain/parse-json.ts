@@ -1,3 +1,4 @@
+import { MERGE_MARKER } from '../merge-markers.ts';
 import { MAX_DEPTH } from '../open-brackets.ts';
 import { createPlaceFinder } from '../text-place.ts';
 import { Failure, inWords } from './failure.ts';
@@ -23,9 +24,11 @@ export function parseJson(text: string): unknown {
   let at = 0;
 
   function fail(expected: string): never {
+    const merge = text.search(MERGE_MARKER);
     // a text may end in the middle of an escape
-    const { line, column } = createPlaceFinder(text)(Math.min(at, text.length));
-    const found = at < text.length ? inWords(String.fromCodePoint(text.codePointAt(at) as number)) : 'the end';
+    const { line, column } = createPlaceFinder(text)(merge < 0 ? Math.min(at, text.length) : merge);
+    const there = at < text.length ? inWords(String.fromCodePoint(text.codePointAt(at) as number)) : 'the end';
+    const found = merge < 0 ? there : 'an unresolved merge';
     throw new Failure(`expected ${expected}, found ${found}`, path, `line ${line}, column ${column}`);
   }
 

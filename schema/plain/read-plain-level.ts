@@ -2,6 +2,7 @@ import type { OwnRules } from '../default-rules.ts';
 import { LEVEL_VERSION } from '../level-constants.ts';
 import type { Level } from '../level-types.ts';
 import { type JsonObject, MIGRATIONS, migrate } from '../migrate.ts';
+import { LFS } from '../pointer-file.ts';
 import { toPointer } from '../problem.ts';
 import { MAX_FILE_SIZE } from '../read-json.ts';
 import { decodeUtf8 } from '../utf8.ts';
@@ -52,6 +53,8 @@ function textOf(source: string | Uint8Array): string {
   const { text, bad } = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
   if (bad !== null) throw new Failure(`expected UTF-8, found the byte ${bad.byte.toString(16)} at offset ${bad.at}`, []);
   if (text.startsWith('\ufeff')) throw new Failure('expected {, found a byte order mark; gq fmt removes it', []);
+  // what a server gives that has a repository without what git lfs pull fetches
+  if (LFS.test(text)) throw new Failure('expected a level, found a Git LFS pointer', []);
   return text;
 }
 

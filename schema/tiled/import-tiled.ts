@@ -7,11 +7,13 @@ import { withIds } from '../ids.ts';
 import type { ImportReading } from '../import-original.ts';
 import { KINDS, type ObjectKind, SINGLE_KINDS } from '../kinds.ts';
 import { LEVEL_VERSION, type LevelFile } from '../level.ts';
+import { otherEditor } from '../other-editors.ts';
 import { type Finding, type Path, toPointer } from '../problem.ts';
 import { readJson, toProblems } from '../read-json.ts';
 import { LevelMaker, type Made, ownValue } from './level-maker.ts';
 import { MAP_KEYS, OFFSET, PARTNER, POINT_KINDS } from './map.ts';
 import { isObject, type Json, MapReader, type ReadObject, type ReadProperty } from './map-objects.ts';
+import { hintForType, isNumeric, typeHint } from './property-type.ts';
 import { readMapSource } from './read-source.ts';
 import { isTmx } from './read-tmx.ts';
 
@@ -96,7 +98,8 @@ function offsetOf(reader: MapReader, properties: ReadonlyMap<string, ReadPropert
     const property = properties.get(name);
     if (property === undefined || typeof property.value === 'number') return (property?.value as number | undefined) ?? 0;
     const message = `the property "${name}" of the map: expected a number, found ${formatValue(property.value)}`;
-    reader.find('wrong-type', property.path, message, 'Write how far the level is moved, px.');
+    const hint = isNumeric(property.type) ? 'Write how far the level is moved, px.' : typeHint(property.name, 'float');
+    reader.find('wrong-type', property.path, message, hint);
     return 0;
   });
 }
@@ -122,13 +125,16 @@ function checkSingles(made: readonly Made[], reader: MapReader, isComplete: bool
 function placed(
   findings: readonly Finding[],
   places: ReadonlyMap<string, { readonly path: Path; readonly title: string }>,
+  reader: MapReader,
 ): Finding[] {
   return findings.map((finding) => {
     for (let length = finding.path.length; length > 0; length--) {
       const place = places.get(toPointer(finding.path.slice(0, length)));
       if (place !== undefined) {
         const message = place.title === '' ? finding.message : `${place.title}: ${finding.message}`;
-        return { ...finding, message, path: place.path, part: 'value' };
+        const property = finding.code === 'wrong-type' ? reader.propertyAt(place.path) : undefined;
+        const hint = (property === undefined ? null : hintForType(property, finding.path)) ?? finding.hint;
+        return { ...finding, message, hint, path: place.path, part: 'value' };
       }
     }
     return { ...finding, path: [], part: 'value' };
@@ -192,6 +198,8 @@ export function importTiled(source: Uint8Array | string, { slug }: ImportTiledOp
   const { value: map, locator, text } = read;
   const reader = new MapReader();
   const fail = (findings: readonly Finding[]): ImportReading => ({ ok: false, problems: toProblems(findings, locator), text });
+  const other = otherEditor(map, 'a Tiled map');
+  if (other !== null) return fail([other]);
   if (!isObject(map)) {
     reader.find('wrong-type', [], `expected a Tiled map, found ${formatValue(map)}`, 'Save the map again in Tiled.');
     return fail(reader.findings);
@@ -211,6 +219,7 @@ export function importTiled(source: Uint8Array | string, { slug }: ImportTiledOp
   for (const object of reader.objects) {
     const meaning = maker.meaningOf(object);
     if (meaning === null) continue;
+    if (!object.isVisible) reader.noteHidden(object.title);
     if (KINDS[meaning.kind].places.length === 1) maker.make(meaning, object, null);
     else paired.set(meaning.kind, [...(paired.get(meaning.kind) ?? []), object]);
   }
@@ -236,7 +245,11 @@ export function importTiled(source: Uint8Array | string, { slug }: ImportTiledOp
     for (const [name, path] of paths) places.set(`${pointer}/${name}`, { path, title: source.title });
   }
   const checked = withoutExtensions(level);
-  const findings = [...read.findings, ...reader.findings, ...placed([...checkShape(checked), ...checkMeaning(checked)], places)];
+  const findings = [
+    ...read.findings,
+    ...reader.findings,
+    ...placed([...checkShape(checked), ...checkMeaning(checked)], places, reader),
+  ];
   if (findings.length > 0) return fail(findings);
   return { ok: true, levels: [{ slug, file: withIds(level as unknown as LevelFile) }], notes: reader.notes };
 }

@@ -62,6 +62,13 @@ export class LevelMaker {
 
   /** What an object is; null if it is not for the level, or if that is reported. */
   meaningOf(object: ReadObject): Meaning | null {
+    // its class and its shape are in the file of the template
+    if (object.shape === 'template') {
+      const message = `${object.title}: expected an object of its own, found an instance of a template, which is in another file`;
+      const hint = 'Choose Detach in its context menu, or export the map with "Detach templates".';
+      this.reader.find('wrong-shape', object.path, message, hint);
+      return null;
+    }
     const known = CLASSES.get(plain(object.type));
     if (known !== undefined) return known;
     if (object.type === '') {
@@ -91,12 +98,6 @@ export class LevelMaker {
       return null;
     };
     const isPoint = POINT_KINDS.includes(kind);
-    if (shape === 'template') {
-      return refuse(
-        'expected an object of its own, found an instance of a template, which is in another file',
-        'Choose Detach in its context menu, or export the map with "Detach templates".',
-      );
-    }
     const usual = radius === null ? 0 : KINDS[kind].fields[radius].default;
     if (shape === 'point' && usual === undefined && !object.properties.has('radius')) {
       return refuse(

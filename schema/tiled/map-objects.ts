@@ -1,5 +1,5 @@
 import { formatValue, quote } from '../format-value.ts';
-import { type Finding, MAX_FINDINGS, type Path } from '../problem.ts';
+import { type Finding, MAX_FINDINGS, type Path, toPointer } from '../problem.ts';
 
 export type Json = Readonly<Record<string, unknown>>;
 
@@ -12,6 +12,8 @@ export type Shape = 'rectangle' | 'ellipse' | 'point' | 'polygon' | 'polyline' |
 export interface ReadProperty {
   readonly name: string;
   readonly value: unknown;
+  /** Its type as the map says it; `string` where it says none. */
+  readonly type: string;
   readonly path: Path;
 }
 
@@ -27,6 +29,8 @@ export interface ReadObject {
   /** Name and class of its layer. */
   readonly layer: readonly string[];
   readonly shape: Shape;
+  /** Whether Tiled shows it; its layer may still be hidden. */
+  readonly isVisible: boolean;
   readonly x: number;
   readonly y: number;
   readonly width: number;
@@ -62,6 +66,7 @@ export class MapReader {
   readonly findings: Finding[] = [];
   readonly notes: string[] = [];
   readonly objects: ReadObject[] = [];
+  private readonly read = new Map<string, ReadProperty>();
 
   find(code: Finding['code'], path: Path, message: string, hint: string): void {
     if (this.findings.length < MAX_FINDINGS) this.findings.push({ code, message, hint, path, part: 'value' });
@@ -78,11 +83,15 @@ export class MapReader {
           const message = `${title}: expected a property with name and value, found ${formatValue(one)}`;
           this.find('wrong-type', [...at, i], message, 'Save the map again in Tiled.');
         } else {
-          read.set(one.name, { name: one.name, value: one.value, path: [...at, i, 'value'] });
+          const type = typeof one.type === 'string' ? one.type : 'string';
+          read.set(one.name, { name: one.name, value: one.value, type, path: [...at, i, 'value'] });
         }
       }
     } else if (isObject(properties)) {
-      for (const [name, value] of Object.entries(properties)) read.set(name, { name, value, path: [...at, name] });
+      const types = isObject(owner.propertytypes) ? owner.propertytypes : {};
+      for (const [name, value] of Object.entries(properties)) {
+        read.set(name, { name, value, type: textOf(types[name]) || 'string', path: [...at, name] });
+      }
     } else if (properties !== undefined) {
       this.find(
         'wrong-type',
@@ -91,7 +100,13 @@ export class MapReader {
         'Save the map again in Tiled.',
       );
     }
+    for (const property of read.values()) this.read.set(toPointer(property.path), property);
     return read;
+  }
+
+  /** The property whose value is at a path; undefined if something else is there. */
+  propertyAt(path: Path): ReadProperty | undefined {
+    return this.read.get(toPointer(path));
   }
 
   /** Reads the layers of a map or of a group. The text bounds how deeply groups are nested. */
@@ -110,17 +125,22 @@ export class MapReader {
   }
 
   private layer(layer: Json, path: Path, around: Around): void {
-    const name = `the layer ${quote(textOf(layer.name))}`;
+    const isGroup = layer.type === 'group';
+    const name = `the ${isGroup ? 'group' : 'layer'} ${quote(textOf(layer.name))}`;
     const offset = { x: around.x + numberOf(layer.offsetx), y: around.y + numberOf(layer.offsety) };
-    if (layer.type === 'group') {
-      this.layers(layer, path, offset);
-    } else if (layer.type === 'objectgroup') {
-      if (layer.visible === false) this.notes.push(`${name} is hidden, and was read all the same`);
-      this.readObjects(layer, path, offset);
+    if (isGroup || layer.type === 'objectgroup') {
+      if (layer.visible === false) this.noteHidden(name);
+      if (isGroup) this.layers(layer, path, offset);
+      else this.readObjects(layer, path, offset);
     } else {
       const what = LAYERS[textOf(layer.type)] ?? `of the unknown type ${quote(textOf(layer.type))}`;
       this.notes.push(`ignored ${name}: it is ${what}`);
     }
+  }
+
+  /** What Tiled hides is part of the level, as the game has nothing that is hidden. */
+  noteHidden(title: string): void {
+    this.notes.push(`${title} is hidden, and was read all the same`);
   }
 
   private readObjects(layer: Json, path: Path, around: Around): void {
@@ -165,6 +185,7 @@ export class MapReader {
       type: textOf(object.type) || textOf(object.class),
       layer,
       shape: isClick ? 'point' : drawn,
+      isVisible: object.visible !== false,
       x: x + around.x,
       y: y + around.y,
       width,

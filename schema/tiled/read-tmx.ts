@@ -1,21 +1,19 @@
 import { isUtf16 } from '../foreign-file.ts';
 import type { Locator } from '../locate.ts';
+import { mergeMarkers } from '../merge-markers.ts';
 import { type Path, type Problem, toPointer } from '../problem.ts';
 import { MAX_FILE_SIZE, readJson } from '../read-json.ts';
 import { createPlaceFinder } from '../text-place.ts';
 import { decodeUtf8 } from '../utf8.ts';
+import { xmlRoot } from '../xml-root.ts';
 import type { MapSource } from './map-source.ts';
 import { readXml, type XmlElement } from './xml.ts';
 
-/** How a map in XML begins: with the declaration and comments, if any, and then the element. */
-const BEGINNING = /^\ufeff?\s*(?:<\?xml[^>]*>\s*)?(?:<!DOCTYPE[^>[]*>\s*)?(?:<!--(?:(?!-->)[\s\S])*-->\s*)*<map[\s>/]/;
-
-/** The first bytes, in which a file says that it is a map. */
-const HEAD = 4096;
-
 /** Tells whether a file is a map in XML. */
 export function isTmx(source: Uint8Array | string): boolean {
-  return BEGINNING.test(typeof source === 'string' ? source.slice(0, HEAD) : decodeUtf8(source.subarray(0, HEAD)).text);
+  // most files are JSON, and need not be decoded for this
+  if (source.length > MAX_FILE_SIZE || source[0] === 0x7b) return false;
+  return xmlRoot(typeof source === 'string' ? source : decodeUtf8(source).text) === 'map';
 }
 
 const LAYERS: Readonly<Record<string, string>> = {
@@ -45,7 +43,7 @@ class Converter {
     for (const [key, attribute] of element.attributes) {
       this.offsets.set(toPointer([...path, key]), attribute.at);
       value[key] = NUMBERS.includes(key) ? asNumber(attribute.value) : attribute.value;
-      if (key === 'visible') value[key] = attribute.value !== '0';
+      if (key === 'visible') value[key] = !['0', 'false'].includes(attribute.value);
     }
     return value;
   }
@@ -92,9 +90,15 @@ class Converter {
   }
 }
 
-function wholeFile(text: string, message: string, hint: string, at: number | null): MapSource {
-  const place = at === null ? { line: null, column: null } : createPlaceFinder(text)(at);
-  const problem: Problem = { code: 'unsupported-map', severity: 'error', message, hint, pointer: '', ...place };
+function wholeFile(
+  text: string,
+  message: string,
+  hint: string,
+  at: number,
+  code: 'unsupported-map' | 'merge-markers' = 'unsupported-map',
+): MapSource {
+  const place = createPlaceFinder(text)(at);
+  const problem: Problem = { code, severity: 'error', message, hint, pointer: '', ...place };
   return { ok: false, problems: [problem], text };
 }
 
@@ -109,6 +113,8 @@ export function readTmx(source: Uint8Array | string): MapSource {
     return wholeFile(text, message, 'Save the map again in Tiled.', bad.offset);
   }
   const xml = readXml(text);
+  const markers = xml.ok ? null : mergeMarkers(text, xml.at);
+  if (markers !== null) return wholeFile(text, markers.message, markers.hint, markers.offset, 'merge-markers');
   if (!xml.ok) return wholeFile(text, `the text is not valid XML: ${xml.message}`, 'Save the map again in Tiled.', xml.at);
   const converter = new Converter();
   const value = converter.map(xml.root);

@@ -7,6 +7,9 @@ import { fallThrough, gq, makeFiles } from './gq.ts';
 const good = fallThrough();
 const asteroid = (radius: string): string => good.replace('"radius":16', `"radius":${radius}`);
 
+const POINTER = `version https://git-lfs.github.com/spec/v1\noid sha256:${'0'.repeat(64)}\nsize 812\n`;
+const MERGE = '\n<<<<<<< HEAD\n"range":200,\n=======\n"range":300,\n>>>>>>> other\n"asteroids":';
+
 // content of the file, code of the problem, and its place; apart from that problem, each is a valid level
 const INVALID: readonly [name: string, content: string | Uint8Array, code: string, place: string][] = [
   ['empty', '', 'empty-file', ':1:1'],
@@ -32,6 +35,9 @@ const INVALID: readonly [name: string, content: string | Uint8Array, code: strin
   ['hold-reversed', good.replace('[0,600]', '\n[600,0]'), '', ':2:'],
   ['hold-negative', good.replace('[0,600]', '\n[-5,600]'), '', ':2:'],
   ['hold-fraction', good.replace('[0,600]', '\n[0.5,600]'), '', ':2:'],
+  ['git-lfs', POINTER, 'pointer-file', ':1:1'],
+  ['merge', good.replace('"asteroids":', MERGE), 'merge-markers', ':2:1'],
+  ['login', '<!DOCTYPE html><title>Sign in</title>', 'not-a-level', ''],
   ['not-json', 'version: 1\n', 'invalid-json', ':1:1'],
   ['a-list', '[]', '', ':1:1'],
 ];
@@ -47,6 +53,17 @@ const files = makeFiles({
     ],
   }),
   'bom/bom.level.json': `\ufeff${good}`,
+  'merged/a.level.json': good,
+  'merged/pack.json': `{ "version": 1,${MERGE.replace('"asteroids":', '"levels": ["a"] }')}`,
+  'merged/gq.config.json': `{${MERGE.replace('"asteroids":', '"levels": "." }')}`,
+  'merged/gq.lock.json': `{ "version": 1,${MERGE.replace('"asteroids":', '"levels": {} }')}`,
+  'lfs/a.level.json': good,
+  'lfs/pack.json': POINTER,
+  'lfs/gq.config.json': POINTER,
+  'lfs/gq.lock.json': POINTER,
+  'merged.tmx': `<?xml version="1.0"?>${MERGE.replace(/"range":(\d+),/g, '<map width="$1"/>').replace('"asteroids":', '')}`,
+  'lfs.tmx': POINTER,
+  'lfs.gqr': POINTER,
   'nothing/readme.md': 'no level here',
   'a-file': 'not a directory',
   'originals.json': JSON.stringify([
@@ -110,6 +127,27 @@ it('a level of 100,000 asteroids and one with overlapping holds get a verdict', 
   expect(verdicts[0][0]).toBe('fine/crowd.level.json');
   expect(verdicts[0][1]).toBe('invalid');
   expect(code).toBe(1);
+});
+
+it.each([
+  ['merged', 'merge-markers', /the marker "<<<<<<< HEAD", up to ">>>>>>> other" in line 6/, 'git checkout --ours'],
+  ['lfs', 'pointer-file', /found a Git LFS pointer \(812 bytes are elsewhere\)/, 'git lfs pull'],
+])('what git has left is named in every file beside levels, and in maps: %s', async (folder, code, message, hint) => {
+  const said = await Promise.all([
+    gq(['check', folder, '--config', `${folder}/gq.config.json`], { cwd }),
+    gq(['check', folder, '--no-config', '--lock', `${folder}/gq.lock.json`], { cwd }),
+    gq(['check', folder, '--no-config'], { cwd }),
+    gq(['fmt', `${folder}/pack.json`], { cwd }),
+    gq(['import', `${folder}.tmx`, '--out', 'imported'], { cwd }),
+  ]);
+  for (const ended of said) {
+    expect(ended.code).toBeGreaterThan(0);
+    const text = `${ended.stdout}${ended.stderr}`;
+    expect(text).toContain(code);
+    expect(text).toMatch(message);
+    expect(text).toContain(hint);
+  }
+  expect(existsSync(join(cwd, 'imported'))).toBe(false);
 });
 
 it('a byte order mark is a problem with a hint', async () => {

@@ -294,6 +294,52 @@ describe('gq diff of files and folders, without git', () => {
     expect((await compare('old/a.level.json', '/dev/null')).stdout).toContain('1 removed');
   });
 
+  it('says of the bytes of a file what a check says of them', async () => {
+    const text = level();
+    const contents: Readonly<Record<string, string | Buffer>> = {
+      plain: text,
+      'other-layout': JSON.stringify(JSON.parse(text)),
+      'line-ends': text.replaceAll('\n', '\r\n'),
+      mark: `\ufeff${text}`,
+      utf16: Buffer.from(`\ufeff${text}`, 'utf16le'),
+      pointer: 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n',
+      merge: text.replace('{\n', '{\n<<<<<<< HEAD\n=======\n>>>>>>> b\n'),
+      twice: text.replace('"version": 1', '"version": 1, "version": 1'),
+      empty: '',
+    };
+    const folder = join(files.directory, 'bytes');
+    mkdirSync(folder, { recursive: true });
+    for (const [name, content] of Object.entries(contents)) writeFileSync(join(folder, `${name}.level.json`), content);
+    const judged = (one: { verdict: string; problems: readonly { code: string; line: number | null }[] } | null) => [
+      one?.verdict,
+      ...(one?.problems.map(({ code, line }) => [code, line]) ?? []),
+    ];
+    const options = ['--accuracy', 'arcade', '--format', 'json'];
+    const check = await gq(['check', 'bytes', ...options], { cwd: files.directory });
+    const said = new Map<string, unknown>(
+      JSON.parse(check.stdout).levels.map((one: { file: string }) => [one.file, judged(one as never)]),
+    );
+    expect(said.size).toBe(Object.keys(contents).length);
+    for (const name of Object.keys(contents)) {
+      const path = `bytes/${name}.level.json`;
+      const pairs = [
+        [path, 'bytes/plain.level.json'],
+        ['bytes/plain.level.json', path],
+      ];
+      for (const pair of pairs) {
+        if (name === 'plain') continue;
+        const { stdout } = await compare(...pair, ...options);
+        const [found] = diffReportSchema.parse(JSON.parse(stdout)).levels;
+        expect([judged(found.before), judged(found.after)], name).toEqual(pair.map((one) => said.get(one)));
+      }
+    }
+    const { stdout } = await compare('bytes/mark.level.json', 'bytes/plain.level.json');
+    expect(stdout).toContain('before: bytes/mark.level.json:1:1: the file begins with a byte order mark');
+    expect(stdout).toContain('invalid -> completable');
+    const lines = await compare('--textconv', 'bytes/mark.level.json');
+    expect(lines.stdout).toMatch(/^not a valid level: 1:1: the file begins with a byte order mark.*\n[^{]*black hole at/s);
+  });
+
   it('calls a level with conflicts of a merge invalid, as a check does', async () => {
     const conflicts = [
       { what: 'the black hole', key: 'blackHole/place', base: null, ours: { x: 170, y: 0 }, theirs: { x: 9, y: 0 } },

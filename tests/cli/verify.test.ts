@@ -34,6 +34,7 @@ const files = makeFiles({
   'bad/huge.gqr': new Uint8Array(70_000).fill(0x89),
   'bad/level.gqr': changed(good, 20),
   'bad/old.gqr': old,
+  'bad/pointer.gqr': 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 98\n',
   'bad/text.gqr': '{"id": 1}',
   'none/readme.txt': '',
   'key.txt': `${KEY}\n`,
@@ -123,6 +124,10 @@ describe('gq verify', () => {
         'no level among the one given has the hash of the play; its inputs lead to just what it claims on levels/a.level.json, which may be another version of its level',
       ],
       old: ['unknown-engine', `expected a play of engine ${ENGINE_ID}, found one of ${OLD}; --engines DIR looks up older ones`],
+      pointer: [
+        'malformed',
+        'byte 0: expected a play, found a Git LFS pointer (98 bytes are elsewhere). Run git lfs install and git lfs pull, which put the content here.',
+      ],
       text: ['malformed', 'expected a play, found text; if its lines are plays: gq verify - < bad/text.gqr'],
     });
   });
@@ -237,6 +242,32 @@ describe('gq verify -', () => {
       [11, null, 'malformed'],
       [12, null, 'malformed'],
       [13, null, 'claim-differs'],
+    ]);
+  });
+
+  it('takes none of two values for the same key', async () => {
+    const [one, two] = [playToText(good), playToText(other)];
+    const lines = [
+      `{"id":1,"play":"${one}","play":"${two}"}`,
+      `{"id":1,"id":2,"play":"${one}"}`,
+      `{"play":"${one}","pl\\u0061y":"${one}"}`,
+      `  {"play":"${one}","more":{"x":1,"x":1}}`,
+      `{"id":1,"play":"${one}","more":[{"x":1},{"x":1}]}`,
+      `{"id":1,"play":"${one}","more":1e999}`,
+    ];
+    const ended = await piped(`${lines.join('\n')}\n`);
+    const said = reports(ended).map((report) => [report.verdict, report.message?.replace(/^.*; at /, '')]);
+    const twice = (column: number, key: string) => [
+      'malformed',
+      `column ${column}: this object has the key "${key}" more than once`,
+    ];
+    expect(said).toEqual([
+      twice(19 + one.length, 'play'),
+      twice(9, 'id'),
+      twice(12 + one.length, 'play'),
+      twice(28 + one.length, 'x'),
+      ['ok', expect.anything()],
+      ['malformed', expect.stringMatching(/^column \d+: the number 1e999 is too large/)],
     ]);
   });
 

@@ -145,8 +145,9 @@ describe('a plan', () => {
       const other = typeof value === 'number' ? value + 1 : typeof value === 'string' ? `${value.slice(1)}${value[0]}a` : [];
       await attempt(JSON.stringify({ ...plan, [key]: other }));
     }
-    expect(await attempt(text.slice(0, -40))).toContain('found no valid JSON');
-    expect(await attempt('')).toContain('found no valid JSON');
+    expect(await attempt(text.slice(0, -40))).toMatch(/line \d+, column \d+: expected a plan, found no JSON of one: expected/);
+    expect(await attempt('')).toContain('line 1, column 1: expected a plan');
+    expect(await attempt(text.replace('"gq"', '"gq": "plan",\n "gq"'))).toMatch(/line 3, column 2: .* key "gq" more than once/);
     expect(await attempt('[]')).toContain('expected a plan');
     expect(await attempt(JSON.stringify({ ...plan, version: 2 }))).toContain('expected a plan of version 1, found version 2');
     expect(await attempt(JSON.stringify({ ...plan, levels: 35 }))).toContain('it has been changed since gq plan wrote it');

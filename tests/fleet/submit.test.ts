@@ -1,7 +1,10 @@
-import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { chmodSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import process from 'node:process';
+import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { submission } from '../../cli/fleet/index.ts';
 import { gq, MAIN, makeFiles } from '../cli/gq.ts';
 import { planOf } from './plan.ts';
 
@@ -148,5 +151,89 @@ describe('gq submit slurm', () => {
     expect(code).toBe(2);
     expect(stderr).toMatch(message);
     expect(existsSync(join(kept(), '0'))).toBe(false);
+  });
+
+  it.each([
+    ['a line that ends the script', '--name', 'a\nARRAY_JOB\ntouch pwned\n'],
+    ['a setting of Slurm', '--out', 'out\n#SBATCH --uid=0'],
+    ['a carriage return', '--partition', 'short\r'],
+    ['an escape', '--mem', '1G\u001b[2K'],
+    ['a tab', '--time', '1\t'],
+    ['another direction of writing', '--name', 'a\u202eb'],
+  ])('refuses a name with %s', async (_, option, value) => {
+    stubCluster(1001, KEEPING);
+    for (const dryRun of [['--dry-run'], []]) {
+      const { code, stdout, stderr } = await submit(option, value, ...dryRun);
+      expect({ code, stdout }).toEqual({ code: 2, stdout: '' });
+      expect(stderr).toMatch(/^error: --\w+ "[ -~]*\\u[0-9a-f]{4}[ -~]*": expected a name without line breaks .* rename it\n$/);
+    }
+    expect(existsSync(join(kept(), '0'))).toBe(false);
+  });
+
+  it('refuses a plan and a directory with a line break in their names', async () => {
+    const plan = join(work.directory, 'a\nb.json');
+    writeFileSync(plan, readFileSync(join(work.directory, 'plan.json')));
+    expect((await submit('--plan', 'a\nb.json', '--dry-run')).stderr).toContain('error: --plan "a\\u000ab.json": expected');
+    const cwd = join(work.directory, 'c\nd');
+    mkdirSync(cwd);
+    const { code, stderr } = await gq(['submit', 'slurm', '--plan', '../plan.json', '--out', 'out', '--dry-run'], { cwd });
+    expect(code).toBe(2);
+    expect(stderr).toContain('error: the current directory "');
+  });
+});
+
+describe('the script of --dry-run', () => {
+  const PIECES = [
+    ...['$(touch pwned)', '`touch pwned`', ';touch pwned;', '|touch pwned', '&touch pwned&', '>pwned', '$HOME', "'", '"'],
+    ...['\\', ' ', '*', '~', '#', '!', '%a', '%%', '=', '-', '--', '(', ')', '{a,b}', '<<EOF', 'ARRAY_JOB', 'MERGE_JOB'],
+    ...['@array@', '$&', "$'", '#SBATCH', 'a', 'ü', '\u{1f680}', ':', ',', '[', ']', '?', '^', '+', '@', '.'],
+  ];
+  const hostile = fc.array(fc.constantFrom(...PIECES), { minLength: 1, maxLength: 6 }).map((parts) => parts.join(''));
+  const fileName = hostile.filter((name) => !/^\.{1,2}$|^in$/.test(name));
+
+  // keeps the arguments and runs the script as a task of the array would
+  const SBATCH =
+    'n=$(ls kept | wc -l); printf "%s\\0" "$@" > kept/$n.args; cat > kept/$n.sh; SLURM_ARRAY_TASK_ID=5 sh kept/$n.sh > kept/$n.run; echo 41';
+
+  it('runs what it is for and nothing else, whatever the names', () => {
+    stub('sbatch', SBATCH);
+    fc.assert(
+      fc.property(fc.tuple(fileName, fileName, hostile, fileName, hostile, fileName), (names) => {
+        rmSync(join(work.directory, 'script'), { recursive: true, force: true });
+        const [folder, program, name, plan, partition, out] = names;
+        const directory = join(work.directory, 'script', 'in', folder);
+        mkdirSync(join(directory, 'kept'), { recursive: true });
+        const main = join(work.directory, 'script', program);
+        writeFileSync(main, '#!/bin/sh\nprintf "%s\\0" "$0" "$@"\n');
+        const order = { directory, program: ['/bin/sh', main], command: 'check', plan, out, shards: [0, 1], name } as const;
+        const text = submission({ ...order, cpus: 2, atOnce: null, partition, time: null, memory: null });
+        expect(spawnSync('bash', ['-n'], { input: text }).status).toBe(0);
+        const env = { ...process.env, PATH: `${bin}${delimiter}${process.env.PATH}` };
+        const { status, stderr } = spawnSync('sh', [], { input: text, env, encoding: 'utf8', cwd: work.directory });
+        expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+        const words = (file: string) =>
+          readFileSync(join(directory, 'kept', file), 'utf8')
+            .split('\0')
+            .slice(0, -1);
+        const asPath = (path: string) => (path.startsWith('-') ? `./${path}` : path);
+        expect(words('0.run')).toEqual([
+          main,
+          'check',
+          '--plan',
+          asPath(plan),
+          '--shard',
+          '5',
+          '--out',
+          asPath(out),
+          '--jobs',
+          '2',
+        ]);
+        expect(words('3.args')).toEqual(expect.arrayContaining([`--job-name=${name}-merge`, `--partition=${partition}`]));
+        expect(words('3.args')).toContain('--dependency=afterany:41');
+        expect(words('3.run').slice(0, 5)).toEqual([main, 'merge', asPath(out), '--plan', asPath(plan)]);
+        expect(spawnSync('find', [work.directory, '-name', 'pwned'], { encoding: 'utf8' }).stdout).toBe('');
+      }),
+      { numRuns: 40 },
+    );
   });
 });

@@ -15,8 +15,8 @@ const PARTS = ['aliens', 'recoil', 'repulsors', 'winds', 'wormholes'];
 const LIMITS = [
   // 48 and 39 bytes
   { what: 'one constant', source: "export { TICK } from './engine/index.ts';", most: 1000 },
-  // 4.1 and 4.0 kB
-  { what: '`readLevel`', source: "export { readLevel } from './game/index.ts';", most: 4300 },
+  // 4.3 and 4.2 kB
+  { what: '`readLevel`', source: "export { readLevel } from './game/index.ts';", most: 4400 },
   // 37.7 and 36.7 kB
   {
     what: '`readLevel` and a player of no other part',
@@ -33,11 +33,11 @@ const LIMITS = [
       export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
     most: 46_000,
   },
-  // 60.0 and 58.2 kB
+  // 61.2 and 59.4 kB
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 61_100,
+    most: 61_400,
   },
 ];
 

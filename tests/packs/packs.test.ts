@@ -34,7 +34,31 @@ const refusal = async (path: string): Promise<string> => {
 
 const LEVEL = fallThrough();
 
+describe('a pack whose content git has not fetched', () => {
+  const pointer = 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 123456\n';
+
+  it.each(['p.ndjson', 'p.tar', 'p.tgz', 'p.ndjson.gz', 'p.tar.zst'])('is refused as what it is: %s', async (name) => {
+    put(name, pointer);
+    const said = `error: ${name}: expected a pack, found a Git LFS pointer (123456 bytes are elsewhere). Run git lfs install`;
+    expect(await refusal(name)).toContain(said);
+    const one = await gq(['simulate', `${name}#1`], { cwd: place.directory });
+    expect(one).toMatchObject({ code: 2, stdout: '', stderr: expect.stringContaining(said) });
+  });
+
+  it('is no pack of one short level', async () => {
+    put('short.ndjson', '{"version": 1}');
+    expect(await verdicts('short.ndjson')).toEqual({ 'short.ndjson#1': 'invalid' });
+  });
+});
+
 describe('a pack of lines', () => {
+  it('has no level where a line says two', async () => {
+    const other = fallThrough({ name: 'Other' });
+    const lines = [`{"level":${LEVEL},"level":${other}}`, `{"id":1,"id":2,"level":${LEVEL}}`, `{"level":${LEVEL},"id":"a","id":"b"}`];
+    put('twice.ndjson', lines.join('\n'));
+    expect(Object.values(await verdicts('twice.ndjson'))).toEqual(['invalid', 'invalid', 'invalid']);
+  });
+
   it('has a level in each line that is not blank, named by its number', async () => {
     put('a.ndjson', `${LEVEL}\r\n\n  \t\n{"version": 1}\n\u00ff\n${fallThrough({ runs: [] })}`);
     expect(await verdicts('a.ndjson')).toEqual({

@@ -323,6 +323,160 @@ test('both mouths of a wormhole may name each other, and a third may not', () =>
   ]);
 });
 
+describe('what is hidden in Tiled is read, and said', () => {
+  const nova = { id: 4, name: 'far', type: 'nova', x: 300, y: 276, width: 48, height: 48, ellipse: true };
+  const hidden = { visible: false };
+
+  test.each([
+    ['an object', [{ type: 'objectgroup', name: 'o', objects: [{ ...nova, ...hidden }] }], ['object 4 "far"']],
+    ['a layer', [{ type: 'objectgroup', name: 'o', objects: [nova], ...hidden }], ['the layer "o"']],
+    [
+      'a group in a group',
+      [
+        {
+          type: 'group',
+          name: 'g',
+          layers: [{ type: 'group', name: 'h', ...hidden, layers: [{ type: 'objectgroup', name: 'o', objects: [nova] }] }],
+        },
+      ],
+      ['the group "h"'],
+    ],
+    [
+      'all of them',
+      [
+        {
+          type: 'group',
+          name: 'g',
+          ...hidden,
+          layers: [{ type: 'objectgroup', name: 'o', ...hidden, objects: [{ ...nova, ...hidden }] }],
+        },
+      ],
+      ['the group "g"', 'the layer "o"', 'object 4 "far"'],
+    ],
+    ['nothing', [{ type: 'objectgroup', name: 'o', objects: [{ ...nova, visible: true }], visible: true }], []],
+  ])('%s', (_, layers, said) => {
+    const first = { type: 'objectgroup', name: 'first', objects: [astronaut, blackHole] };
+    const { file, notes } = imported(JSON.stringify({ type: 'map', layers: [first, ...layers] }));
+    expect(file.novae).toMatchObject([{ x: 324, y: 300, radius: 24 }]);
+    expect(notes).toEqual(said.map((what) => `${what} is hidden, and was read all the same`));
+  });
+
+  test('also in XML, where 0 says it', () => {
+    const hide = (text: string, what: string) => text.replace(what, `${what} visible="0"`);
+    const tmx = formatTmx(exportTiled({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 9 } }));
+    const { notes } = imported(hide(hide(tmx, '<object '), '<objectgroup '));
+    expect(notes).toEqual([
+      'the layer "astronaut" is hidden, and was read all the same',
+      'object 1 is hidden, and was read all the same',
+    ]);
+  });
+});
+
+test.each([
+  [{ name: 'hot', type: 'string', value: 'true' }, 'bool'],
+  [{ name: 'hot', type: 'int', value: 1 }, 'bool'],
+  [{ name: 'hot', value: 'true' }, 'bool'],
+  [{ name: 'id', type: 'int', value: 7 }, 'string'],
+  [{ name: 'hot', type: 'bool', value: 'yes' }, null],
+])('a property of another type than the level needs is mended in Tiled: %j', (property, type) => {
+  const rock = { ...blackHole, id: 3, type: 'asteroid', x: 200, properties: [property] };
+  const [{ code, pointer, hint }] = problems(map([astronaut, blackHole, rock]));
+  expect([code, pointer]).toEqual(['wrong-type', '/layers/0/objects/2/properties/0/value']);
+  if (type === null) expect(hint).not.toContain('type of the property');
+  else expect(hint).toContain(`Set the type of the property "${property.name}" to ${type} in Tiled`);
+});
+
+test.each([
+  [
+    'a radius',
+    [{ ...astronaut, id: 3, type: 'alien', x: 90, properties: [{ name: 'radius', type: 'string', value: '30' }] }],
+    {},
+  ],
+  ['the speed', [{ ...astronaut, properties: [{ name: 'vx', value: '3' }] }], {}],
+  ['the range', [], { properties: [{ name: 'range', type: 'string', value: '250' }] }],
+  ['the offset', [], { properties: [{ name: 'offsetX', type: 'string', value: '32' }] }],
+])('%s as a text is mended in Tiled, too', (_, objects, more) => {
+  const others = objects.some(({ type }) => type === 'astronaut') ? [blackHole] : [astronaut, blackHole];
+  const said = problems(map([...others, ...objects], more)).filter(({ code }) => code === 'wrong-type');
+  expect(said.map(({ hint }) => hint)).toEqual([expect.stringMatching(/^Set the type of the property "\w+" to float in Tiled/)]);
+});
+
+test('an instance of a template is to be detached, with or without a class, in JSON and in XML', () => {
+  const instances = [
+    { id: 3, template: 'rock.tj', x: 1, y: 1 },
+    { id: 4, type: 'asteroid', template: 'rock.tj', x: 1, y: 1 },
+  ];
+  const xml = '<map><objectgroup><object id="3" template="rock.tx" x="1" y="1"/></objectgroup></map>';
+  const said = [...problems(map([astronaut, blackHole, ...instances])), ...problems(xml)];
+  const detach = said.filter(({ hint }) => hint.startsWith('Choose Detach'));
+  expect(detach.map(({ message }) => message.slice(0, 9))).toEqual(['object 3:', 'object 4:', 'object 3:']);
+  expect(said.filter(({ code }) => code === 'unknown-class')).toEqual([]);
+});
+
+test('a map in XML is one whatever stands before its element', () => {
+  const parts = [
+    '<?xml-stylesheet href="a.css"?>',
+    '<!-- <map> -->',
+    '<!DOCTYPE map>',
+    '\n ',
+    `<!--${'x'.repeat(9000)}-->`,
+    '<?a?>',
+  ];
+  const tmx = formatTmx(exportTiled({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 9 } }));
+  const [declaration] = tmx.split('\n');
+  fc.assert(
+    fc.property(fc.array(fc.constantFrom(...parts)), fc.boolean(), (before, isMarked) => {
+      const text = `${isMarked ? '\ufeff' : ''}${tmx.replace(declaration, `${declaration}${before.join('')}`)}`;
+      expect(isTiledMap(text)).toBe(true);
+      expect(isTiledMap(new TextEncoder().encode(text))).toBe(true);
+      expect(imported(text).notes).toEqual([]);
+    }),
+  );
+});
+
+describe('other files of level editors', () => {
+  const header = { fileType: 'LDtk Project JSON', app: 'LDtk' };
+  const world = (count: number) => Array.from({ length: count }, (_, i) => ({ fileName: `${i}.tmx`, x: 0, y: 0 }));
+
+  test.each([
+    ['a project of LDtk', { __header__: header, levels: [] }, '"LDtk Project JSON", a file of LDtk', 'Turn on Tiled export'],
+    ['a level of LDtk', { __header__: { ...header, fileType: 'LDtk Level JSON' } }, '"LDtk Level JSON", a file', 'Turn on'],
+    ['a world', { type: 'world', maps: world(2) }, 'a world of Tiled, which has the maps "0.tmx", "1.tmx"', 'Import each'],
+    ['a large world', { type: 'world', maps: world(7) }, '"4.tmx" and 2 more', 'Import each'],
+    ['a world of patterns', { type: 'world', patterns: [{}] }, 'names its maps by a pattern', 'Import each'],
+    ['a world of old', { maps: world(1), onlyShowAdjacentMaps: false }, 'the maps "0.tmx"', 'Import each'],
+    ['a tileset', { type: 'tileset', tiles: [] }, 'a tileset of Tiled', 'import the map'],
+    ['a template', { type: 'template', object: {} }, 'a template of Tiled', 'Choose Detach'],
+    ['a project of Tiled', { automappingRulesFile: '', folders: ['.'] }, 'a project of Tiled', 'import the maps'],
+  ])('%s is named, with what to do', (_, value, found, hint) => {
+    const reading = importOriginal(JSON.stringify(value), { recoil: true });
+    expect(reading).toMatchObject({
+      ok: false,
+      problems: [{ code: 'not-a-level', message: expect.stringContaining(found), hint: expect.stringContaining(hint) }],
+    });
+    expect(isTiledMap(JSON.stringify(value))).toBe(false);
+  });
+
+  test.each([
+    ['<?xml version="1.0"?><tileset name="a"/>', 'a tileset of Tiled'],
+    ['<!-- a --><template><object/></template>', 'a template of Tiled'],
+  ])('also in XML: %s', (source, found) => {
+    const reading = importOriginal(source, { recoil: true });
+    expect(reading).toMatchObject({ ok: false, problems: [{ message: expect.stringContaining(found) }] });
+  });
+});
+
+test('git markers in a map are named, wherever they are', () => {
+  const tmx = formatTmx(exportTiled({ version: 1, name: 'a', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 9 } }));
+  const lines = tmx.trimEnd().split('\n');
+  for (let at = 1; at < lines.length; at++) {
+    const merged = [...lines.slice(0, at), '<<<<<<< HEAD', lines[at], '=======', lines[at], '>>>>>>> b', ...lines.slice(at + 1)];
+    expect(isTiledMap(merged.join('\n')), String(at)).toBe(true);
+    const [{ code, line }] = problems(merged.join('\n'));
+    expect([code, line]).toEqual(['merge-markers', at + 1]);
+  }
+});
+
 test('a beginning that goes on and on is recognized at once', () => {
   for (const source of ['/'.repeat(4000), '//\n'.repeat(1300), '<!---->'.repeat(580), '<!-- '.repeat(800)]) {
     expect(isTiledMap(`${source}{`)).toBe(false);

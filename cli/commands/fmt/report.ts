@@ -2,7 +2,7 @@ import { plural } from '../../../check/words/index.ts';
 import type { FmtReport } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
-import { type Annotation, errorsFirst, type Places, pathInWorkspace, workflowCommand } from '../../reporters/index.ts';
+import { type Annotation, type Places, pathInWorkspace, workflowCommands } from '../../reporters/index.ts';
 import { shellPath } from '../../shown-path.ts';
 import type { ShownProblem } from '../../shown-problem.ts';
 import { visibleLine } from '../../visible.ts';
@@ -32,7 +32,7 @@ export function fmtGithub(files: readonly FormattedFile[], places: Places): stri
       return { severity, file: path, line, column, title: code, message: hint === '' ? message : `${message}\n${hint}` };
     });
   });
-  return `${errorsFirst(annotations).map(workflowCommand).join('')}${countsInWords(files)}`;
+  return `${workflowCommands(annotations)}${countsInWords(files)}`;
 }
 
 /** What `fmt` did to the files of these paths, for a person: the files that were not as they should be, and a count. */

@@ -24,6 +24,7 @@ import { makeFolders } from '../../make-folders.ts';
 import { wholeNumberOption } from '../../options.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
 import { hearSignals } from '../../signals.ts';
+import { visibleLine } from '../../visible.ts';
 
 interface Options {
   readonly plan: string;
@@ -94,6 +95,7 @@ async function submit(options: Options): Promise<CommandResult> {
     };
   }
   const order = orderOf(options, command, shards);
+  refuseHidden(order);
   const warning = fitOrWarn(order, total);
   if (options.dryRun) return { output: submission(order), messages: warning, exitCode: 0 };
   makeFolder(out);
@@ -129,6 +131,22 @@ function orderOf(options: Options, command: string, shards: readonly number[]): 
     time: options.time ?? null,
     memory: options.mem ?? null,
   };
+}
+
+/**
+ * Scripts and settings of Slurm go line by line: a line break in a name would end the text of a script, or begin a setting.
+ * @throws Failure if a name has a character that does not show
+ */
+function refuseHidden({ plan, out, name, partition, time, memory, directory, program }: SlurmOrder): void {
+  const [node, main] = program;
+  const values = { '--plan': plan, '--out': out, '--name': name, '--partition': partition, '--time': time, '--mem': memory };
+  const places = { 'the current directory': directory, 'the path of Node': node, 'the path of gq': main };
+  for (const [what, value] of Object.entries({ ...values, ...places })) {
+    if (value === null || visibleLine(value) === value) continue;
+    throw new Failure(
+      `${what} "${visibleLine(value)}": expected a name without line breaks and other characters that do not show, as the jobs are shell scripts: rename it`,
+    );
+  }
 }
 
 /**

@@ -1,4 +1,4 @@
-import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS } from '../../../schema/index.ts';
+import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS, strictJson } from '../../../schema/index.ts';
 import type { Recipe } from '../edited-level.ts';
 import { fileBefore, type PlacedObject, plainList } from '../objects.ts';
 import { placesOf, shifted } from '../places.ts';
@@ -17,12 +17,9 @@ const NOTHING: Refusal = {
 
 /** Reads the lists from what `copyObjects` wrote, or from a whole level file. */
 export function readClipping(text: string): ClippingReading {
-  let value: unknown;
-  try {
-    value = JSON.parse(text);
-  } catch {
-    return { ok: false, refusal: NOTHING };
-  }
+  const json = strictJson(text);
+  if (!json.ok) return { ok: false, refusal: NOTHING };
+  const { value } = json;
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return { ok: false, refusal: NOTHING };
   const lists = Object.fromEntries(OBJECT_LISTS.map((list) => [list, (value as Record<string, unknown>)[list]]));
   // the lists are checked as part of a level, so that problems are reported in the same words

@@ -34,7 +34,7 @@ export function AttemptLine({ row, minerals: all, loss }: AttemptLineProps) {
         <span className="runs__line">
           <span className="runs__name">{title}</span>
           <span className="runs__time numbers">
-            {all > 0 && `◆ ${minerals}/${all} · `}
+            {all > 0 && minerals !== null && `◆ ${minerals}/${all} · `}
             {(tick * TICK).toFixed(2)} s
           </span>
         </span>

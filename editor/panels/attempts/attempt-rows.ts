@@ -25,7 +25,8 @@ export interface AttemptRow extends TreeRow {
   readonly end: string;
   /** The last tick. */
   readonly tick: number;
-  readonly minerals: number;
+  /** Different minerals that she collects; null if that is not known, either. */
+  readonly minerals: number | null;
   readonly verdict: PlayVerdict | null;
 }
 
@@ -88,7 +89,7 @@ function ofPlay(opened: OpenedPlay, range: number): Entry {
         ? `It claims ${OUTCOMES_IN_WORDS[claim.outcome]} at ${(claim.tick * TICK).toFixed(2)} s, but ${verdict}.`
         : `She ${replayedInWords(replayed, range)}.`,
     tick: claim.tick,
-    minerals: replayed?.minerals ?? claim.minerals,
+    minerals: replayed?.minerals ?? null,
     verdict,
   };
 }
@@ -128,7 +129,7 @@ const ORDERS: Readonly<Record<Sort, ((a: Entry, b: Entry) => number) | null>> = 
   oldest: null,
   shortest: (a, b) => a.tick - b.tick,
   longest: (a, b) => b.tick - a.tick,
-  minerals: (a, b) => b.minerals - a.minerals || a.tick - b.tick,
+  minerals: (a, b) => (b.minerals ?? -1) - (a.minerals ?? -1) || a.tick - b.tick,
   name: (a, b) => byName(a.title, b.title),
 };
 

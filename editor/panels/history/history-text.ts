@@ -1,4 +1,4 @@
-import { formatLevel } from '../../../schema/index.ts';
+import { formatLevel, strictJson } from '../../../schema/index.ts';
 import { readText } from '../../files/index.ts';
 import { type PastVersion, VERSION_MAKERS, type VersionBy } from '../../versions/index.ts';
 
@@ -33,12 +33,9 @@ function versionIn(value: unknown): PastVersion | null {
 
 /** The versions in the text of a file, and how many could not be read; null if it is not a history. */
 export function readHistory(text: string): { readonly versions: readonly PastVersion[]; readonly unread: number } | null {
-  let content: unknown;
-  try {
-    content = JSON.parse(text);
-  } catch {
-    return null;
-  }
+  const json = strictJson(text);
+  if (!json.ok) return null;
+  const content = json.value;
   if (typeof content !== 'object' || content === null || (content as { [FORMAT]?: unknown })[FORMAT] !== 1) return null;
   const { versions: listed } = content as { versions?: unknown };
   if (!Array.isArray(listed)) return null;

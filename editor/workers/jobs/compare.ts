@@ -28,7 +28,7 @@ interface Version {
 }
 
 function readVersion(text: string, rules: OwnRules): Version | null {
-  const reading = readLevel(text, { byteOrderMark: 'skip', rules });
+  const reading = readLevel(text, { rules });
   return reading.ok ? { file: reading.document.file, level: reading.level } : null;
 }
 

@@ -8,7 +8,7 @@ const ONE_PRESS_STRIDE = 4;
 
 /** Grades a level file by its own runs. What costs much and does not change the grade is left out. */
 export const grade: Start<'grade'> = function* ({ text, rules, accuracy }) {
-  const reading = readLevel(text, { byteOrderMark: 'skip', rules });
+  const reading = readLevel(text, { rules });
   if (!reading.ok) return null;
   yield null;
   const { level } = reading;

@@ -16,7 +16,7 @@ import type { Start } from '../work.ts';
 
 /** Draws a small picture of a level file, with a run that completes it if there is one, and gives the verdict of `gq check`. */
 export const thumbnail: Start<'thumbnail'> = function* ({ text, rules, accuracy, width, theme }) {
-  const reading = readLevel(text, { byteOrderMark: 'skip', rules });
+  const reading = readLevel(text, { rules });
   if (!reading.ok) return { svg: '', verdict: 'invalid', minerals: 0, facts: null };
   const { level, document } = reading;
   const isUndecided = (document.file.conflicts ?? []).length > 0;

@@ -339,7 +339,7 @@ export class LevelScreen {
     const { entry, runner } = this;
     if (entry === null || runner === null) return;
     const { minerals } = entry.level;
-    const lit = minerals.filter((_, i) => runner.player.isCollected(i)).length;
+    const lit = runner.player.collectedCount;
     this.root.dataset.stars = String(lit);
     this.hud.showStars(lit, minerals.length);
   }
@@ -460,7 +460,7 @@ export class LevelScreen {
     const { player } = runner;
     const { holds } = player;
     const all = entry.level.minerals.length;
-    const collected = Math.min(all, player.mineralCount);
+    const collected = player.collectedCount;
     const best =
       before === null
         ? 'Completed for the first time'

@@ -38,6 +38,7 @@ function playIn(text: string | null | undefined): Play | null {
 export function createProgress(entries: readonly PlayableEntry[], { accuracy }: Terms, store: Store): Progress {
   // a time counts for the version of the level and the accuracy at which it was reached
   const versions = new Map(entries.map(({ id, level }) => [id, `${id}@${levelHash(level).slice(0, VERSION_LENGTH)}`]));
+  const minerals = new Map(entries.map(({ id, level }) => [id, level.minerals.length]));
   const keyFor = (id: string): string => `${versions.get(id) ?? id}@${accuracy}`;
   const packOf = (keyed: (id: string) => string) =>
     createPack(
@@ -53,13 +54,17 @@ export function createProgress(entries: readonly PlayableEntry[], { accuracy }: 
     if (best !== null && playIn(best.play)?.accuracy === accuracy) pack.record(keyFor(id), best);
   }
   return {
-    best: (id) => pack.best(keyFor(id)),
+    best(id) {
+      const best = pack.best(keyFor(id));
+      // what the browser has kept may be of anyone
+      return best === null ? null : { ...best, minerals: Math.min(best.minerals, minerals.get(id) ?? 0) };
+    },
     bestHolds: (id) => playIn(pack.best(keyFor(id))?.play)?.holds ?? null,
     isUnlocked: (id) => pack.isUnlocked(keyFor(id)),
     record: (id, player) =>
       pack.record(keyFor(id), {
         tick: player.tick,
-        minerals: player.mineralCount,
+        minerals: player.collectedCount,
         play: playToText(encodePlay(playOf(player))),
       }),
   };

@@ -81,6 +81,21 @@ describe('the github reporter', () => {
     expect(found[2].message).toBe('unknown key "asteriods"');
   });
 
+  it.each([
+    [10, 10, null],
+    [11, 10, '1 more error not shown here'],
+    [3, 12, '2 more warnings not shown here'],
+    [30, 11, '20 more errors and 1 more warning not shown here'],
+  ])('says with %i errors and %i warnings what GitHub does not show', (errors, warnings, said) => {
+    const warned = checkedLevel({ problems: [shownProblem({ severity: 'warning' })] });
+    const levels = [...Array(warnings).fill(warned), ...Array(errors).fill(brokenLevel())];
+    const text = checkGithub(resultsOf(levels), CONTEXT);
+    expect(annotations(text)).toHaveLength(errors + warnings);
+    const notices = text.split('\n').filter((line) => line.startsWith('::notice'));
+    if (said === null) expect(notices).toEqual([]);
+    else expect(notices).toEqual([expect.stringMatching(`^::notice title=more problems::${said}: GitHub shows 10 of each`)]);
+  });
+
   it('leaves out warnings if it is to be quiet', () => {
     const warned = checkedLevel({ problems: [shownProblem({ severity: 'warning' })] });
     const found = annotations(checkGithub(resultsOf([warned, brokenLevel()]), { ...CONTEXT, quiet: true }));

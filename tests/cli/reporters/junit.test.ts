@@ -116,6 +116,13 @@ describe('the junit reporter', () => {
     expect(await problemsIn(...reports)).toEqual([]);
   });
 
+  it('says in each suite what is true of the whole check: too many warnings, levels that are not listed', async () => {
+    const xml = checkJunit(resultsOf([brokenLevel()], { excess: '3 warnings', unlisted: 2 }), JENKINS);
+    expect(xml).toContain('<system-err>3 warnings\nand 2 levels more that fail: --format json lists all levels\n</system-err>');
+    expect(checkJunit(resultsOf([brokenLevel()], { unlisted: 0 }), JENKINS)).not.toContain('system-err');
+    expect(await problemsIn(xml)).toEqual([]);
+  });
+
   it('would be refused with a raw character', async () => {
     const xml = checkJunit(resultsOf([brokenLevel()]), JENKINS);
     expect(await problemsIn(xml.replace('</failure>', '\u0001</failure>'))).not.toEqual([]);

@@ -107,6 +107,11 @@ describe('the markdown reporter', () => {
   });
 });
 
+it('counts the failing levels of a set that are not listed', () => {
+  const text = checkMarkdown(resultsOf([brokenLevel()], { unlisted: 41 }), CONTEXT);
+  expect(text).toContain('Left out, as it did not fit: 41 failing levels.');
+});
+
 describe('the summary of a step', () => {
   const check = (summary: string) => gq(['check', '--format', 'github'], { cwd, env: { GITHUB_STEP_SUMMARY: summary } });
 

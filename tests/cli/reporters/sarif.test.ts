@@ -1,5 +1,6 @@
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import { Ajv } from 'ajv';
 import formats from 'ajv-formats';
 import fc from 'fast-check';
@@ -115,6 +116,63 @@ describe('the sarif reporter', () => {
       help: { markdown: expect.stringContaining('**How to fix it:**') },
       defaultConfiguration: { level: 'error' },
     });
+  });
+
+  it('has at most as many results as GitHub takes, errors first, and counts the others', () => {
+    const MOST = 25_000;
+    const levelsWith = (errors: number, warnings: number) => {
+      const problems = [
+        ...Array.from({ length: warnings }, (_, i) => shownProblem({ severity: 'warning', code: 'low-slack', line: i + 1 })),
+        ...Array.from({ length: errors }, (_, i) => shownProblem({ line: i + 1 })),
+      ];
+      // warnings stand before errors, in one level and in several
+      const third = Math.ceil(problems.length / 3);
+      return [0, 1, 2].map((i) =>
+        brokenLevel({ file: `levels/${i}.level.json`, problems: problems.slice(i * third, (i + 1) * third) }),
+      );
+    };
+    const cases = [
+      [0, MOST, 0, MOST, null],
+      [10, MOST, 10, MOST - 10, '10 warnings'],
+      [MOST, 1, MOST, 0, '1 warning'],
+      [MOST + 7, 5000, MOST, 0, '7 errors and 5000 warnings'],
+    ] as const;
+    for (const [errors, warnings, keptErrors, keptWarnings, lost] of cases) {
+      const results = resultsOf(levelsWith(errors, warnings));
+      const text = checkSarif(results, CONTEXT);
+      expect(checkSarif(results, CONTEXT)).toBe(text);
+      const [run] = JSON.parse(text).runs;
+      const count = (level: string) => run.results.filter((result: Result) => result.level === level).length;
+      expect([count('error'), count('warning')]).toEqual([keptErrors, keptWarnings]);
+      const lines = (level: string) =>
+        run.results.flatMap((result: Result) =>
+          result.level === level ? [(result.locations[0].physicalLocation.region as { startLine: number }).startLine] : [],
+        );
+      expect(lines('error')).toEqual(Array.from({ length: keptErrors }, (_, i) => i + 1));
+      expect(lines('warning')).toEqual(Array.from({ length: keptWarnings }, (_, i) => i + 1));
+      for (const { ruleId, ruleIndex } of run.results) expect(run.tool.driver.rules[ruleIndex].id).toBe(ruleId);
+      const rules = run.tool.driver.rules.map(({ id }: { id: string }) => id);
+      expect(rules).toEqual([...(keptWarnings > 0 ? ['low-slack'] : []), ...(keptErrors > 0 ? ['unknown-key'] : [])].sort());
+      const said = run.invocations[0].toolExecutionNotifications;
+      if (lost === null) expect(said).toEqual([]);
+      else expect(said).toEqual([{ level: 'warning', message: { text: expect.stringMatching(`^${lost} left out: a run may`) } }]);
+      // a problem has the same fingerprint whatever is left out
+      const fingerprints = run.results.map((result: Result) => result.partialFingerprints['gqProblem/v1']);
+      expect(new Set(fingerprints).size).toBe(fingerprints.length);
+      // GitHub takes 10 MB, packed
+      expect(gzipSync(text).length).toBeLessThan(10_000_000);
+      if (lost !== null)
+        expect(problemsOf({ ...JSON.parse(text), runs: [{ ...run, results: run.results.slice(0, 9) }] })).toEqual([]);
+    }
+  });
+
+  it('says how many levels of a set are not listed, and names only some that were not checked', () => {
+    const unchecked = Array.from({ length: 130 }, (_, i) => `levels/${i}.level.json`);
+    const run = runOf(checkSarif(resultsOf([brokenLevel()], { unlisted: 3, unchecked }), CONTEXT));
+    const [invocation] = run.invocations as { toolExecutionNotifications: { message: { text: string } }[] }[];
+    const [first, second] = invocation.toolExecutionNotifications.map(({ message }) => message.text);
+    expect(first).toBe('and 3 levels more that fail: --format json lists all levels');
+    expect(second).toMatch(/^the check ended early: 130 levels not checked: levels\/0\..*levels\/99\.level\.json and 30 more$/);
   });
 
   it('names files relative to the root of the repository or the workspace', async () => {
