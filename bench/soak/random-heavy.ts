@@ -1,5 +1,6 @@
 import type { LevelFile } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
+import { crowded } from './crowded.ts';
 import { degenerateScene } from './degenerate-scene.ts';
 import { HEAVY_LEVELS, taps } from './heavy-levels.ts';
 
@@ -10,13 +11,14 @@ const MOST = 20_000;
 
 /**
  * Makes a valid level from a seed that is as expensive to check as possible: many objects of one kind or all, in heaps, on
- * grids, on her path or anywhere, with radii, ranges and speeds at both ends of the limits, and as many runs and holds as fit
+ * grids, on her path, over her or anywhere, with radii, ranges and speeds at both ends of the limits, and as many runs and holds as fit
  * into 8 MiB.
  */
 export function randomHeavy(seed: number): LevelFile {
   const random = seeded(seed);
   const pick = <T>(...of: T[]): T => of[Math.floor(random() * of.length)];
   const chance = (p: number) => random() < p;
+  if (chance(0.35)) return crowded(random, `crowded ${seed}`);
   if (chance(0.2)) return clusters(seed);
   if (chance(0.1)) {
     const names = Object.keys(HEAVY_LEVELS);

@@ -1,8 +1,9 @@
 import { existsSync } from 'node:fs';
 import process from 'node:process';
 import { Failure } from '../failure.ts';
+import { FETCH_MORE, type Git } from '../git.ts';
 import { shellPath } from '../shown-path.ts';
-import { askGit } from './git.ts';
+import { isJob, type Told, whatIsTold } from './ci.ts';
 
 /** The commit with which files are compared. */
 export interface Base {
@@ -12,65 +13,92 @@ export interface Base {
   readonly commit: string | null;
 }
 
+/** Why nothing tells what has changed, in words. */
+export interface Unknown {
+  readonly unknown: string;
+}
+
 /**
- * Where the history of the working directory leaves that of a ref.
- * @param ref null: the branch that changes go into, as far as it is known
- * @throws Failure if there is no such commit
+ * The commit from which the working directory has changed: where its history leaves that of a ref, or what the job's service names.
+ * @param ref null: what the service names, else the branch that changes go into, as far as it is known
+ * @throws Failure if there is no such commit, or if it is missing because the clone is shallow
  */
-export function findBase(root: string, ref: string | null): Base {
-  const isCommit = (name: string): boolean => askGit(root, ['rev-parse', '--verify', '--quiet', `${name}^{commit}`]).ok;
-  if (!isCommit('HEAD')) {
+export function findBase(git: Git, ref: string | null): Base | Unknown {
+  if (!isCommit(git, 'HEAD')) {
     if (ref !== null)
       throw new Failure(`--changed ${ref}: the repository has no commit yet; --changed without a ref checks all its levels`);
     return { inWords: 'the beginning, as there is no commit yet', commit: null };
   }
-  const name = ref ?? defaultBranch(root, isCommit);
-  if (ref !== null && (ref.startsWith('-') || !isCommit(ref))) throw new Failure(unknownRef(root, ref));
-  const { ok, output } = askGit(root, ['merge-base', name, 'HEAD']);
-  if (!ok) {
-    throw new Failure(
-      `--changed: ${name} and the commit that is checked out have no common commit${isShallow(root) ? `: ${SHALLOW}` : ''}`,
-    );
+  if (ref !== null) {
+    if (ref.startsWith('-') || !isCommit(git, ref)) throw new Failure(unknownRef(git, ref));
+    return isOwn(ref) ? commonBase(git, ref) : unlessAllIsIn(git, commonBase(git, ref), ref);
   }
-  const commit = output.trim();
+  const told = whatIsTold();
+  return told === null ? fromDefaultBranch(git) : fromTold(git, told);
+}
+
+const isCommit = (git: Git, name: string): boolean => git.line(['rev-parse', '--verify', '--quiet', `${name}^{commit}`]) !== null;
+
+/** Whether a ref is named by way of the commit that is checked out, as in `HEAD~2`: what has changed since is then known. */
+const isOwn = (ref: string): boolean => /^(HEAD|@)(?![\w/-])/.test(ref);
+
+function fromTold(git: Git, told: Told): Base | Unknown {
+  if (told.kind === 'nothing') return { unknown: told.why };
+  if (told.kind === 'push') {
+    const short = told.before.slice(0, 7);
+    // compared with itself, even if the push has left it: what was checked then is its content
+    if (isCommit(git, told.before)) return { inWords: `the last push (${short})`, commit: told.before };
+    if (git.isShallow()) throw new Failure(`--changed: the commit before this push, ${short}, is not there: ${FETCH_MORE}`);
+    return { unknown: `the commit before this push, ${short}, is gone, as after a forced push` };
+  }
+  const found = told.bases.find((name) => isCommit(git, name));
+  if (found !== undefined) return unlessAllIsIn(git, commonBase(git, found), shortName(found));
+  if (told.kind === 'new branch') return { unknown: 'this branch is new, and the default branch is not there' };
+  const { into } = told;
+  throw new Failure(
+    `--changed: the branch ${into}, into which this pull request goes, is not there: ${git.isShallow() ? FETCH_MORE : `git fetch origin ${into} gets it`}`,
+  );
+}
+
+/** From the branch of the remote, or a local one with the usual name; else from the last commit. */
+function fromDefaultBranch(git: Git): Base | Unknown {
+  const named = git.line(['symbolic-ref', '--quiet', 'refs/remotes/origin/HEAD']);
+  const usual = ['refs/remotes/origin/main', 'refs/remotes/origin/master', 'refs/heads/main', 'refs/heads/master'];
+  const name = [...(named === null ? [] : [named]), ...usual].find((ref) => isCommit(git, ref)) ?? 'HEAD';
+  return unlessAllIsIn(git, commonBase(git, name), shortName(name));
+}
+
+/** The last commit that is in both histories. */
+function commonBase(git: Git, name: string): Base {
+  const commit = git.line(['merge-base', name, 'HEAD']);
+  const shown = shortName(name);
+  if (commit === null) {
+    const why = git.isShallow() ? `: ${FETCH_MORE}` : '';
+    throw new Failure(`--changed: ${shown} and the commit that is checked out have no common commit${why}`);
+  }
   return {
-    inWords: name === 'HEAD' ? `the last commit (${commit.slice(0, 7)})` : `${name} (merge base ${commit.slice(0, 7)})`,
+    inWords: name === 'HEAD' ? `the last commit (${commit.slice(0, 7)})` : `${shown} (merge base ${commit.slice(0, 7)})`,
     commit,
   };
 }
 
-const SHALLOW =
-  'this clone is shallow, so its history ends too early: fetch more of it (git fetch --unshallow; with actions/checkout, fetch-depth: 0)';
-
-const isShallow = (root: string): boolean => askGit(root, ['rev-parse', '--is-shallow-repository']).output.trim() === 'true';
-
-/** The branch that a pull request goes into, that of the remote, or a local one with the usual name; else the last commit. */
-function defaultBranch(root: string, isCommit: (name: string) => boolean): string {
-  // GitHub and GitLab name it for a pull request; a value that is set must not be passed over
-  const asked = process.env.GITHUB_BASE_REF || process.env.CI_MERGE_REQUEST_TARGET_BRANCH_NAME;
-  if (asked) {
-    const found = [`refs/remotes/origin/${asked}`, `refs/heads/${asked}`].find(isCommit);
-    if (found === undefined) {
-      throw new Failure(
-        `--changed: the branch ${asked}, into which this pull request goes, is not there${isShallow(root) ? `: ${SHALLOW}` : `: git fetch origin ${asked} gets it`}`,
-      );
-    }
-    return shortName(found);
-  }
-  const { ok, output } = askGit(root, ['symbolic-ref', '--quiet', 'refs/remotes/origin/HEAD']);
-  const named = ok ? [output.trim()] : [];
-  const usual = ['refs/remotes/origin/main', 'refs/remotes/origin/master', 'refs/heads/main', 'refs/heads/master'];
-  return shortName([...named, ...usual].find(isCommit) ?? 'HEAD');
+/**
+ * In a job, and in a shallow clone, which jobs have: a branch that has the commit which is checked out says nothing about what a
+ * push has changed. Elsewhere, what is not committed has changed.
+ */
+function unlessAllIsIn(git: Git, base: Base, name: string): Base | Unknown {
+  if (base.commit !== git.line(['rev-parse', 'HEAD']) || !(isJob(process.env) || git.isShallow())) return base;
+  return { unknown: `nothing tells what has changed: ${name} has the commit that is checked out` };
 }
 
 const shortName = (ref: string): string => ref.replace(/^refs\/(remotes|heads)\//, '');
 
-function unknownRef(root: string, ref: string): string {
+function unknownRef(git: Git, ref: string): string {
   const what = `--changed ${shellPath(ref)}: there is no commit of that name`;
   if (existsSync(ref)) {
     const path = shellPath(ref);
     return `${what}, but a path: to check what has changed below it, write gq check ${path} --changed, or --changed=REF ${path}`;
   }
-  if (isShallow(root)) return `${what}; ${SHALLOW}`;
+  if (git.isShallow()) return `${what}; ${FETCH_MORE}`;
   return `${what}: expected a branch, a tag or a commit, as git branch --all and git tag list them`;
 }

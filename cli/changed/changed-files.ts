@@ -4,9 +4,11 @@ import process from 'node:process';
 import { plural } from '../../check/words/index.ts';
 import { CONFIG_NAME, configFolders } from '../config-file.ts';
 import { Failure } from '../failure.ts';
+import { Git } from '../git.ts';
 import { visibleLine } from '../visible.ts';
 import { findBase } from './base.ts';
-import { askGit } from './git.ts';
+
+const GIT = new Git('.', '--changed', 'name the levels to check');
 
 /** The files to check, and why these, in words. */
 export interface ChangedFiles {
@@ -25,7 +27,7 @@ export interface Deciding {
 /**
  * Chooses the files that differ from a commit: changed, staged, renamed or new, whether committed or not. When a configuration that
  * applies here has changed, these are all files, because its rules may change every result. A file whose entry in the lock differs is
- * among them, too.
+ * among them, too. Where nothing tells what has changed, these are all files as well.
  * @param files the files that could be checked
  * @param ref the branch, tag or commit from which they differ; null: the branch that changes go into
  * @throws Failure if git can't say
@@ -37,8 +39,10 @@ export async function changedFiles(
 ): Promise<ChangedFiles> {
   const folder = process.cwd();
   const root = findRoot(folder);
-  const base = findBase(root, ref);
-  const { changed, folders, gone } = differences(root, base.commit);
+  const git = GIT.in(root);
+  const base = findBase(git, ref);
+  if ('unknown' in base) return { files, inWords: `all ${plural(files.length, 'level')} checked: ${base.unknown}` };
+  const { changed, folders, gone } = differences(git, root, base.commit);
   const isChanged = (path: string): boolean =>
     namesOf(path).some((name) => changed.has(name) || gone.has(name) || folders.some((below) => name.startsWith(below)));
   const found = configFolders(folder).map((at) => join(at, CONFIG_NAME));
@@ -49,7 +53,7 @@ export async function changedFiles(
       inWords: `all ${plural(files.length, 'level')} checked: ${found.includes(config) ? CONFIG_NAME : visibleLine(config)} has changed since ${base.inWords}`,
     };
   const prefix = root.endsWith(sep) ? root : root + sep;
-  const isLockedAnew = lock !== null && isChanged(lock) ? await changedInLock(lock, root, base.commit) : () => false;
+  const isLockedAnew = lock !== null && isChanged(lock) ? await changedInLock(git, lock, root, base.commit) : () => false;
   const differs = (file: string): boolean =>
     // what git does not know of is checked
     !namesOf(file).some((path) => path.startsWith(prefix)) || isChanged(file) || isLockedAnew(file);
@@ -62,20 +66,19 @@ export async function changedFiles(
 const namesOf = (file: string): string[] => [realPath(file), resolve(realPath(dirname(file)), basename(file))];
 
 /** Whether the entry of a file in the lock differs from that in a commit. */
-async function changedInLock(lock: string, root: string, commit: string | null): Promise<(file: string) => boolean> {
+async function changedInLock(git: Git, lock: string, root: string, commit: string | null): Promise<(file: string) => boolean> {
   const { changedEntries } = await import('../lock/index.ts');
   const name = relative(root, realPath(lock)).split(sep).join('/');
-  const before = commit === null ? null : askGit(root, ['show', `${commit}:${name}`]);
-  return changedEntries(lock, before?.ok ? before.output : null);
+  const before = commit === null ? null : git.ask(['show', `${commit}:${name}`]);
+  return changedEntries(lock, before?.status === 0 ? before.output.toString() : null);
 }
 
 /** The real root of the repository. */
 function findRoot(folder: string): string {
-  const { ok, output, error } = askGit(folder, ['rev-parse', '--show-toplevel']);
-  const root = output.replace(/\r?\n$/, '');
-  if (ok && root !== '') return realPath(root);
+  const root = GIT.in(folder).workTree();
+  if (root !== null) return realPath(root);
   throw new Failure(
-    `--changed asks git, which says: ${error === '' ? 'there is no work tree here' : error}\nexpected a working directory in a git repository`,
+    '--changed asks git, and this is not a git repository: expected a working directory in one; without it, name the levels to check',
   );
 }
 
@@ -88,7 +91,7 @@ interface Differences {
   readonly gone: ReadonlySet<string>;
 }
 
-function differences(root: string, commit: string | null): Differences {
+function differences(git: Git, root: string, commit: string | null): Differences {
   const changed = new Set<string>();
   const folders: string[] = [];
   const gone = new Set<string>();
@@ -98,11 +101,11 @@ function differences(root: string, commit: string | null): Differences {
     if (name.endsWith('/')) folders.push(path.endsWith(sep) ? path : path + sep);
   };
   const untracked = ['ls-files', '-z', '--others', '--exclude-standard', '--full-name'];
-  for (const name of names(root, commit === null ? [...untracked, '--cached'] : untracked)) add(name);
+  for (const name of names(git, commit === null ? [...untracked, '--cached'] : untracked)) add(name);
   if (commit === null) return { changed, folders, gone };
   // status and name in turn; a renamed file is a new one and one that is gone
   const options = ['--no-renames', '--no-ext-diff', '--no-relative', '--ignore-submodules=none'];
-  const entries = names(root, ['diff', '-z', '--raw', '--abbrev=40', ...options, commit, '--']);
+  const entries = names(git, ['diff', '-z', '--raw', '--abbrev=40', ...options, commit, '--']);
   for (let i = 0; i + 1 < entries.length; i += 2) {
     const [, mode, , , status] = entries[i].split(' ');
     const name = entries[i + 1];
@@ -113,11 +116,12 @@ function differences(root: string, commit: string | null): Differences {
   return { changed, folders, gone };
 }
 
-function names(root: string, args: readonly string[]): string[] {
-  const { ok, output, error } = askGit(root, args);
-  if (!ok) throw new Failure(`--changed: git ${args[0]} failed: ${error}`);
-  return output.split('\0').filter((name) => name !== '');
-}
+const names = (git: Git, args: readonly string[]): string[] =>
+  git
+    .read(args)
+    .toString()
+    .split('\0')
+    .filter((name) => name !== '');
 
 function realPath(path: string): string {
   try {

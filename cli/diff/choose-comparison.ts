@@ -5,7 +5,7 @@ import { siblingHint } from '../sibling-hint.ts';
 import { compareInGit, mergeBase, type Revisions } from './compare-git.ts';
 import { comparePaths } from './compare-paths.ts';
 import type { Comparison } from './comparison.ts';
-import { gitOrNull, repositoryRoot, shallowHint, treeOf } from './git.ts';
+import { GIT, shallowHint, treeOf } from './git.ts';
 
 /** What stands on the command line. */
 export interface DiffArguments {
@@ -28,7 +28,7 @@ export async function chooseComparison({ words, paths, staged }: DiffArguments):
   if (paths === null && !staged && words.length === 2 && words.every((word) => existsSync(word)) && !words.some(isBoth)) {
     return comparePaths(words[0], words[1]);
   }
-  const isGit = repositoryRoot() !== null;
+  const isGit = GIT.workTree() !== null;
   if (!isGit && words.length > 0) expectPaths(words);
   const { revisions, rest } = splitWords(words, paths);
   return compareInGit(sidesOf(revisions, staged), [...rest, ...(paths ?? [])]);
@@ -76,7 +76,7 @@ function splitWords(
 
 /** Whether a word is a revision or a range of revisions. */
 function treeOfWord(word: string): boolean {
-  if (gitOrNull(['rev-parse', '--git-dir']) === null) return false;
+  if (GIT.line(['rev-parse', '--git-dir']) === null) return false;
   if (treeOf(word) !== null) return true;
   const [, from, , to] = RANGE.exec(word) ?? [];
   return from !== undefined && from + to !== '' && [from, to].every((end) => end === '' || treeOf(end) !== null);

@@ -7,7 +7,7 @@ import { readConfiguration } from '../read-configuration.ts';
 import { namedPath } from '../shown-path.ts';
 import { termsSaid } from '../terms.ts';
 import type { Comparison, FileVersion, Pair, Side } from './comparison.ts';
-import { git, gitOrNull, readObjects, repositoryRoot, shallowHint, splitNul, treeOf } from './git.ts';
+import { GIT, readObjects, shallowHint, splitNul, treeOf } from './git.ts';
 import { termsInTree } from './side-terms.ts';
 
 /** What is compared with what. */
@@ -28,7 +28,7 @@ const REGULAR = /^100/;
  * @throws Failure outside of a repository, for unknown revisions, and with every path that matches no level file
  */
 export function compareInGit({ before, after }: Revisions, paths: readonly string[]): Comparison {
-  const root = repositoryRoot();
+  const root = GIT.workTree();
   if (root === null) {
     throw new Failure(
       `${process.cwd()} is not in a git repository: expected two files or two folders to compare, for example gq diff old.level.json new.level.json`,
@@ -97,7 +97,7 @@ interface ChangedFile {
 /** The files that differ, as git says. */
 function changedFiles(others: readonly string[], specs: readonly string[]): ChangedFile[] {
   const options = ['--raw', '-z', '--no-abbrev', '--find-renames', '--no-relative', '--no-ext-diff', '--ignore-submodules'];
-  const fields = splitNul(git(['diff', ...options, ...others, '--', ...specs]));
+  const fields = splitNul(GIT.read(['diff', ...options, ...others, '--', ...specs]));
   const files = new Map<string, ChangedFile>();
   for (let i = 0; i < fields.length; ) {
     const [modeBefore, modeAfter, blobBefore, blobAfter, status] = fields[i++].slice(1).split(' ');
@@ -117,7 +117,7 @@ function changedFiles(others: readonly string[], specs: readonly string[]): Chan
 }
 
 const untrackedFiles = (specs: readonly string[]): string[] =>
-  splitNul(git(['ls-files', '-z', '--others', '--exclude-standard', '--full-name', '--', ...specs]));
+  splitNul(GIT.read(['ls-files', '-z', '--others', '--exclude-standard', '--full-name', '--', ...specs]));
 
 /** A file on disk; null if it is not a file, or not there any more. */
 function onDisk(file: string, path: string): FileVersion | null {
@@ -143,10 +143,10 @@ function expectMatches(
   const none = emptyTree();
   const unmatched = paths.filter((path) => {
     const found = trees.some((tree) =>
-      splitNul(git(['diff', '--name-only', '-z', '--no-relative', none, tree, '--', path])).some(isLevel),
+      splitNul(GIT.read(['diff', '--name-only', '-z', '--no-relative', none, tree, '--', path])).some(isLevel),
     );
     if (found || !isDisk) return !found;
-    return !splitNul(git(['ls-files', '-z', '--cached', '--others', '--exclude-standard', '--full-name', '--', path])).some(
+    return !splitNul(GIT.read(['ls-files', '-z', '--cached', '--others', '--exclude-standard', '--full-name', '--', path])).some(
       isLevel,
     );
   });
@@ -166,7 +166,7 @@ function equalFiles(
   shown: (path: string) => string,
 ): FileVersion[] {
   const different = new Set(pairs.map(({ before }) => before?.path));
-  const listed = splitNul(git(['diff', '--name-only', '-z', '--no-relative', emptyTree(), tree, '--', ...specs]))
+  const listed = splitNul(GIT.read(['diff', '--name-only', '-z', '--no-relative', emptyTree(), tree, '--', ...specs]))
     .filter(isLevel)
     .filter((path) => !different.has(shown(path)));
   return readObjects(listed.map((path) => `${tree}:${path}`)).flatMap((bytes, i) =>
@@ -174,7 +174,7 @@ function equalFiles(
   );
 }
 
-const emptyTree = (): string => git(['hash-object', '-t', 'tree', '--stdin'], '').toString().trim();
+const emptyTree = (): string => GIT.read(['hash-object', '-t', 'tree', '--stdin'], '').toString().trim();
 
 function treeOrFail(revision: string): string {
   const tree = treeOf(revision);
@@ -188,7 +188,7 @@ function treeOrFail(revision: string): string {
 export function mergeBase(one: string, other: string): string {
   treeOrFail(one);
   treeOrFail(other);
-  const base = gitOrNull(['merge-base', one, other]);
+  const base = GIT.line(['merge-base', one, other]);
   if (base !== null) return base;
   throw new Failure(`${one} and ${other} have no commit in common${shallowHint()}`);
 }

@@ -1,10 +1,10 @@
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
+import { Git } from '../git.ts';
 import { writeWhole } from '../write-file.ts';
 import { DRIVER, editedLines, hasAttributes, withAttributes, withoutAttributes } from './attributes.ts';
 import { ownFunction } from './own-command.ts';
-import { git, runGit, workingTree } from './run-git.ts';
 
 /** What happens when no run completes a merged level any more. */
 export type OnBrokenRun = 'stop' | 'warn';
@@ -35,7 +35,17 @@ const OR_AS_TEXT = [
   'git merge-file -q --marker-size=%L -L ours -L base -L theirs %A %O %B',
 ].join('; ');
 
-const current = (key: string): string | null => runGit(['config', '--local', '--get', key]).out;
+/** git in the working directory. */
+const GIT = new Git('.', 'gq git-setup', 'leave files to git as they are');
+
+/** The root of the working tree. @throws Failure outside of one */
+function workingTree(): string {
+  const root = GIT.workTree();
+  if (root !== null) return root;
+  throw new Failure('expected a git repository, found none in this folder or above it: go to one, or run git init first');
+}
+
+const current = (key: string): string | null => GIT.line(['config', '--local', '--get', key]);
 
 const attributesIn = (root: string): string => join(root, '.gitattributes');
 
@@ -54,7 +64,7 @@ export async function setUp(onBrokenRun: OnBrokenRun): Promise<string[]> {
   for (const [key, value] of settingsFor(root, onBrokenRun)) {
     const before = current(key);
     if (before === value) continue;
-    git(['config', '--local', '--replace-all', key, value]);
+    GIT.read(['config', '--local', '--replace-all', key, value]);
     done.push(`${before === null ? 'set' : 'changed'} ${key} in the configuration of this clone`);
   }
   const path = attributesIn(root);
@@ -72,7 +82,7 @@ export async function undo(): Promise<string[]> {
   const done: string[] = [];
   for (const key of settingsFor(root, 'stop').keys()) {
     if (current(key) === null) continue;
-    git(['config', '--local', '--unset-all', key]);
+    GIT.read(['config', '--local', '--unset-all', key]);
     done.push(`removed ${key} from the configuration of this clone`);
   }
   const path = attributesIn(root);
@@ -99,7 +109,7 @@ export function missing(): string[] {
   const path = attributesIn(root);
   if (!hasAttributes(readAttributes(path))) lacking.push(`${path} has no line for levels`);
   else {
-    const used = git(['-C', root, 'check-attr', 'merge', '--', 'x.level.json']);
+    const used = GIT.in(root).line(['check-attr', 'merge', '--', 'x.level.json']) ?? '';
     if (!used.endsWith(`: ${DRIVER}`)) lacking.push(`another line of git attributes wins for levels: ${used}`);
   }
   return lacking;

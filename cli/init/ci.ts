@@ -1,6 +1,6 @@
-import { spawnSync } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
+import { tryGit } from '../git.ts';
 import { repositoryOf } from '../repository.ts';
 import { shellWord } from '../shown-path.ts';
 import { readText } from './read-text.ts';
@@ -21,8 +21,8 @@ export interface PlannedText {
 /** The address of the repository's origin; '' if there is none, or no git. */
 function originOf(root: string): string {
   if (!existsSync(join(root, '.git'))) return '';
-  const { stdout } = spawnSync('git', ['remote', 'get-url', 'origin'], { cwd: root, encoding: 'utf8', timeout: 5000 });
-  return stdout ?? '';
+  const answer = tryGit(['remote', 'get-url', 'origin'], { folder: root, timeout: 5000 });
+  return answer instanceof Error ? '' : answer.output.toString();
 }
 
 /** What the repository uses; where nothing says it, GitHub. */

@@ -1,4 +1,4 @@
-import { spawnSync } from 'node:child_process';
+import { tryGit } from '../git.ts';
 
 /** The outcome of merging files line by line. */
 export type TextMerge = 'clean' | 'conflicts' | 'not merged';
@@ -9,7 +9,9 @@ export type TextMerge = 'clean' | 'conflicts' | 'not merged';
  */
 export function mergeText(base: string, into: string, theirs: string, markerSize: number): TextMerge {
   const labels = ['ours', 'base', 'theirs'].flatMap((label) => ['-L', label]);
-  const { status } = spawnSync('git', ['merge-file', '-q', `--marker-size=${markerSize}`, ...labels, into, base, theirs]);
+  const args = ['merge-file', '-q', `--marker-size=${markerSize}`, ...labels, into, base, theirs];
+  const answer = tryGit(args, { folder: '.' });
+  const status = answer instanceof Error ? null : answer.status;
   if (status === 0) return 'clean';
   return status !== null && status > 0 && status < 128 ? 'conflicts' : 'not merged';
 }

@@ -1,11 +1,12 @@
 import { createReadStream, readSync } from 'node:fs';
-import { pipeline, type Transform } from 'node:stream';
+import { pipeline, type Readable, type Transform } from 'node:stream';
 import * as zlib from 'node:zlib';
 import { Failure, systemReason } from '../failure.ts';
 import { refusePointer } from '../pointer.ts';
 import { NotAFile, openRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import type { PackFormat } from './formats.ts';
+import { ZstdFrame } from './zstd-frame.ts';
 
 /** Bytes that are read at a time. */
 const PIECE = 256 * 1024;
@@ -18,29 +19,73 @@ const { createZstdDecompress } = zlib as { createZstdDecompress?: (options: obje
 
 /**
  * The bytes of a pack, decompressed.
- * @throws Failure if it can't be read or unpacked
+ * @throws Failure if it can't be read or unpacked, or if it is cut off
  */
 export async function* openPack(path: string, { compression }: PackFormat): AsyncGenerator<Buffer> {
   // a named pipe may never have a writer, and a set is read more than once
   const file = createReadStream(path, { fd: opened(path), highWaterMark: PIECE });
-  let unpacked: AsyncIterable<Buffer> = file;
-  if (compression !== null) {
-    const unpack = compression === 'gzip' ? zlib.createGunzip({ chunkSize: PIECE }) : zstd(path);
-    // errors reach the reader below
-    unpacked = pipeline(file, unpack, () => {});
-  }
   try {
-    yield* unpacked;
+    if (compression === null) yield* file;
+    else yield* compression === 'gzip' ? gunzipped(path, file) : unzstd(path, file);
   } catch (error) {
     if (error instanceof Failure) throw error;
     const isSystem = typeof (error as NodeJS.ErrnoException).syscall === 'string';
-    const what = compression === null || isSystem ? "can't be read" : `can't be unpacked (${compression})`;
-    const why = isSystem ? systemReason(error) : `${(error as Error).message}; it may be cut off or damaged`;
-    throw new Failure(`${namedPath(path)}: ${what}: ${why}`);
+    if (compression !== null && !isSystem) throw damaged(path, compression, error as Error);
+    throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}`);
   } finally {
     file.destroy();
   }
 }
+
+/** What is said of a pack that can't be unpacked. */
+export const damaged = (path: string, compression: 'gzip' | 'zstd', { message }: Error): Failure =>
+  new Failure(`${namedPath(path)}: can't be unpacked (${compression}): ${message}; it may be cut off or damaged`);
+
+async function* gunzipped(path: string, file: Readable): AsyncGenerator<Buffer> {
+  const unpack = zlib.createGunzip({ chunkSize: PIECE });
+  // errors reach the reader
+  yield* pipeline(file, unpack, () => {});
+  // zeros may follow, which tapes add; gunzip leaves out what comes after them
+  for await (const piece of createReadStream(path, { fd: opened(path), start: unpack.bytesWritten }))
+    if ((piece as Buffer).some((byte) => byte !== 0)) throw new Error(AFTER_ZEROS);
+}
+
+/** What is wrong where gunzip stops reading. */
+export const AFTER_ZEROS = 'there is more after the zeros at its end';
+
+/** Each frame has a stream of its own, because Node's ends after the first one. */
+async function* unzstd(path: string, file: Readable): AsyncGenerator<Buffer> {
+  const unpack = createZstdDecompress;
+  if (unpack === undefined) throw noZstd(path);
+  const pieces = file[Symbol.asyncIterator]() as AsyncIterator<Buffer>;
+  let rest: Buffer = Buffer.alloc(0);
+  const read = async (): Promise<boolean> => {
+    while (rest.length === 0) {
+      const { value, done } = await pieces.next();
+      if (done) return false;
+      rest = value;
+    }
+    return true;
+  };
+  async function* frame(): AsyncGenerator<Buffer> {
+    const one = new ZstdFrame();
+    while (!one.isWhole) {
+      if (!(await read())) throw new Error(UNEXPECTED_END);
+      const count = one.take(rest);
+      yield rest.subarray(0, count);
+      rest = rest.subarray(count);
+    }
+  }
+  while (await read()) yield* pipeline(frame, unpack({ chunkSize: PIECE }), () => {});
+}
+
+/** What Node says of gzip. */
+export const UNEXPECTED_END = 'unexpected end of file';
+
+export const noZstd = (path: string): Failure =>
+  new Failure(
+    `${namedPath(path)}: Node ${process.versions.node} can't unpack zstd: expected Node 22.15 or newer, or a pack as .gz`,
+  );
 
 function opened(path: string): number {
   try {
@@ -54,11 +99,4 @@ function opened(path: string): number {
     const expected = error instanceof NotAFile ? '; expected a file' : '';
     throw new Failure(`${namedPath(path)}: can't be read: ${systemReason(error)}${expected}`);
   }
-}
-
-function zstd(path: string): Transform {
-  if (createZstdDecompress !== undefined) return createZstdDecompress({ chunkSize: PIECE });
-  throw new Failure(
-    `${namedPath(path)}: Node ${process.versions.node} can't unpack zstd: expected Node 22.15 or newer, or a pack as .gz`,
-  );
 }

@@ -1,12 +1,14 @@
-import { createRequire } from 'node:module';
 import * as zlib from 'node:zlib';
 import { Failure } from '../failure.ts';
 import { refusePointer } from '../pointer.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import { packFormat } from './formats.ts';
+import { AFTER_ZEROS, damaged, noZstd, UNEXPECTED_END } from './open-pack.ts';
 import { isBlank, NEWLINE } from './read-lines.ts';
+import { TarArchive } from './tar-archive.ts';
 import { unwrap } from './unwrap.ts';
+import { ZstdFrame } from './zstd-frame.ts';
 
 /** Bytes of a pack from which a single entry is taken at most, packed and unpacked. */
 const MOST_BYTES = 1024 * 1024 * 1024;
@@ -42,14 +44,38 @@ export function readEntry(pack: string, label: string): Uint8Array {
 }
 
 function unpacked(pack: string, bytes: Uint8Array, compression: 'gzip' | 'zstd'): Uint8Array {
-  const { zstdDecompressSync } = zlib as { zstdDecompressSync?: typeof zlib.gunzipSync };
-  const unpack = compression === 'gzip' ? zlib.gunzipSync : zstdDecompressSync;
-  if (unpack === undefined) throw new Failure(`${namedPath(pack)}: this Node can't unpack zstd: expected Node 22.15 or newer`);
   try {
-    return unpack(bytes, { maxOutputLength: MOST_BYTES });
+    return compression === 'gzip' ? gunzipped(bytes) : unzstd(pack, bytes);
   } catch (error) {
-    throw new Failure(`${namedPath(pack)}: can't be unpacked (${compression}): ${(error as Error).message}`);
+    throw error instanceof Failure ? error : damaged(pack, compression, error as Error);
   }
+}
+
+function gunzipped(bytes: Uint8Array): Uint8Array {
+  // the types of Node don't know of `info`
+  const { buffer, engine } = zlib.gunzipSync(bytes, { maxOutputLength: MOST_BYTES, info: true } as object) as unknown as {
+    readonly buffer: Buffer;
+    readonly engine: { readonly bytesWritten: number };
+  };
+  if (bytes.subarray(engine.bytesWritten).some((byte) => byte !== 0)) throw new Error(AFTER_ZEROS);
+  return buffer;
+}
+
+function unzstd(pack: string, bytes: Uint8Array): Uint8Array {
+  const { zstdDecompressSync } = zlib as { zstdDecompressSync?: typeof zlib.gunzipSync };
+  if (zstdDecompressSync === undefined) throw noZstd(pack);
+  const contents: Buffer[] = [];
+  let left = MOST_BYTES;
+  for (let from = 0; from < bytes.length; ) {
+    const frame = new ZstdFrame();
+    const end = from + frame.take(bytes.subarray(from));
+    if (!frame.isWhole) throw new Error(UNEXPECTED_END);
+    const content = zstdDecompressSync(bytes.subarray(from, end), { maxOutputLength: left });
+    contents.push(content);
+    left -= content.length;
+    from = end;
+  }
+  return Buffer.concat(contents);
 }
 
 /** An entry that a label may mean. */
@@ -78,26 +104,12 @@ function linesOf(bytes: Uint8Array, label: string): Found[] {
 }
 
 function filesOf(pack: string, bytes: Uint8Array, label: string): Found[] {
-  // loaded here, as it takes time that commands on files need not spend
-  const { Parser } = createRequire(import.meta.url)('tar') as typeof import('tar');
   const found: Found[] = [];
-  const parser = new Parser({
-    strict: true,
-    onReadEntry(entry) {
-      const pieces: Buffer[] = [];
-      if (entry.path === label) {
-        entry.on('data', (piece: Buffer) => pieces.push(piece));
-        entry.on('end', () => {
-          found.push({ content: Buffer.concat(pieces), line: null });
-        });
-      } else entry.resume();
-    },
-  });
-  let broken: Error | null = null;
-  parser.on('error', (error: Error) => {
-    broken ??= error;
-  });
-  parser.end(Buffer.from(bytes));
-  if (broken !== null) throw new Failure(`${namedPath(pack)}: it is no tar archive, or it is damaged`);
+  const add = (_: string, pieces: readonly Uint8Array[]): void => {
+    found.push({ content: Buffer.concat(pieces), line: null });
+  };
+  const archive = new TarArchive(pack, (name) => name === label, add);
+  archive.write(Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length));
+  archive.end();
   return found;
 }

@@ -210,7 +210,7 @@ describe('gq check --changed', () => {
     removals.push(remove);
     expect(await checked(['--changed'], directory)).toMatchObject({
       code: 2,
-      stderr: expect.stringMatching(/not a git repository.*\nexpected a working directory in a git repository/),
+      stderr: expect.stringMatching(/this is not a git repository: expected a working directory in one/),
     });
     const noGit = await gq(['check', '--changed'], { cwd: game, env: { PATH: directory } });
     expect(noGit).toMatchObject({ code: 2, stdout: '', stderr: expect.stringContaining('there is no command git') });

@@ -20,10 +20,13 @@ export interface Ended {
 /** ms; only a process that hangs takes this long, even on a busy machine */
 const TOO_LONG = 120_000;
 
+/** Variables for colours, and those of a CI service. */
+const FROM_OUTSIDE = /^(FORCE_COLOR|CI|CI_.*|GITHUB_.*|GITLAB_.*|JENKINS_URL|TF_BUILD|TEAMCITY_VERSION)$/;
+
 /** The environment without the user's settings for colours and those of a CI service, which must not affect tests. */
 function quietEnvironment(): NodeJS.ProcessEnv {
-  const { FORCE_COLOR: _, GITHUB_WORKSPACE: _folder, GITHUB_STEP_SUMMARY: _summary, JENKINS_URL: _url, ...rest } = process.env;
-  return { ...rest, NO_COLOR: '1' };
+  const rest = Object.entries(process.env).filter(([name]) => !FROM_OUTSIDE.test(name));
+  return { ...Object.fromEntries(rest), NO_COLOR: '1' };
 }
 
 /** What the shared process answers. */

@@ -161,13 +161,15 @@ describe('an archive', () => {
       const { readFileSync } = await import('node:fs');
       const bytes = readFileSync(file);
       put('cut.tar', bytes.subarray(0, 2000));
-      expect(await refusal('cut.tar')).toContain('cut.tar: it is no tar archive, or it is cut off or damaged');
+      expect(await refusal('cut.tar')).toContain(
+        'cut.tar: the archive is cut off: expected two blocks of zeros, with which an archive ends, found the end of its data at byte 2000, after the entry a.level.json',
+      );
       put('garbage.tar', Buffer.alloc(4096, 'garbage '));
       expect(await refusal('garbage.tar')).toContain('garbage.tar: it is no tar archive');
       await create({ cwd: inside.directory, file: join(place.directory, 'none.tar') }, ['b.txt']);
       expect(await refusal('none.tar')).toContain('none.tar: it contains no level: expected *.level.json in it');
       put('empty.tar', '');
-      expect((await refusal('empty.tar')).length).toBeGreaterThan(10);
+      expect(await refusal('empty.tar')).toContain('empty.tar: the archive is cut off');
     } finally {
       inside.remove();
     }

@@ -107,8 +107,9 @@ most ${FEW_FILES} files are checked. When a signal ends a check with --solve or 
 alone. A level without an entry in the lock fails; an entry whose level is gone is only said. --update-lock keeps the entries of
 levels that are not checked, and writes nothing when the check ends early.
 --changed asks git: levels that have changed since the history left that of REF count, whether committed, staged, renamed or new;
-ignored files do not. REF is a branch, a tag or a commit; without it the branch of the pull request on GitHub and GitLab, else
-origin/HEAD, main or master, else the last commit. A changed configuration may change every result, so then all levels are
+ignored files do not. REF is a branch, a tag or a commit. Without it, that is what GitHub and GitLab tell: the branch into which a
+pull request goes, or the commit before a push; else origin/HEAD, main or master, else the last commit. In a job where nothing
+tells what has changed, all levels are checked; where the clone ends too early, the exit code is 2. A changed configuration may change every result, so then all levels are
 checked, and so are levels whose entry in the lock has changed. If no level has changed, nothing needs a check: the exit code is 0. A path that matches no level file stays an error.
 --watch prints the reports of levels that have changed and the summary of all; other levels keep their reports. A changed
 gq.config.json or lock counts for all levels. With --format json, each round prints one line.

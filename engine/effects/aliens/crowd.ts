@@ -1,5 +1,7 @@
 import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
 import type { SpatialIndex } from '../../spatial-index.ts';
+import { ascending } from './ascending.ts';
+import { MANY_AWAKE, MARGIN, MeetingsOfMany, NOBODY } from './meetings-of-many.ts';
 
 const { AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
@@ -8,24 +10,8 @@ const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 /** When more sleepers than this are elsewhere than in the index, the index is made anew. */
 const MOST_ASTRAY = 256;
 
-/** From this many awake aliens on, an index made for the piece finds the near ones. */
-const MANY_AWAKE = 16;
-
-/** Margin of distances at which something cannot matter, px; far above any rounding. */
-const MARGIN = 1e-3;
-
 /** How much farther than asked sleepers are looked for, px, so that the next calls need not search. */
 const AHEAD = 256;
-
-/** Takes the place of a second alien where there is none. */
-export const NOBODY = -1;
-
-/** A copy of a list with twice the room. */
-function grown(list: Int32Array): Int32Array {
-  const longer = new Int32Array(2 * list.length);
-  longer.set(list);
-  return longer;
-}
 
 /**
  * Which aliens are awake, and where the others sleep. All of it follows from the state and is derived from it after a restore.
@@ -50,10 +36,8 @@ export class AlienCrowd implements Crowd {
   private astray: number[] = [];
   /** Entries of the list of explosions before this index are done. */
   private explosion = 0;
-  /** The pairs that {@link meetings} found. */
-  first: Int32Array = new Int32Array(MANY_AWAKE);
-  second: Int32Array = new Int32Array(MANY_AWAKE);
-  private met = 0;
+  /** The meetings of many aliens, which are found one alien after the other; null if there are few. */
+  private meetingsOfMany: MeetingsOfMany | null = null;
 
   constructor(private readonly m: Motion) {
     const { aliens } = m.scene;
@@ -156,7 +140,7 @@ export class AlienCrowd implements Crowd {
   }
 
   /** Indices, ascending, of at least all sleepers whose disc reaches nearer than `reach` px to (x, y), px from the origin. */
-  private sleepersAround(x: number, y: number, reach: number): number[] {
+  sleepersAround(x: number, y: number, reach: number): ArrayLike<number> {
     const { s, chasers, scene, originX, originY } = this.m;
     const { count } = scene.aliens;
     const found: number[] = [];
@@ -169,7 +153,7 @@ export class AlienCrowd implements Crowd {
     }
     for (const i of this.astray) found.push(i);
     this.m.budget.look(found.length >> 2);
-    return found.sort((a, b) => a - b);
+    return ascending(found);
   }
 
   /**
@@ -183,7 +167,9 @@ export class AlienCrowd implements Crowd {
     const { r } = scene.aliens;
     const around = within + AHEAD;
     let calm = this.index === null ? Number.POSITIVE_INFINITY : around;
-    for (const i of this.sleepersAround(x, y, around + Math.max(this.m.rules.alienSight, this.m.box.halfDiagonal) + MARGIN)) {
+    const near = this.sleepersAround(x, y, around + Math.max(this.m.rules.alienSight, this.m.box.halfDiagonal) + MARGIN);
+    for (let k = 0; k < near.length; k++) {
+      const i = near[k];
       const o = chasers + CHASER * i;
       const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
       calm = Math.min(calm, d - Math.max(this.m.rules.alienSight, r[i] + this.m.box.halfDiagonal));
@@ -195,106 +181,30 @@ export class AlienCrowd implements Crowd {
   }
 
   /**
-   * Finds at least all pairs with an awake alien that may touch within `h` s from the start of the piece. Writes `first` and
-   * `second` of each, sorted by the first and then by the second. After the pairs of an awake first alien comes an entry for
-   * that alien itself, with NOBODY as the second. Which events are found first can depend on this order; it is that of
-   * examining all pairs.
-   * @returns the number of entries
+   * Finds at least all pairs with an awake alien that may touch within `h` s from the start of the piece, sorted by the first and
+   * then by the second. After the pairs of an awake first alien comes an entry for that alien itself, with NOBODY as the second.
+   * Which events are found first can depend on this order; it is that of examining all pairs.
+   *
+   * There may be as many pairs as aliens squared, so of many aliens only those of one first alien are kept at a time.
+   * @param isEnough whether no further pair can matter; then only entries with NOBODY have to come
+   * @param visit gets them one by one
    */
-  meetings(h: number): number {
-    this.met = 0;
+  meetings(h: number, isEnough: () => boolean, visit: (i: number, j: number) => void): void {
     const { s, chasers, scene } = this.m;
     const { count } = scene.aliens;
     if (count > MANY_AWAKE) {
-      this.meetingsOfMany(h);
-      return this.met;
+      this.meetingsOfMany ??= new MeetingsOfMany(this.m, this);
+      this.meetingsOfMany.visit(h, isEnough, visit);
+      return;
     }
     for (let i = 0; i < count; i++) {
       const state = s[chasers + CHASER * i + 4];
       if (state === GONE) continue;
       for (let j = i + 1; j < count; j++) {
         const other = s[chasers + CHASER * j + 4];
-        if (other === AWAKE || (state === AWAKE && other === ASLEEP)) this.meet(i, j);
+        if (other === AWAKE || (state === AWAKE && other === ASLEEP)) visit(i, j);
       }
-      if (state === AWAKE) this.meet(i, NOBODY);
+      if (state === AWAKE) visit(i, NOBODY);
     }
-    return this.met;
-  }
-
-  private meet(i: number, j: number): void {
-    if (this.met === this.first.length) {
-      this.first = grown(this.first);
-      this.second = grown(this.second);
-    }
-    this.first[this.met] = i;
-    this.second[this.met++] = j;
-  }
-
-  private meetingsOfMany(h: number): void {
-    const { s, chasers, scene } = this.m;
-    const { aliens } = scene;
-    const count = s[AWAKE_COUNT];
-    const { awake } = this;
-    this.m.budget.look(4 * count);
-    const partners = this.partnersAmongAwake(h);
-    // those whose sleeper comes first in the list
-    const before: [number, number][] = [];
-    const after: number[][] = [];
-    for (let k = 0; k < count; k++) {
-      const i = awake[k];
-      const o = chasers + CHASER * i;
-      const far = (Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]) + this.m.rules.alienPull * h) * h;
-      const later: number[] = [];
-      for (const j of this.sleepersAround(s[o], s[o + 1], far + aliens.r[i])) {
-        const q = chasers + CHASER * j;
-        const reach = far + aliens.r[i] + aliens.r[j] + MARGIN;
-        if (Math.abs(s[q] - s[o]) > reach || Math.abs(s[q + 1] - s[o + 1]) > reach) continue;
-        if (j < i) before.push([j, i]);
-        else later.push(j);
-      }
-      after.push(later);
-    }
-    before.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-    let next = 0;
-    for (let k = 0; k < count; k++) {
-      const i = awake[k];
-      for (; next < before.length && before[next][0] < i; next++) this.meet(before[next][0], before[next][1]);
-      const all = partners(k);
-      this.m.budget.look(2 + 3 * all.length);
-      for (const j of after[k]) all.push(j);
-      all.sort((a, b) => a - b);
-      for (const j of all) this.meet(i, j);
-      this.meet(i, NOBODY);
-    }
-    for (; next < before.length; next++) this.meet(before[next][0], before[next][1]);
-  }
-
-  /** For the k-th awake alien: the awake ones after it in the list that it may touch within `h` s. */
-  private partnersAmongAwake(h: number): (k: number) => number[] {
-    const { s, chasers, scene } = this.m;
-    const { r } = scene.aliens;
-    const { awake } = this;
-    const count = s[AWAKE_COUNT];
-    if (count <= MANY_AWAKE) return (k) => Array.from(awake.subarray(k + 1, count));
-    let vx = 0;
-    let vy = 0;
-    for (let k = 0; k < count; k++) {
-      vx += s[chasers + CHASER * awake[k] + 2] / count;
-      vy += s[chasers + CHASER * awake[k] + 3] / count;
-    }
-    // relative to a point with their mean velocity, each stays in a box: straight motion, and as far aside as the pull takes it
-    const boxes = new Float64Array(4 * count);
-    for (let k = 0; k < count; k++) {
-      const o = chasers + CHASER * awake[k];
-      const dx = (s[o + 2] - vx) * h;
-      const dy = (s[o + 3] - vy) * h;
-      const room = r[awake[k]] + this.m.rules.alienPull * h * h + MARGIN;
-      boxes[4 * k] = s[o] + Math.min(0, dx) - room;
-      boxes[4 * k + 1] = s[o + 1] + Math.min(0, dy) - room;
-      boxes[4 * k + 2] = s[o] + Math.max(0, dx) + room;
-      boxes[4 * k + 3] = s[o + 1] + Math.max(0, dy) + room;
-    }
-    const partners = this.m.parts.indexing.boxes(boxes);
-    return (k) => partners(k).map((other) => awake[other]);
   }
 }

@@ -1,7 +1,8 @@
 import { alienTravel, eventRule, justFired, offer, offerContact, quietOutside, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeAlien, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
-import { type AlienCrowd, NOBODY } from './crowd.ts';
+import type { AlienCrowd } from './crowd.ts';
+import { NOBODY } from './meetings-of-many.ts';
 import { pairTime } from './pair.ts';
 
 const { START, NEXT, EVENT, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
@@ -111,25 +112,24 @@ function offerAwake(m: Motion, from: number): void {
   const h = s[LENGTH_H];
   // the first two that overlap at their places in the level, asleep; an awake one is handled with its pairs
   let overlap = explosions.length > 0 ? crowd.overlapAtStart() : -1;
-  const count = s[AWAKE_COUNT] > 0 ? crowd.meetings(h) : 0;
-  for (let k = 0; k < count; k++) {
-    const i = crowd.first[k];
-    const j = crowd.second[k];
+  // once two that touch at once are found, all other pairs come later
+  const isEnough = (): boolean => s[EVENT] <= explode.kind && s[NEXT] - m.sameInstant <= from;
+  const visit = (i: number, j: number): void => {
     if (overlap >= 0 && explosions[overlap] <= i) {
       offerPair(m, explosions[overlap], explosions[overlap + 1], from);
       overlap = -1;
     }
     if (j !== NOBODY) {
-      // once two that touch at once are found, all other pairs come later
-      if (s[EVENT] > explode.kind || s[NEXT] - m.sameInstant > from) offerPair(m, i, j, from);
-      continue;
+      if (!isEnough()) offerPair(m, i, j, from);
+      return;
     }
     const o = m.chasers + CHASER * i;
     const d = Math.sqrt((s[o] - path.x) * (s[o] - path.x) + (s[o + 1] - path.y) * (s[o + 1] - path.y));
     const moves = path.travel + alienTravel(m, i, m.rules.alienPull, h);
     if (d + moves > m.rules.alienSight - SURPLUS) offerSleep(m, i, from);
     if (d - moves < aliens.r[i] + m.touchMargin) offerTouch(m, i, from);
-  }
+  };
+  if (s[AWAKE_COUNT] > 0) crowd.meetings(h, isEnough, visit);
   if (overlap >= 0) offerPair(m, explosions[overlap], explosions[overlap + 1], from);
 }
 
