@@ -104,7 +104,9 @@ describe('certified ticks for a lock', () => {
   });
 
   it('are none when the work does not suffice, and the same for all limits that suffice', () => {
-    const found = [1, 3, 100, 3000, 100_000, 200_000].map((work) => ticksToAgree(compile(level, { ...DEFAULT_TERMS, maxWork: 2 * work }), [[3, 100]]));
+    const found = [1, 3, 100, 3000, 100_000, 200_000].map((work) =>
+      ticksToAgree(compile(level, { ...DEFAULT_TERMS, maxWork: 2 * work }), [[3, 100]]),
+    );
     expect(found[0]).toBeNull();
     const measured = found.filter((ticks) => ticks !== null);
     expect(measured.length).toBeGreaterThan(1);

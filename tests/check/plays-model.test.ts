@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type Attempt, collectStatistics, compareWithModel, statisticsOf } from '../../check/plays/index.ts';
 import { decreasing, explainingNoise } from '../../check/plays/model.ts';
 import { chooseReference } from '../../check/plays/reference.ts';
-import { compile } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/robustness/index.ts';
 import { isHunt } from '../is-hunt.ts';
@@ -72,9 +72,15 @@ describe('the noise that explains the success of players', () => {
     const whole = [{ sigma: 0, p: 1, low: 1, high: 1, samples: 1 }, ...curve];
     for (const successes of [60, 90, 120]) {
       const share = { attempts: 150, successes, share: successes / 150, ...wilsonInterval(successes, 150) };
-      const { noise } = compareWithModel(scene, holds, { ...share, edges: statisticsOf(scene.level, DEFAULT_TERMS, []).edges }, ANY, {
-        samples: 300,
-      });
+      const { noise } = compareWithModel(
+        scene,
+        holds,
+        { ...share, edges: statisticsOf(scene.level, DEFAULT_TERMS, []).edges },
+        ANY,
+        {
+          samples: 300,
+        },
+      );
       expect(noise).toEqual(explainingNoise(whole, share));
     }
   });
@@ -281,9 +287,14 @@ describe('shares', () => {
     const outcomes = ['0x', '0o', '1o', '1x', '1o', '2x', '2x', '2x', '?o'];
     const attempts = outcomes.map((text, i) => ({ ...failure(i, 0, 0, 0), ...(text[1] === 'o' ? { cause: null } : {}) }));
     const by = outcomes.map((text, i) => (text[0] === '?' ? null : { player: text[0], order: i }));
-    const { byAttempt, players, playersWhoSucceed } = collectStatistics(shippedLevel('07-nova-lane'), DEFAULT_TERMS, attempts.toReversed(), {
-      by,
-    });
+    const { byAttempt, players, playersWhoSucceed } = collectStatistics(
+      shippedLevel('07-nova-lane'),
+      DEFAULT_TERMS,
+      attempts.toReversed(),
+      {
+        by,
+      },
+    );
     expect(byAttempt.map(({ attempts: all, successes, first }) => [all, successes, first])).toEqual([
       [3, 1, 1],
       [3, 1, 1],

@@ -1,10 +1,10 @@
 import fc from 'fast-check';
-import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { describe, expect, it } from 'vitest';
 import { alignEdges } from '../../check/plays/alignment.ts';
 import { dbscan, type Point } from '../../check/plays/dbscan.ts';
 import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
 import { Tally } from '../../check/plays/quartiles.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';

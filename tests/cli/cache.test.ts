@@ -180,7 +180,8 @@ describe('a report from the cache', () => {
       const settings: CheckSettings = {
         ...PLAIN,
         terms: { ...PLAIN.terms, accuracy: accuracyOf(SETTINGS.terms.accuracy) },
-        search: { limits, seed: 0 } };
+        search: { limits, seed: 0 },
+      };
       await check(settings, folder, [file]);
       return opened(folder, settings)!.recall([file]).has(file);
     };
