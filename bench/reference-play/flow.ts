@@ -23,7 +23,7 @@ import {
   ZERO,
 } from './double-double.ts';
 import { DEGREE, productAt, Series } from './series.ts';
-import { type Mover, NO_LENGTH, type World } from './world.ts';
+import { type Mover, NO_LENGTH, placeOf, type World } from './world.ts';
 
 /** The reference does not know how to go on: the caller leaves the scene out, and counts it. */
 export class NotCovered extends Error {}
@@ -40,6 +40,8 @@ export interface Path {
   readonly y: Series;
   readonly vx: Series;
   readonly vy: Series;
+  /** Whether it stays where it is. */
+  readonly stands: boolean;
 }
 
 /** A line through the centre of a force: the direction to it stays the same. */
@@ -87,7 +89,7 @@ export function expand(world: World): Flow {
   const field = actingField(world);
   const target = world.held && world.target >= 0 ? world.asteroids[world.target] : null;
   const repulsor: Mover | null =
-    field < 0 ? null : { at: vector(level.repulsors[field].x, level.repulsors[field].y), velocity: NOWHERE };
+    field < 0 ? null : { at: placeOf(level.repulsors[field]), velocity: NOWHERE };
   const recoil = level.recoil && target !== null ? rules.recoil / (2 * level.asteroids[world.target].radius) : 0;
   const wind = blowing(world);
   const lines = linesOf(world, target, repulsor, wind, recoil);
@@ -96,23 +98,19 @@ export function expand(world: World): Flow {
   const beside = (body: Mover | null, line: Along): number =>
     body === null || line !== null ? Number.POSITIVE_INFINITY : toNumber(length(minus(body.at, her.at)));
 
-  const path = ({ at, velocity }: Mover): Path => ({
-    x: Series.line(at.x, times(velocity.x, unit)),
-    y: Series.line(at.y, times(velocity.y, unit)),
-    vx: Series.line(velocity.x),
-    vy: Series.line(velocity.y),
-  });
-  const hers = path(her);
-  const asteroids = world.asteroids.map(path);
-  const aliens = world.aliens.map(path);
+  const hers = lineOf(her, unit);
+  const pathOf = (body: Mover, isDriven: boolean) => (isDriven || isMoving(body) ? lineOf(body, unit) : standing(body.at));
+  const asteroids = world.asteroids.map((body) => pathOf(body, body === target));
+  const aliens = world.aliens.map((body) => pathOf(body, body.awake && !body.gone));
   const gun = target === null ? null : central(lines.gun);
   const push = repulsor === null ? null : central(lines.field);
-  const centre = repulsor === null ? hers : path(repulsor);
+  const centre = repulsor === null ? hers : standing(repulsor.at);
   const chases = world.aliens.map((alien) => (alien.awake && !alien.gone ? central(null) : null));
   const forceX = new Series();
   const forceY = new Series();
   const pull = dd(rules.pull);
   const slope = divide(pull, dd(level.range));
+  const drawn = target === null ? ZERO : divide(dd(rules.recoil), dd(-2 * level.asteroids[world.target].radius));
   for (let k = 0; k <= DEGREE; k++) {
     if (gun !== null) follow(gun, hers, asteroids[world.target], k);
     if (push !== null) follow(push, hers, centre, k);
@@ -131,8 +129,7 @@ export function expand(world: World): Flow {
     if (k < DEGREE) {
       advance(hers, world.limits[0] === 0 ? fx : ZERO, world.limits[1] === 0 ? fy : ZERO, k, unit);
       if (gun !== null && recoil > 0) {
-        const by = divide(dd(rules.recoil), dd(-2 * level.asteroids[world.target].radius));
-        advance(asteroids[world.target], multiply(gun.ux.get(k), by), multiply(gun.uy.get(k), by), k, unit);
+        advance(asteroids[world.target], multiply(gun.ux.get(k), drawn), multiply(gun.uy.get(k), drawn), k, unit);
       }
     }
     for (let i = 0; i < chases.length; i++) {
@@ -144,7 +141,7 @@ export function expand(world: World): Flow {
   }
   const turns = gun !== null && !lines.restsInTarget;
   const centrals = [gun, push, ...chases].filter((c) => c !== null);
-  const moving = [hers, ...asteroids, ...aliens];
+  const moving = [hers, ...asteroids, ...aliens].filter((path) => !path.stands);
   const series = [...moving.flatMap((p) => [p.x, p.y, p.vx, p.vy]), ...centrals.flatMap((c) => [c.ux, c.uy])];
   return {
     unit,
@@ -159,6 +156,29 @@ export function expand(world: World): Flow {
     besideCentre: Math.min(beside(target, lines.gun), beside(repulsor, lines.field)),
     centres: [gun, push].filter((c) => c !== null && c.along !== null && !isShort(c.along, 0.5)).map((c) => distanceAlong(c!)),
   };
+}
+
+const isMoving = ({ velocity }: Mover): boolean => velocity.x.hi !== 0 || velocity.y.hi !== 0;
+
+/** Uniform motion, to which forces are added. */
+const lineOf = ({ at, velocity }: Mover, unit: number): Path => ({
+  x: Series.line(at.x, times(velocity.x, unit)),
+  y: Series.line(at.y, times(velocity.y, unit)),
+  vx: Series.line(velocity.x),
+  vy: Series.line(velocity.y),
+  stands: false,
+});
+
+const REST = Series.line(ZERO);
+const STANDING = new WeakMap<Vector, Path>();
+
+/** The path of what stands at a place. */
+export function standing(at: Vector): Path {
+  const known = STANDING.get(at);
+  if (known !== undefined) return known;
+  const path = { x: Series.line(at.x), y: Series.line(at.y), vx: REST, vy: REST, stands: true };
+  STANDING.set(at, path);
+  return path;
 }
 
 /** The sum of the winds that blow on her, px/s². */
@@ -264,15 +284,18 @@ function inverseRootAt(of: Series, weighted: Series, f: Series, k: number): Dd {
   if (k === 0) return divide(ONE, squareRoot(of.get(0)));
   // f[k] is still 0, so that j = 0 adds nothing
   const sum = subtract(productAt(weighted, f, k), times(productAt(of, f, k), k));
-  return divide(sum, times(of.get(0), k));
+  return multiply(divide(sum, of.get(0)), INVERSES[k]);
 }
 
+/** 1 / k. */
+const INVERSES: readonly Dd[] = Array.from({ length: DEGREE + 2 }, (_, k) => (k === 0 ? ZERO : divide(ONE, dd(k))));
+
 function advance(path: Path, ax: Dd, ay: Dd, k: number, unit: number): void {
-  const by = divide(dd(unit), dd(k + 1));
+  const by = times(INVERSES[k + 1], unit);
   path.vx.set(k + 1, multiply(ax, by));
   path.vy.set(k + 1, multiply(ay, by));
   if (k + 2 > DEGREE) return;
-  const next = divide(dd(unit), dd(k + 2));
+  const next = times(INVERSES[k + 2], unit);
   path.x.set(k + 2, multiply(path.vx.get(k + 1), next));
   path.y.set(k + 2, multiply(path.vy.get(k + 1), next));
 }

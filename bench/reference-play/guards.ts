@@ -1,8 +1,8 @@
-import { add, compare, type Dd, dd, divide, length, multiply, negate, subtract, times, toNumber, type Vector, vector, ZERO } from './double-double.ts';
-import type { Flow, Path } from './flow.ts';
+import { add, compare, type Dd, dd, divide, length, multiply, negate, subtract, times, toNumber, type Vector, ZERO } from './double-double.ts';
+import { type Flow, type Path, standing } from './flow.ts';
 import { crossings, firstBelow, opened } from './roots.ts';
 import { eachOf, product, Series, valueAt } from './series.ts';
-import type { World } from './world.ts';
+import { placeOf, secondMouth, type World } from './world.ts';
 
 /** What may happen; those that come first at the same instant stand first. */
 export const KINDS = [
@@ -58,19 +58,19 @@ export class Guards {
   #findAll(): void {
     const { level, rules, taken, aliens, limits } = this.#world;
     const flow = this.#flow;
-    level.novae.forEach((c, i) => this.#contact('nova', i, still(c), c.radius));
+    level.novae.forEach((c, i) => this.#contact('nova', i, standing(placeOf(c)), c.radius));
     level.asteroids.forEach((c, i) => c.hot && this.#contact('asteroid', i, flow.asteroids[i], c.radius));
     level.aliens.forEach((c, i) => aliens[i].gone || this.#contact('alien', i, flow.aliens[i], c.radius));
-    this.#contact('blackHole', 0, still(level.blackHole), level.blackHole.radius);
-    level.minerals.forEach((c, i) => taken[i] || this.#contact('mineral', i, still(c), c.radius));
+    this.#contact('blackHole', 0, standing(placeOf(level.blackHole)), level.blackHole.radius);
+    level.minerals.forEach((c, i) => taken[i] || this.#contact('mineral', i, standing(placeOf(c)), c.radius));
     if (this.#world.anchor >= 0) this.#rim('range', 0, flow.asteroids[this.#world.anchor], level.range, true);
-    level.repulsors.forEach((c, i) => this.#rim('field', i, still(c), c.radius, this.#world.fields[i]));
-    level.winds.forEach((c, i) => this.#rim('wind', i, still(c), c.radius, this.#world.winds[i]));
+    level.repulsors.forEach((c, i) => this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]));
+    level.winds.forEach((c, i) => this.#rim('wind', i, standing(placeOf(c)), c.radius, this.#world.winds[i]));
     level.wormholes.forEach((c, i) => {
       const state = this.#world.mouths[i];
-      const second = { x: c.toX, y: c.toY };
-      if (state !== 2) this.#rim(state === 0 ? 'jump' : 'mouth', 2 * i, still(c), c.radius, state === 1);
-      if (state !== 1) this.#rim(state === 0 ? 'jump' : 'mouth', 2 * i + 1, still(second), c.radius, state === 2);
+      const second = secondMouth(c);
+      if (state !== 2) this.#rim(state === 0 ? 'jump' : 'mouth', 2 * i, standing(placeOf(c)), c.radius, state === 1);
+      if (state !== 1) this.#rim(state === 0 ? 'jump' : 'mouth', 2 * i + 1, standing(second), c.radius, state === 2);
     });
     aliens.forEach((alien, i) => alien.gone || this.#rim('sight', i, flow.aliens[i], rules.alienSight, alien.awake));
     this.#explosions();
@@ -225,14 +225,6 @@ export class Guards {
   }
 }
 
-/** The path of what stands still. */
-const still = ({ x, y }: { readonly x: number; readonly y: number }): Path => ({
-  x: Series.line(dd(x)),
-  y: Series.line(dd(y)),
-  vx: Series.line(ZERO),
-  vy: Series.line(ZERO),
-});
-
 const minus = (series: Series): Series => eachOf(series, series, negate);
 
 function shifted(series: Series, by: number): Series {
@@ -271,6 +263,3 @@ export function gapTo(world: World, centre: Vector, radius: number): number {
   const gap = toNumber(subtract(length({ x: beyond(x, boxWidth / 2), y: beyond(y, boxHeight / 2) }), dd(radius)));
   return Math.abs(gap) < 1e-24 * radius ? 0 : gap;
 }
-
-/** The place of an object. */
-export const placeOf = ({ x, y }: { readonly x: number; readonly y: number }): Vector => vector(x, y);

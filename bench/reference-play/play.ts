@@ -1,9 +1,9 @@
 import type { Hold, Level } from '../../schema/index.ts';
 import { add, compare, type Dd, dd, direction, divide, dot, isShort, minus, NOWHERE, plus, subtract, times, toNumber, type Vector, ZERO } from './double-double.ts';
 import { expand, type Flow, NotCovered } from './flow.ts';
-import { Guards, type Happening, KINDS, type Kind, type Margins, gapTo, placeAt, placeOf, velocityAt } from './guards.ts';
+import { Guards, type Happening, KINDS, type Kind, type Margins, gapTo, placeAt, velocityAt } from './guards.ts';
 import { valueAt } from './series.ts';
-import { isIn, NO_LENGTH, type Nudge, nearest, startOf, type World } from './world.ts';
+import { isIn, NO_LENGTH, type Nudge, nearest, placeOf, secondMouth, startOf, type World } from './world.ts';
 
 /** Her state at a moment, with 32 digits. */
 export interface Sample {
@@ -44,9 +44,10 @@ export interface PlayOptions {
   readonly nudge: Nudge;
 }
 
-/** As many happenings at one instant, or in one run, mean that the reference should not go on. */
+/** As many happenings at one instant or in one run, or as many stretches, mean that the reference should not go on. */
 const MOST_AT_ONCE = 30;
-const MOST = 4000;
+const MOST_HAPPENINGS = 800;
+const MOST_STRETCHES = 20_000;
 
 /** Happenings as close as this are at the same instant, s per second of time. */
 const SAME_INSTANT = 1e-23;
@@ -96,7 +97,7 @@ class Game {
         atOnce = moved ? 0 : atOnce + 1;
         count++;
         if (atOnce > MOST_AT_ONCE) throw new NotCovered('too much happens at one instant');
-        if (count > MOST) throw new NotCovered('too much happens');
+        if (count > MOST_STRETCHES || this.#story.length > MOST_HAPPENINGS) throw new NotCovered('too much happens');
         continue;
       }
       if (tick >= this.#maxTicks) break;
@@ -164,7 +165,7 @@ class Game {
     });
     level.wormholes.forEach((c, i) => {
       const first = isIn(world, placeOf(c), c.radius, jumped);
-      const second = isIn(world, placeOf({ x: c.toX, y: c.toY }), c.radius, jumped);
+      const second = isIn(world, secondMouth(c), c.radius, jumped);
       world.mouths[i] = first ? 1 : second ? 2 : 0;
     });
     level.aliens.forEach((_, i) => {
@@ -263,10 +264,12 @@ class Game {
     world.her.velocity = velocityAt(flow.her, s);
     world.box = { x: valueAt(flow.cos, s), y: valueAt(flow.sin, s) };
     world.asteroids.forEach((body, i) => {
+      if (flow.asteroids[i].stands) return;
       body.at = placeAt(flow.asteroids[i], s);
       body.velocity = velocityAt(flow.asteroids[i], s);
     });
     world.aliens.forEach((body, i) => {
+      if (flow.aliens[i].stands) return;
       body.at = placeAt(flow.aliens[i], s);
       body.velocity = velocityAt(flow.aliens[i], s);
     });
@@ -307,8 +310,8 @@ class Game {
 
   #jump(mouth: number): void {
     const world = this.#world;
-    const { x, y, toX, toY } = world.level.wormholes[mouth >> 1];
-    const way = minus(placeOf({ x: toX, y: toY }), placeOf({ x, y }));
+    const wormhole = world.level.wormholes[mouth >> 1];
+    const way = minus(secondMouth(wormhole), placeOf(wormhole));
     world.her.at = mouth % 2 === 0 ? plus(world.her.at, way) : minus(world.her.at, way);
     this.#orient(true);
     world.mouths[mouth >> 1] = mouth % 2 === 0 ? 2 : 1;
@@ -332,9 +335,9 @@ class Game {
     if (kind === 'field') fields[index] = !fields[index];
     else if (kind === 'wind') winds[index] = !winds[index];
     else if (kind === 'mouth') {
-      const { x, y, toX, toY, radius } = level.wormholes[index >> 1];
-      const opposite = index % 2 === 0 ? { x: toX, y: toY } : { x, y };
-      mouths[index >> 1] = isIn(world, placeOf(opposite), radius, true) ? 2 - (index % 2) : 0;
+      const wormhole = level.wormholes[index >> 1];
+      const opposite = index % 2 === 0 ? secondMouth(wormhole) : placeOf(wormhole);
+      mouths[index >> 1] = isIn(world, opposite, wormhole.radius, true) ? 2 - (index % 2) : 0;
     } else if (kind === 'target' && targets === 1) world.target = index;
     else if (kind === 'sight') {
       const alien = aliens[index];
@@ -353,8 +356,6 @@ class Game {
     }
   }
 }
-
-type Circle = { readonly x: number; readonly y: number; readonly radius: number };
 
 /** The ticks at which the button changes, holds joined. */
 function changesOf(holds: readonly Hold[]): number[] {

@@ -88,6 +88,9 @@ function* monotonePieces(series: Series, slope: Series, from: Dd, end: Dd, posit
     rounding += size * last ** k;
     if (k >= 3) third += k * (k - 1) * (k - 2) * size * last ** (k - 3);
   }
+  const start = series.hi[0];
+  // too far from 0 to become it
+  if (Math.abs(start) > (1 + 1e-10) * (rounding - Math.abs(start)) && (start > 0 || !positiveOnly)) return;
   rounding *= 1e-13;
   const second = derivative(slope);
   const point = (at: number): Dd => (at <= first ? from : at >= last ? end : dd(at));
@@ -96,9 +99,9 @@ function* monotonePieces(series: Series, slope: Series, from: Dd, end: Dd, posit
     const [a, b] = interval;
     const middle = (a + b) / 2;
     const half = (b - a) / 2;
-    const g = valueAt(series, dd(middle), degree).hi;
-    const g1 = valueAt(slope, dd(middle), Math.max(0, degree - 1)).hi;
-    const g2 = valueAt(second, dd(middle), Math.max(0, degree - 2)).hi;
+    const g = roughValueAt(series, middle, degree);
+    const g1 = roughValueAt(slope, middle, degree - 1);
+    const g2 = roughValueAt(second, middle, degree - 2);
     const bend = (third * half * half * half) / 6 + rounding;
     const [low, high] = parabolaRange(g, g1, g2, half);
     if (low - bend > 0 || (!positiveOnly && high + bend < 0)) continue;
@@ -115,6 +118,13 @@ function* monotonePieces(series: Series, slope: Series, from: Dd, end: Dd, posit
     }
     stack.push([middle, b], [a, middle]);
   }
+}
+
+/** The value in doubles. */
+function roughValueAt({ hi }: Series, s: number, degree: number): number {
+  let value = 0;
+  for (let k = degree; k >= 0; k--) value = value * s + hi[k];
+  return value;
 }
 
 /** The range of g + g1 s + g2 s^2 / 2 for |s| up to `half`. */

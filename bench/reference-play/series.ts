@@ -7,8 +7,14 @@ const SPLITTER = 2 ** 27 + 1;
 
 /** A power series of degree {@link DEGREE}, its coefficients with 32 digits. */
 export class Series {
-  readonly hi = new Float64Array(DEGREE + 1);
-  readonly lo = new Float64Array(DEGREE + 1);
+  readonly hi: Float64Array;
+  readonly lo: Float64Array;
+
+  constructor() {
+    const both = new ArrayBuffer(16 * (DEGREE + 1));
+    this.hi = new Float64Array(both, 0, DEGREE + 1);
+    this.lo = new Float64Array(both, 8 * (DEGREE + 1), DEGREE + 1);
+  }
 
   /** @param k - of which power */
   get(k: number): Dd {

@@ -1,5 +1,5 @@
 import { type Level, rulesOf } from '../../schema/index.ts';
-import { type Dd, dd, dot, isShort, minus, NOWHERE, subtract, times, twoSum, type Vector, vector, ZERO } from './double-double.ts';
+import { type Dd, dd, dot, minus, NOWHERE, subtract, times, twoSum, type Vector, vector, ZERO } from './double-double.ts';
 
 /** Something that moves: a place, px, and a velocity, px/s. */
 export interface Mover {
@@ -60,8 +60,8 @@ export function startOf(level: Level, nudge: Nudge): World {
       velocity: { x: speed(astronaut.vx, nudge[2]), y: speed(astronaut.vy, nudge[3]) },
     },
     box: vector(1, 0),
-    asteroids: level.asteroids.map(({ x, y }) => ({ at: vector(x, y), velocity: NOWHERE })),
-    aliens: level.aliens.map(({ x, y }) => ({ at: vector(x, y), velocity: NOWHERE, awake: false, gone: false })),
+    asteroids: level.asteroids.map((c) => ({ at: placeOf(c), velocity: NOWHERE })),
+    aliens: level.aliens.map((c) => ({ at: placeOf(c), velocity: NOWHERE, awake: false, gone: false })),
     held: false,
     target: -1,
     anchor: -1,
@@ -78,12 +78,6 @@ export function byPreference({ asteroids }: Level): number[] {
   const all = [...asteroids.keys()];
   return [...all.filter((i) => !asteroids[i].hot), ...all.filter((i) => asteroids[i].hot)];
 }
-
-/** Squared distance from her to a place, px². */
-export const distanceSquared = (world: World, to: Vector): Dd => {
-  const u = minus(to, world.her.at);
-  return dot(u, u);
-};
 
 /**
  * Whether her centre is in a disc. On the very rim her direction decides if `moving`, else she is outside.
@@ -120,5 +114,25 @@ export function nearest(world: World): number {
   return best;
 }
 
-/** Whether two things are at the same place. */
-export const isAt = (a: Vector, b: Vector): boolean => isShort(minus(a, b), NO_LENGTH);
+
+const PLACES = new WeakMap<object, Vector>();
+
+/** The place of an object of a level. */
+export function placeOf(object: { readonly x: number; readonly y: number }): Vector {
+  const known = PLACES.get(object);
+  if (known !== undefined) return known;
+  const place = vector(object.x, object.y);
+  PLACES.set(object, place);
+  return place;
+}
+
+const SECOND_MOUTHS = new WeakMap<object, Vector>();
+
+/** The place of a wormhole's second mouth. */
+export function secondMouth(wormhole: Level['wormholes'][number]): Vector {
+  const known = SECOND_MOUTHS.get(wormhole);
+  if (known !== undefined) return known;
+  const place = vector(wormhole.toX, wormhole.toY);
+  SECOND_MOUTHS.set(wormhole, place);
+  return place;
+}

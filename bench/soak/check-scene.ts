@@ -53,7 +53,7 @@ const DRIFT: Readonly<Record<AccuracyName, number>> = {
 const MOST_PIECES_A_SECOND = 2000;
 
 /** Everything that can be read of a simulation, to compare bits. */
-function view(simulation: Simulation): string {
+export function view(simulation: Simulation): string {
   const { level } = simulation.scene;
   const state = new Float64Array(STATE_SIZE);
   const aliens = new Float64Array(3 * level.aliens.length);
