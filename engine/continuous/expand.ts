@@ -53,12 +53,6 @@ const CLOSEST_PASS = 1e-8;
 /** Longest piece of an asteroid that the gun holds in her centre while she is accelerated, s. */
 const LONGEST_STAY = 1 / 240;
 
-/**
- * Longest piece while the speed limit holds her beside a steady force, s. At its end it is tested whether the limit still holds
- * her.
- */
-const LONGEST_HELD = 1 / 240;
-
 /** Longest piece under a steady force alone, s, so that bounds over it stay tight. */
 const LONGEST_STEADY = 4;
 
@@ -90,7 +84,6 @@ export function expand(m: Motion): void {
   }
   s[DEGREE] = 1;
   s[ACCELERATION] = 0;
-  if (m.flow.isSteady && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0)) h = Math.min(h, LONGEST_HELD);
   if ((kind === COAST || kind === STEADY) && m.crowded) {
     // where an index finds the neighbours, a long path would find them all
     const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);

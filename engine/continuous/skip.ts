@@ -13,8 +13,6 @@ export function skipQuietSteps(m: Motion, until: number): void {
   if (integrator.glide === null || rate === null || m.recoil || s[KIND] === COAST || s[KIND] === SLIDE || flow.isSteady) return;
   // orbits may be skipped at the end of any piece, so no piece may be left out
   if (m.parts.mayRepeat.some((mayRepeat) => mayRepeat(m))) return;
-  const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
-  if (v > m.rules.speedLimit / 2) return;
   const end = Math.min(until, s[START] + quietTime(m));
   const from = s[START];
   m.steps[0] = 0;

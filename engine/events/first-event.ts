@@ -3,7 +3,8 @@ import { type Motion, SLOTS } from '../motion/index.ts';
 const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H } = SLOTS;
 
 /**
- * Offers an event: it is kept if it is earlier than the best so far, or at the same instant and first in the order.
+ * Offers an event: it is kept if it is earlier than the best so far, or at the same instant and first in the order; of two
+ * events of one kind, that with the object that comes first in the list.
  * @param time - s after the start of the piece; negative if there is no event
  * @param kind - the kind of event; the smaller goes first
  * @param a - index of the object concerned
@@ -15,7 +16,8 @@ export function offer(m: Motion, time: number, kind: number, a: number, b: numbe
   const same = m.sameInstant;
   if (time > s[LENGTH_H]) return;
   const earlier = time < s[NEXT] - same;
-  if (!earlier && !(time <= s[NEXT] + same && kind < s[EVENT])) return;
+  const isFirst = kind < s[EVENT] || (kind === s[EVENT] && a < s[EVENT_A]);
+  if (!earlier && !(time <= s[NEXT] + same && isFirst)) return;
   s[NEXT] = Math.min(s[NEXT], time);
   s[EVENT] = kind;
   s[EVENT_A] = a;

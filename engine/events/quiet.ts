@@ -14,11 +14,13 @@ const LONGEST = 4;
  * with bounds that hold for every piece. 0 while an alien chases her.
  */
 export function quietTime(m: Motion): number {
-  const { s, near, path, parts, ux, uy, strongest } = m;
+  const { s, near, path, parts, ux, uy, strongest, integrator } = m;
+  const { rate } = m.scene.accuracy;
   if (s[AWAKE_COUNT] > 0) return 0;
   const x = s[BASE_X] + ux[0];
   const y = s[BASE_Y] + uy[0];
-  const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+  path.lead = integrator.kicksFirst && rate !== null ? strongest / rate : 0;
+  const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]) + path.lead;
   path.x = x;
   path.y = y;
   path.vx = ux[1];
@@ -45,12 +47,12 @@ export function quietOutside(m: Motion, cx: number, cy: number, r: number, time:
   const dy = path.y - cy;
   const d = Math.sqrt(dx * dx + dy * dy);
   // the distance from a point is convex
-  return d > r ? Math.min(time, safeStep(d - r, (dx * path.vx + dy * path.vy) / d, m.strongest)) : 0;
+  return d > r ? Math.min(time, safeStep(d - r, (dx * path.vx + dy * path.vy) / d - path.lead, m.strongest)) : 0;
 }
 
 /**
  * For how long, at most `time` s, her centre cannot reach a place or cross a rim that is `gap` px away now.
- * @param slope - rate of change of the gap now, px/s; minus her speed if nothing more is known
+ * @param slope - least rate of change of the gap now, px/s; minus her speed if nothing more is known
  */
 export function quietWithin(m: Motion, gap: number, slope: number, time: number): number {
   return gap > 0 ? Math.min(time, safeStep(gap, slope, m.strongest)) : 0;
@@ -66,5 +68,5 @@ export function quietAtRim(m: Motion, { x, y, r }: Circles, i: number, inside: b
   const dy = path.y + m.originY - y[i];
   const d = Math.sqrt(dx * dx + dy * dy);
   const gap = (inside ? r[i] - d : d - r[i]) - SURPLUS;
-  return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d, time);
+  return quietWithin(m, gap, inside ? -path.speed : (dx * path.vx + dy * path.vy) / d - path.lead, time);
 }

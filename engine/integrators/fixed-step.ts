@@ -12,6 +12,7 @@ type Step = (flow: Flow, x: Float64Array, y: Float64Array, h: number) => void;
 export function fixedStep(
   degree: number,
   evaluations: number,
+  kicksFirst: boolean,
   step: Step,
   drag: DragStep,
   settle: Integrator['settle'],
@@ -20,6 +21,7 @@ export function fixedStep(
   return {
     degree,
     evaluations,
+    kicksFirst,
     expand(flow, x, y, longest, px, py, kappa) {
       const h = closePass(flow, x, y, longest);
       step(flow, x, y, h);

@@ -106,4 +106,4 @@ const glideRungeKutta: Glide = (flow, xs, ys, start, end, rate, count) => {
 };
 
 /** Classical 4th-order Runge-Kutta. */
-export const rk4 = fixedStep(3, 4, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd, glideRungeKutta);
+export const rk4 = fixedStep(3, 4, false, rungeKuttaStep, dragRungeKutta, rungeKuttaEnd, glideRungeKutta);

@@ -32,6 +32,7 @@ function taylor(tolerance: number): Integrator {
   return {
     degree: TAYLOR_DEGREE,
     evaluations: 1,
+    kicksFirst: false,
     expand(flow, x, y, longest, px, py, kappa) {
       if (flow.kind === LINEAR) {
         linearSeries(x, y, flow.ax, flow.ay, flow.beta);

@@ -65,4 +65,4 @@ const glideVerlet: Glide = (flow, xs, ys, start, end, rate, count) => {
 };
 
 /** Velocity Verlet: second order. */
-export const verlet = fixedStep(2, 1, verletStep, dragQuadratic, verletEnd, glideVerlet);
+export const verlet = fixedStep(2, 1, false, verletStep, dragQuadratic, verletEnd, glideVerlet);

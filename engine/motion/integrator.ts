@@ -19,6 +19,8 @@ export interface Integrator {
   readonly degree: number;
   /** Force evaluations per piece, for the account of work. */
   readonly evaluations: number;
+  /** Whether a step accelerates her before it moves her, so that she gets farther than with the velocity that she has. */
+  readonly kicksFirst: boolean;
   /**
    * Expands the astronaut's motion, and that of the frame's base where recoil moves it.
    * @param longest - the longest piece wanted, s; Infinity if there is no bound

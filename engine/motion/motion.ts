@@ -150,6 +150,8 @@ export class Path {
   vx = 0;
   vy = 0;
   speed = 0;
+  /** By how much she may at once be faster than this, px/s; see {@link Integrator.kicksFirst}. */
+  lead = 0;
   /** Upper bound of her own displacement; `reach` adds what asteroids may move. */
   travel = 0;
   reach = 0;

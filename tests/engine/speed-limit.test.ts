@@ -1,8 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE, simulate, WorkBudget } from '../../engine/index.ts';
+import type { Level } from '../../schema/index.ts';
 import { once } from '../once.ts';
 import { continuousNames } from './accuracies.ts';
+import { limitedFlight } from './limited-flight.ts';
 import { plainLevel } from './plain-level.ts';
 
 const LIMIT = 1000;
@@ -241,5 +243,55 @@ describe.each(continuousNames)('at the limit while recoil moves the asteroid: %s
       { numRuns: 12 },
     );
     expect(held).toBeGreaterThan(400);
+  });
+});
+
+describe('the speed limit in a wind, with recoil', () => {
+  it('releases her when her own acceleration turns, as in another program', () => {
+    const even = (min: number, max: number) => fc.integer({ min: 0, max: 1e6 }).map((k) => min + ((max - min) * k) / 1e6);
+    let compared = 0;
+    fc.assert(
+      fc.property(
+        fc.record({
+          speedLimit: even(15, 60),
+          x: even(-150, 150),
+          y: even(60, 150),
+          vx: even(-1, 1),
+          vy: even(-1, 1),
+          ax: even(-35, 35),
+          ay: even(-35, 35),
+          recoil: fc.boolean(),
+          strength: even(1, 600),
+        }),
+        ({ speedLimit, x, y, vx, vy, ax, ay, recoil, strength }) => {
+          const seconds = 3;
+          const from = (dx: number, dy: number): Level => ({
+            ...plainLevel({
+              astronaut: { x: dx, y: dy, vx: speedLimit * vx, vy: speedLimit * vy },
+              asteroids: [{ x, y, radius: 16 }],
+              range: 2000,
+              recoil,
+            }),
+            winds: [{ id: null, x: 0, y: 0, radius: 4000, ax, ay }],
+            rules: { speedLimit, recoil: strength },
+          });
+          const level = from(0, 0);
+          const truth = limitedFlight(level, seconds);
+          // by how much an error grows until the end, from differences
+          const shift = 1e-6;
+          const grows = [from(shift, 0), from(0, shift)].map((moved) => {
+            const there = limitedFlight(moved, seconds);
+            return Math.hypot(there.x - truth.x, there.y - truth.y) / shift;
+          });
+          const sensitivity = Math.max(1, ...grows);
+          if (sensitivity > 100) return;
+          compared++;
+          const { final } = simulate(compile(level), [[0, 60 * seconds]], { maxTime: seconds });
+          expect(Math.hypot(final.x - truth.x, final.y - truth.y)).toBeLessThan(1e-9 * sensitivity);
+        },
+      ),
+      { numRuns: 25 },
+    );
+    expect(compared).toBeGreaterThan(15);
   });
 });

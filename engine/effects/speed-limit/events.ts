@@ -1,5 +1,6 @@
 import { eventRule, justFired, offer } from '../../events/index.ts';
 import { GOES_ON, type Motion, SLOTS } from '../../motion/index.ts';
+import { CUBIC_BENDS } from '../../tolerances.ts';
 import { freeTime, limitTime } from './guard.ts';
 
 const { LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION, LAST_EVENT, LAST_A } = SLOTS;
@@ -26,6 +27,13 @@ export const holdAxis = eventRule({
         offer(m, limitTime(m, axis, sign, from, released), holdAxis.kind, axis, sign);
       }
     }
+  },
+  alwaysQuiet(m, time) {
+    const { s, path, strongest } = m;
+    const below = m.rules.speedLimit - path.speed;
+    if (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0 || !(below > 0)) return 0;
+    // between its ends a fixed step may bend more than the strongest force
+    return Math.min(time, below / (CUBIC_BENDS * strongest));
   },
   fire(m, axis, sign) {
     m.s[axis === 0 ? LIMIT_X : LIMIT_Y] = sign;

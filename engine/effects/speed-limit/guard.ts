@@ -1,15 +1,23 @@
-import { crossing, lookNext, safeStretch, smallestStride } from '../../events/index.ts';
-import { CENTRAL, Flow, LINEAR, LONGEST_SERIES, type Motion, pairAt, SLIDE, SLOTS, shift, valueAt } from '../../motion/index.ts';
+import { crossing, lookNext, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
+import { CENTRAL, LINEAR, LONGEST_SERIES, type Motion, pairAt, SLIDE, SLOTS, shift, valueAt } from '../../motion/index.ts';
+import { SHORTEST_LAPSE } from '../../tolerances.ts';
 import { letGoTime } from '../repulsor/index.ts';
 
-const { DEGREE, LENGTH_H } = SLOTS;
+const { FIELD, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
 
 /** What may be overlooked: px/s beyond the limit, px beyond the centre. Less than ten times the rounding error of the limit. */
 const OVERLOOKED = 1e-12;
 
-// working memory: the force that would act if the axis were free
-const force = new Flow();
+/** By how much the drive along an axis may fall below 0 unnoticed, px/s². */
+const OVERLOOKED_DRIVE = 1e-10;
+
+// working memory: her place and velocity, and how the drive changes at most
 const there = new Float64Array(4);
+const drift = new Float64Array(3);
+/** The slope of what {@link drive} returns, px/s³; a bound of how fast the slope can fall; and for how long that holds, s. */
+const SLOPE = 0;
+const FALL = 1;
+const CAP = 2;
 const guard = new Float64Array(LONGEST_SERIES);
 const about = new Float64Array(LONGEST_SERIES);
 
@@ -24,8 +32,8 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
     const time = firstBelow(m, velocityGuard(m, axis, sign), t, released && t === from);
     if (time < 0 || (kind !== CENTRAL && kind !== LINEAR)) return time;
     if (m.flow.isSteady) {
-      if (sign * drive(m, axis, time) > 0) return time;
-      t = turnTime(m, time, (later) => -sign * drive(m, axis, later));
+      if (drive(m, axis, sign, time) > 0) return time;
+      t = turnTime(m, axis, -sign, time);
       if (t < 0) return -1;
       continue;
     }
@@ -41,44 +49,74 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
 export function freeTime(m: Motion, axis: number, held: number, from: number): number {
   if (m.flow.kind === SLIDE) return letGoTime(m, axis, from);
   // on a line both axes are free; without a force nothing drives her back
-  if (m.flow.isSteady) return steadyFreeTime(m, axis, held, from);
+  if (m.flow.isSteady) return turnTime(m, axis, held, from);
   if (m.flow.kind !== CENTRAL) return -1;
   return firstBelow(m, placeGuard(m, axis, m.flow.alpha > 0 ? held : -held), from, false);
 }
 
 /**
- * The same with a steady force, where the place does not tell in which direction she is driven. Only the end of the piece is
- * examined; the stepper keeps the piece short.
+ * When the drive along an axis falls below 0, with a steady force: there her place does not tell in which direction she is
+ * driven. It is found by a march of safe steps, which can overlook only a dip shallower than OVERLOOKED_DRIVE or shorter than
+ * SHORTEST_LAPSE.
  */
-function steadyFreeTime(m: Motion, axis: number, held: number, from: number): number {
+function turnTime(m: Motion, axis: number, sign: number, from: number): number {
+  const { s } = m;
+  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
+  let before = from;
   m.work.guards++;
-  return turnTime(m, from, (t) => held * drive(m, axis, t));
+  for (let t = from; ; ) {
+    m.budget.look(1);
+    const g = drive(m, axis, sign, t);
+    if (t === from && g < -OVERLOOKED_DRIVE) return t;
+    if (t > from && g < 0) {
+      m.work.roots++;
+      return crossing(before, t, (time) => drive(m, axis, sign, time));
+    }
+    const step = Math.min(drift[CAP], safeStep(Math.max(0, g) + OVERLOOKED_DRIVE, drift[SLOPE], drift[FALL]));
+    if (!(t + step < horizon)) return -1;
+    before = t;
+    t = lookNext(t, step, stride, horizon);
+  }
 }
 
 /**
- * When a value that is not negative at `from` falls below 0, provided that it is below 0 at the end of the piece; otherwise -1.
+ * Her own acceleration along the axis after `t` if the axis were free, times `sign`, px/s². The flow has her acceleration
+ * relative to the base; recoil accelerates that, which does not count here. Writes to {@link drift} how it changes.
+ *
+ * Let f be the force, c its centre's direction u / |u| and d = |u|. f = alpha c + beta u + w, with |c'| <= |u'| / d and |c''| <=
+ * |u''| / d + 3 |u'|² / d². While u moves by less than d / 4, the bounds of `contact.ts` hold: d stays above 0.75 d, and |u'|
+ * below |u'| + sqrt(A d) / 4 where A bounds |u''|.
  */
-function turnTime(m: Motion, from: number, along: (t: number) => number): number {
-  if (along(from) < 0) return from;
-  const end = Math.min(m.horizon, m.s[LENGTH_H]);
-  return along(end) < 0 ? crossing(from, end, along) : -1;
-}
-
-/** The acceleration along the axis after `t` if the axis were free, px/s². */
-function drive(m: Motion, axis: number, t: number): number {
-  const { flow } = m;
-  pairAt(m.ux, m.uy, m.s[DEGREE], t, there, 0);
-  // on a line both axes are free
+function drive(m: Motion, axis: number, sign: number, t: number): number {
+  const { s, flow } = m;
+  pairAt(m.ux, m.uy, s[DEGREE], t, there, 0);
+  const u = there[axis];
+  const v = there[2 + axis];
+  const a = s[ACCELERATION];
+  const steady = axis === 0 ? flow.steadyX : flow.steadyY;
+  const kappa = s[FIELD] < 0 ? m.kappa : 0;
+  drift[SLOPE] = drift[FALL] = 0;
+  drift[CAP] = Number.POSITIVE_INFINITY;
   if (flow.kind === LINEAR) {
-    flow.accelerate(there[0], there[1], there, 0);
-    return there[axis];
+    // on a line both axes are free
+    const out = axis === 0 ? flow.outX : flow.outY;
+    const from = axis === 0 ? flow.ax + flow.beta * (u - flow.x0) : flow.ay + flow.beta * (u - flow.y0);
+    drift[SLOPE] = sign * flow.beta * v;
+    drift[FALL] = flow.beta * a;
+    return sign * (from + kappa * out);
   }
-  force.kind = flow.kind;
-  force.alpha = flow.alpha;
-  force.beta = flow.beta;
-  force.setSteady(flow.steadyX, flow.steadyY);
-  force.accelerate(there[0], there[1], there, 0);
-  return there[axis];
+  if (flow.kind !== CENTRAL) return sign * steady;
+  const alpha = flow.alpha + kappa;
+  const d = Math.sqrt(there[0] * there[0] + there[1] * there[1]);
+  const root = Math.sqrt(a * d);
+  const speed = Math.sqrt(there[2] * there[2] + there[3] * there[3]);
+  const fast = (speed + root / 4) / (0.75 * d);
+  const radial = (there[0] * there[2] + there[1] * there[3]) / d;
+  drift[SLOPE] = sign * ((alpha * (v - (u / d) * radial)) / d + flow.beta * v);
+  drift[FALL] = Math.abs(alpha) * (a / (0.75 * d) + 3 * fast * fast) + flow.beta * a;
+  drift[CAP] = (0.25 * d) / (speed + root);
+  return sign * (alpha * (u / d) + flow.beta * u + steady);
 }
 
 /** Writes sign u, px, to `guard`; returns its degree. */

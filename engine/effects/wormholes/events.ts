@@ -68,11 +68,16 @@ function goesOnIn(m: Motion, mouth: number): boolean {
   return dx * (ux[1] + px[1]) + dy * (uy[1] + py[1]) < 0;
 }
 
-/** She was moved to a place: no mouth that contains it fires now. */
-export function stayPut(m: Motion): void {
+/** She starts: no mouth that contains her fires now. */
+export const startInMouths = (m: Motion): void => stayPut(m, false);
+
+/** She was moved to a place: no mouth that contains it, or on whose rim it is, fires now. */
+export const arriveInMouths = (m: Motion): void => stayPut(m, true);
+
+function stayPut(m: Motion, onRim: boolean): void {
   const mouths = preparedMouths(m.scene);
   const { s, ux, uy, originX, originY } = m;
   for (let w = 0; 2 * w < mouths.count; w++) {
-    s[m.own.wormholes + w] = stateAt(mouths, w, s[BASE_X] + ux[0], s[BASE_Y] + uy[0], originX, originY);
+    s[m.own.wormholes + w] = stateAt(mouths, w, s[BASE_X] + ux[0], s[BASE_Y] + uy[0], originX, originY, onRim);
   }
 }

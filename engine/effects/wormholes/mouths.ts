@@ -24,16 +24,34 @@ export const OPEN = 0;
 /** State of a wormhole while she is in a mouth, so that it does not fire. */
 export const inMouth = (mouth: number): number => 1 + (mouth & 1);
 
+/** Margin of a place on a rim in addition to the rounding of coordinates, px: the rounding of the time at which she came there. */
+const LATE = 1e-12;
+
+/** Relative rounding of a place on a rim: it was computed from both mouths and from the way to the first. */
+const ROUNDING = 1e-14;
+
 /**
- * State of a wormhole for a place to which she came other than by her own motion: at the start, or by another wormhole.
+ * State of a wormhole for her place, if she came there other than by her own motion or has just been in a mouth of it.
  * @param originX - x of the origin that the place is relative to, px
  * @param originY - y of that origin, px
+ * @param onRim - whether a rim counts as inside, as far as rounding can tell. It does where a wormhole has put her: she comes
+ * out on the rim of its other mouth, and other mouths may have the same rim
  */
-export function stateAt(mouths: IndexedCircles, wormhole: number, x: number, y: number, originX = 0, originY = 0): number {
+export function stateAt(
+  { x, y, r }: IndexedCircles,
+  wormhole: number,
+  atX: number,
+  atY: number,
+  originX: number,
+  originY: number,
+  onRim: boolean,
+): number {
   for (let mouth = 2 * wormhole; mouth <= 2 * wormhole + 1; mouth++) {
-    const dx = x - (mouths.x[mouth] - originX);
-    const dy = y - (mouths.y[mouth] - originY);
-    if (dx * dx + dy * dy < mouths.r[mouth] * mouths.r[mouth]) return inMouth(mouth);
+    const cx = x[mouth] - originX;
+    const cy = y[mouth] - originY;
+    const far = Math.abs(cx) + Math.abs(cy) + Math.abs(atX) + Math.abs(atY) + r[mouth];
+    const within = r[mouth] + (onRim ? LATE + ROUNDING * far : 0);
+    if ((atX - cx) * (atX - cx) + (atY - cy) * (atY - cy) < within * within) return inMouth(mouth);
   }
   return OPEN;
 }

@@ -1,6 +1,6 @@
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
-import { enterMouth, leaveMouth, stayPut } from './events.ts';
+import { arriveInMouths, enterMouth, leaveMouth, startInMouths } from './events.ts';
 import { wormholeFrame } from './frame.ts';
 import { mouthsOf } from './mouths.ts';
 
@@ -14,6 +14,6 @@ export const wormholes: Effect = {
   frame: wormholeFrame,
   events: [enterMouth, leaveMouth],
   stateLength: ({ level }) => level.wormholes.length,
-  layOut: stayPut,
-  moved: stayPut,
+  layOut: startInMouths,
+  moved: arriveInMouths,
 };
