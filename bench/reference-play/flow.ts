@@ -88,8 +88,7 @@ export function expand(world: World): Flow {
   const { level, rules, her } = world;
   const field = actingField(world);
   const target = world.held && world.target >= 0 ? world.asteroids[world.target] : null;
-  const repulsor: Mover | null =
-    field < 0 ? null : { at: placeOf(level.repulsors[field]), velocity: NOWHERE };
+  const repulsor: Mover | null = field < 0 ? null : { at: placeOf(level.repulsors[field]), velocity: NOWHERE };
   const recoil = level.recoil && target !== null ? rules.recoil / (2 * level.asteroids[world.target].radius) : 0;
   const wind = blowing(world);
   const lines = linesOf(world, target, repulsor, wind, recoil);
@@ -111,7 +110,9 @@ export function expand(world: World): Flow {
   const pull = dd(rules.pull);
   const slope = divide(pull, dd(level.range));
   const drawn = target === null ? ZERO : divide(dd(rules.recoil), dd(-2 * level.asteroids[world.target].radius));
-  for (let k = 0; k <= DEGREE; k++) {
+  const isFree = gun === null && push === null && chases.every((chase) => chase === null);
+  // a steady force alone has one coefficient
+  for (let k = 0; k <= (isFree ? 0 : DEGREE); k++) {
     if (gun !== null) follow(gun, hers, asteroids[world.target], k);
     if (push !== null) follow(push, hers, centre, k);
     let fx = k === 0 ? wind.x : ZERO;
@@ -136,7 +137,8 @@ export function expand(world: World): Flow {
       const chase = chases[i];
       if (chase === null) continue;
       follow(chase, aliens[i], hers, k);
-      if (k < DEGREE) advance(aliens[i], times(chase.ux.get(k), rules.alienPull), times(chase.uy.get(k), rules.alienPull), k, unit);
+      if (k < DEGREE)
+        advance(aliens[i], times(chase.ux.get(k), rules.alienPull), times(chase.uy.get(k), rules.alienPull), k, unit);
     }
   }
   const turns = gun !== null && !lines.restsInTarget;
@@ -313,7 +315,7 @@ function reachOf(series: Series): number {
   let reach = Number.POSITIVE_INFINITY;
   for (const k of [DEGREE, DEGREE - 1]) {
     const c = Math.abs(series.hi[k]);
-    if (c > 0) reach = Math.min(reach, (TOLERANCE * size / c) ** (1 / k));
+    if (c > 0) reach = Math.min(reach, ((TOLERANCE * size) / c) ** (1 / k));
   }
   return reach;
 }

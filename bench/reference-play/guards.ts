@@ -1,7 +1,21 @@
-import { add, compare, type Dd, dd, divide, length, multiply, negate, subtract, times, toNumber, type Vector, ZERO } from './double-double.ts';
+import {
+  add,
+  compare,
+  type Dd,
+  dd,
+  divide,
+  length,
+  multiply,
+  negate,
+  subtract,
+  times,
+  toNumber,
+  type Vector,
+  ZERO,
+} from './double-double.ts';
 import { type Flow, type Path, standing } from './flow.ts';
 import { crossings, firstBelow, opened } from './roots.ts';
-import { eachOf, product, Series, valueAt } from './series.ts';
+import { eachOf, product, type Series, valueAt } from './series.ts';
 import { placeOf, secondMouth, type World } from './world.ts';
 
 /** What may happen; those that come first at the same instant stand first. */
@@ -58,30 +72,38 @@ export class Guards {
   #findAll(): void {
     const { level, rules, taken, aliens, limits } = this.#world;
     const flow = this.#flow;
-    level.novae.forEach((c, i) => this.#contact('nova', i, standing(placeOf(c)), c.radius));
-    level.asteroids.forEach((c, i) => c.hot && this.#contact('asteroid', i, flow.asteroids[i], c.radius));
-    level.aliens.forEach((c, i) => aliens[i].gone || this.#contact('alien', i, flow.aliens[i], c.radius));
+    for (const [i, c] of level.novae.entries()) this.#contact('nova', i, standing(placeOf(c)), c.radius);
+    level.asteroids.forEach((c, i) => {
+      if (c.hot) this.#contact('asteroid', i, flow.asteroids[i], c.radius);
+    });
+    level.aliens.forEach((c, i) => {
+      if (!aliens[i].gone) this.#contact('alien', i, flow.aliens[i], c.radius);
+    });
     this.#contact('blackHole', 0, standing(placeOf(level.blackHole)), level.blackHole.radius);
-    level.minerals.forEach((c, i) => taken[i] || this.#contact('mineral', i, standing(placeOf(c)), c.radius));
+    level.minerals.forEach((c, i) => {
+      if (!taken[i]) this.#contact('mineral', i, standing(placeOf(c)), c.radius);
+    });
     if (this.#world.anchor >= 0) this.#rim('range', 0, flow.asteroids[this.#world.anchor], level.range, true);
-    level.repulsors.forEach((c, i) => this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]));
-    level.winds.forEach((c, i) => this.#rim('wind', i, standing(placeOf(c)), c.radius, this.#world.winds[i]));
+    for (const [i, c] of level.repulsors.entries()) this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]);
+    for (const [i, c] of level.winds.entries()) this.#rim('wind', i, standing(placeOf(c)), c.radius, this.#world.winds[i]);
     level.wormholes.forEach((c, i) => {
       const state = this.#world.mouths[i];
       const second = secondMouth(c);
       if (state !== 2) this.#rim(state === 0 ? 'jump' : 'mouth', 2 * i, standing(placeOf(c)), c.radius, state === 1);
       if (state !== 1) this.#rim(state === 0 ? 'jump' : 'mouth', 2 * i + 1, standing(second), c.radius, state === 2);
     });
-    aliens.forEach((alien, i) => alien.gone || this.#rim('sight', i, flow.aliens[i], rules.alienSight, alien.awake));
+    aliens.forEach((alien, i) => {
+      if (!alien.gone) this.#rim('sight', i, flow.aliens[i], rules.alienSight, alien.awake);
+    });
     this.#explosions();
     this.#targets();
-    flow.centres.forEach((line, i) => this.#below('centre', i, line, 0, 1));
+    for (const [i, line] of flow.centres.entries()) this.#below('centre', i, line, 0, 1);
     for (const axis of [0, 1] as const) {
       const sign = limits[axis];
       const speed = axis === 0 ? flow.her.vx : flow.her.vy;
       const force = axis === 0 ? flow.forceX : flow.forceY;
       if (sign !== 0) this.#below('limit', axis, sign > 0 ? force : minus(force), 0, 1);
-      else {
+      else if (Math.abs(speed.hi[0]) + sumAfterFirst(speed, this.#whole) > 0.999 * rules.speedLimit) {
         this.#below('limit', axis, shifted(minus(speed), rules.speedLimit), rules.speedLimit, 1);
         this.#below('limit', axis, shifted(speed, rules.speedLimit), rules.speedLimit, 1);
       }

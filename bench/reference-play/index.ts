@@ -1,2 +1,2 @@
-export { type Played, play, type Sample } from './play.ts';
 export { NotCovered } from './flow.ts';
+export { type Played, play, type Sample } from './play.ts';

@@ -5,16 +5,15 @@ export const DEGREE = 30;
 
 const SPLITTER = 2 ** 27 + 1;
 
+// begun with a fraction, so that V8 keeps it, and its copies, as doubles
+const ZEROS: readonly number[] = new Array(DEGREE + 1).fill(0.5).map(() => 0.5);
+(ZEROS as number[]).fill(0);
+
 /** A power series of degree {@link DEGREE}, its coefficients with 32 digits. */
 export class Series {
-  readonly hi: Float64Array;
-  readonly lo: Float64Array;
-
-  constructor() {
-    const both = new ArrayBuffer(16 * (DEGREE + 1));
-    this.hi = new Float64Array(both, 0, DEGREE + 1);
-    this.lo = new Float64Array(both, 8 * (DEGREE + 1), DEGREE + 1);
-  }
+  // copies of an array of doubles: typed arrays cost much more to make
+  readonly hi: number[] = ZEROS.slice();
+  readonly lo: number[] = ZEROS.slice();
 
   /** @param k - of which power */
   get(k: number): Dd {

@@ -114,7 +114,6 @@ export function nearest(world: World): number {
   return best;
 }
 
-
 const PLACES = new WeakMap<object, Vector>();
 
 /** The place of an object of a level. */

@@ -86,7 +86,8 @@ export function judgeScene({ level, holds, maxTime }: RandomScene): Judgement {
     distance(run.final, truth.end) / (PROMISE * grown * far),
     Math.abs(run.time - value(truth.end.time)) / (PROMISE * grownTime),
   );
-  if (!(error <= 1)) bug('precise', `ends ${distance(run.final, truth.end)} px and ${run.time - value(truth.end.time)} s off, growth ${grown}`);
+  if (!(error <= 1))
+    bug('precise', `ends ${distance(run.final, truth.end)} px and ${run.time - value(truth.end.time)} s off, growth ${grown}`);
   const collected = run.minerals.map(({ index }) => index).sort((a, b) => a - b);
   const toCollect = truth.minerals.map(({ index }) => index).sort((a, b) => a - b);
   if (String(collected) !== String(toCollect)) bug('precise', `collects minerals [${collected}]; it should be [${toCollect}]`);
@@ -143,7 +144,8 @@ function differsOnTheWay(run: Run, truth: Played, nudged: readonly Played[]): st
     run.trajectory.at(time, state);
     const off = distance({ x: state[0], y: state[1], vx: state[2], vy: state[3] }, sample);
     const far = 1 + 1e-6 * (Math.abs(value(truth.samples[0].at.x)) + Math.abs(value(truth.samples[0].at.y)));
-    if (!(off <= PROMISE * grown * 10 * far)) return `is ${off} px off at ${time.toFixed(4)} s, where changes of the start have grown by ${grown}`;
+    if (!(off <= PROMISE * grown * 10 * far))
+      return `is ${off} px off at ${time.toFixed(4)} s, where changes of the start have grown by ${grown}`;
   }
   return null;
 }

@@ -1,11 +1,21 @@
 import { type Hold, type Level, type OwnRules, RULES, type RuleName, rulesOf } from '../../schema/index.ts';
 import { seeded } from '../scenes/seeded.ts';
-import { randomHolds, type RandomScene } from './random-scene.ts';
+import { type RandomScene, randomHolds } from './random-scene.ts';
 
 /** Directions of length 1 whose coordinates are exact, or multiples of 1/5 for lengths that 5 divides. */
 const EXACT_DIRECTIONS: readonly (readonly [number, number])[] = [
-  ...([[1, 0], [-1, 0], [0, 1], [0, -1]] as const),
-  ...([[0.6, 0.8], [-0.8, 0.6], [0.8, -0.6], [-0.6, -0.8]] as const),
+  ...([
+    [1, 0],
+    [-1, 0],
+    [0, 1],
+    [0, -1],
+  ] as const),
+  ...([
+    [0.6, 0.8],
+    [-0.8, 0.6],
+    [0.8, -0.6],
+    [-0.6, -0.8],
+  ] as const),
 ];
 
 type Disc = { readonly x: number; readonly y: number; readonly radius: number };
@@ -71,7 +81,11 @@ export function mixedScene(seed: number): RandomScene {
     const hot = chance(0.2);
     const r = radius(16, 32);
     if (i === 0 && !chance(0.1)) {
-      const nearby = { x: originX + snap(draw.between(-first, first)), y: originY + snap(draw.between(-first, first)), radius: r };
+      const nearby = {
+        x: originX + snap(draw.between(-first, first)),
+        y: originY + snap(draw.between(-first, first)),
+        radius: r,
+      };
       others.push(nearby);
       return withId({ ...nearby, hot: false });
     }
