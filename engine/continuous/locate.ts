@@ -1,13 +1,14 @@
 import { farthestRockTravel, ownTravel, refresh } from '../events/index.ts';
-import { type Motion, PIECE_END, placeAt, SLOTS } from '../motion/index.ts';
+import { type Motion, ONSETS, PIECE_END, placeAt, SLOTS } from '../motion/index.ts';
 
-const { FROM, NEXT, EVENT, TARGET, BASE_X, BASE_Y, LENGTH_H } = SLOTS;
+const { FROM, NEXT, EVENT, ONSET, TARGET, BASE_X, BASE_Y, LENGTH_H } = SLOTS;
 
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end if nothing happens before. */
 export function locate(m: Motion): void {
   const { s, her, base, near, path, parts } = m;
   s[NEXT] = s[LENGTH_H];
   s[EVENT] = PIECE_END;
+  s[ONSET] = ONSETS.COMES;
   const from = s[FROM];
   // the path stays within `reach` of its start
   placeAt(m, 0);

@@ -5,6 +5,7 @@ import {
   alienPlaceAt,
   MODES,
   Motion,
+  ONSETS,
   type PackedPieces,
   RECORDS,
   type Recorder,
@@ -26,9 +27,10 @@ import { fire } from './fire.ts';
 import { layOut } from './layout.ts';
 import type { Method } from './method.ts';
 
-const { START, NEXT, TICK_NOW, HELD, TARGET, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
+const { START, NEXT, ONSET, TICK_NOW, HELD, TARGET, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
+const { TOUCHES } = ONSETS;
 
 /**
  * More events than this at one instant mean that the run does not advance: all objects of a level may take part in an instant,
@@ -260,12 +262,13 @@ export class ContinuousSimulation implements Simulation {
     return s[TICK_NOW] - from;
   }
 
+  /** Carries out all events up to `time`. A mere touch at that very time waits: the button may change, and lead her away. */
   private runUntil(time: number): void {
     const { motion } = this;
     const { s } = motion;
     let instant = Number.NEGATIVE_INFINITY;
     let events = 0;
-    while (s[OUTCOME] === 0 && s[START] + s[NEXT] <= time) {
+    while (s[OUTCOME] === 0 && (s[START] + s[NEXT] < time || (s[START] + s[NEXT] === time && s[ONSET] !== TOUCHES))) {
       if (s[START] + s[NEXT] > instant + motion.sameInstant) {
         instant = s[START] + s[NEXT];
         events = 0;

@@ -1,13 +1,15 @@
 import { type Box, boxCircleGap } from '../contact/index.ts';
-import { lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
+import { lookAt, type Motion, ONSETS, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
 import { CUBIC_BENDS, DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
 import { overlapBetween } from './bracket.ts';
 import { lookNext, PATIENCE, safeStep, smallestStride } from './conservative-advancement.ts';
 import { fineGap } from './fine-gap.ts';
+import { offerAs } from './first-event.ts';
 import { grazeStep } from './graze.ts';
 
 const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
+const { COMES, STANDS, TOUCHES } = ONSETS;
 
 /** A gap below this many times its rounding error is computed in twice the digits. */
 const UNCERTAIN = 8;
@@ -16,13 +18,30 @@ const UNCERTAIN = 8;
 const look = new Float64Array(2);
 
 /**
+ * Offers the contact with the placed circle. At its beginning it can be an overlap that stands, or an exact touch, which is no
+ * contact yet. The level's numbers are not rounded, so at the start the least overlap counts; later it must exceed the error of
+ * the path.
+ * @param r - radius, px
+ * @param pull - bound of the circle's own acceleration, px/s²
+ * @param kind - the kind of event
+ * @param a - index of the object
+ * @param from - where to begin, s after the start of the piece
+ */
+export function offerContact(m: Motion, r: number, pull: number, kind: number, a: number, from: number): void {
+  const time = contactTime(m, r, pull, from);
+  let onset: number = COMES;
+  if (time === from) onset = gapAt(m, time, r) < (m.s[START] === 0 ? 0 : -FLOOR) ? STANDS : TOUCHES;
+  offerAs(m, time, kind, a, 0, onset);
+}
+
+/**
  * First time at which a contact with the placed circle counts: when it happens, or at the frame that sees it.
  * @param r - radius, px
  * @param pull - bound of the circle's own acceleration, px/s²
  * @param from - where to begin, s after the start of the piece
  * @returns s after the start of the piece; -1 if there is none before the piece ends
  */
-export function contactTime(m: Motion, r: number, pull: number, from: number): number {
+function contactTime(m: Motion, r: number, pull: number, from: number): number {
   const { s, frameRate } = m;
   let t = sweptTime(m, r, pull, from);
   if (frameRate === 0) return t;
@@ -166,7 +185,11 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     } else {
       step = Math.min(step, cap);
     }
-    if (!(t + step < horizon)) return -1;
+    if (!(t + step < horizon)) {
+      // by FLOOR the step may reach beyond an event at the same instant as one that was found before
+      const mayCross = horizon < s[LENGTH_H] && t + safeStep(g - rounding, along + omega * (ax * qy - ay * qx), k) < horizon;
+      return mayCross && gapAt(m, horizon, r) < 0 ? contactBetween(m, t, horizon, r, t === from) : -1;
+    }
     before = t;
     t = lookNext(t, step, small, horizon);
   }

@@ -1,6 +1,7 @@
-import { type Motion, SLOTS } from '../motion/index.ts';
+import { type Motion, ONSETS, SLOTS } from '../motion/index.ts';
 
-const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H } = SLOTS;
+const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H, ONSET } = SLOTS;
+const { COMES, STANDS } = ONSETS;
 
 /**
  * Offers an event: it is kept if it is earlier than the best so far, or at the same instant and first in the order; of two
@@ -10,18 +11,28 @@ const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H } = SL
  * @param a - index of the object concerned
  * @param b - index of a second object
  */
-export function offer(m: Motion, time: number, kind: number, a: number, b: number): void {
+export const offer = (m: Motion, time: number, kind: number, a: number, b: number): void => offerAs(m, time, kind, a, b, COMES);
+
+/**
+ * The same for an event that may stand already: what stands comes before everything that only begins at the same instant.
+ * @param onset - one of ONSETS
+ */
+export function offerAs(m: Motion, time: number, kind: number, a: number, b: number, onset: number): void {
   if (time < 0) return;
   const { s } = m;
   const same = m.sameInstant;
   if (time > s[LENGTH_H]) return;
-  const earlier = time < s[NEXT] - same;
   const isFirst = kind < s[EVENT] || (kind === s[EVENT] && a < s[EVENT_A]);
-  if (!earlier && !(time <= s[NEXT] + same && isFirst)) return;
+  if ((onset === STANDS) === (s[ONSET] === STANDS)) {
+    if (!(time < s[NEXT] - same) && !(time <= s[NEXT] + same && isFirst)) return;
+  } else if (onset !== STANDS) {
+    return;
+  }
   s[NEXT] = Math.min(s[NEXT], time);
   s[EVENT] = kind;
   s[EVENT_A] = a;
   s[EVENT_B] = b;
+  s[ONSET] = onset;
 }
 
 /** Whether this event has just happened to `a`, at the very start of the piece. Then its guard is 0 there. */

@@ -1,8 +1,8 @@
 export { crossing, overlapBetween } from './bracket.ts';
 export { isClear } from './clear.ts';
 export { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './conservative-advancement.ts';
-export { contactTime, gapAt, sweptTime } from './contact.ts';
-export { justFired, offer } from './first-event.ts';
+export { gapAt, offerContact, sweptTime } from './contact.ts';
+export { justFired, offer, offerAs } from './first-event.ts';
 export {
   alienTravel,
   distanceToNear,

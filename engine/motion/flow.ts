@@ -1,3 +1,5 @@
+import { SMALLEST_ORBIT } from '../tolerances.ts';
+
 /** No force: a straight line. */
 export const COAST = 0;
 /** A force towards or away from the centre of the frame, and a steady force w: u'' = alpha u / |u| + beta u + w. */
@@ -9,6 +11,10 @@ export const SLIDE = 3;
 
 /** A steady force alone: u'' = w. */
 export const STEADY = 4;
+
+/** Whether she is so close to the centre of the force that, on her way through it, she may have no other direction left. */
+export const isInCentre = ({ kind }: Flow, x: Float64Array, y: Float64Array): boolean =>
+  kind === CENTRAL && x[0] * x[0] + y[0] * y[0] < SMALLEST_ORBIT * SMALLEST_ORBIT;
 
 /** The smooth motion between two events, in a frame whose origin is the centre of the force. */
 export class Flow {

@@ -1,7 +1,7 @@
 export { centralSeries } from './central-series.ts';
 export { chaserSeries } from './chaser-series.ts';
 export { DRIFTS, IS_BASE, placeAlien, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
-export { CENTRAL, COAST, Flow, LINEAR, SLIDE, STEADY } from './flow.ts';
+export { CENTRAL, COAST, Flow, isInCentre, LINEAR, SLIDE, STEADY } from './flow.ts';
 export { rebase } from './frame.ts';
 export type { Glide, Integrator } from './integrator.ts';
 export {
@@ -37,4 +37,4 @@ export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
 export { drivenSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
 export { expandSlide } from './rim-piece.ts';
 export { layOutRocks, readRocks, stir, targetsAround } from './rocks.ts';
-export { ALERTNESS, LINES, MEETINGS, PIECE_END, RECORDS, SLOTS, TURNS } from './state.ts';
+export { ALERTNESS, LINES, MEETINGS, ONSETS, PIECE_END, RECORDS, SLOTS, TURNS } from './state.ts';

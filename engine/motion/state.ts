@@ -83,10 +83,12 @@ export const SLOTS = {
   /** The steady force since the piece began, px/s². */
   STEADY_X: 49,
   STEADY_Y: 50,
+  /** One of ONSETS: how the next event begins. */
+  ONSET: 51,
 } as const;
 
 /** Number of slots before the first chaser. */
-export const HEAD = 51;
+export const HEAD = 52;
 
 /** Not on a line; on one that moves with the base; on one that stands still or along which the base moves. */
 export const LINES = { NONE: 0, LOOSE: 1, FAST: 2 } as const;
@@ -96,6 +98,12 @@ export const MEETINGS = { NOT: 0, AHEAD: 1, BEHIND: -1, TOGETHER: 2 } as const;
 
 /** What the box turns towards. */
 export const TURNS = { TURN_NOT: 0, TURN_TO_BASE: 1, TURN_TO_TARGET: 2 } as const;
+
+/**
+ * How an event begins: in the course of the piece; it is a contact that stands already where the search for events begins; or
+ * she only touches something there, which is no contact, and moves into it.
+ */
+export const ONSETS = { COMES: 0, STANDS: 1, TOUCHES: 2 } as const;
 
 /** In place of a kind of event: the natural end of a piece, which comes after all of them. */
 export const PIECE_END = 1000;

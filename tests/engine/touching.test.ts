@@ -1,6 +1,7 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, type RunEvent, simulate } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
+import { compile, createSimulation, type RunEvent, simulate } from '../../engine/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
 import { continuousNames } from './accuracies.ts';
 import { type PlainLevel, plainLevel } from './plain-level.ts';
 
@@ -67,6 +68,151 @@ describe.each(continuousNames)('a start at which box and circle exactly touch, %
       if (kind === 'alien') return;
       expect(touch(26, { asteroids: asteroids(-100) }, holds)).toBeNull();
     });
+  });
+});
+
+describe.each(continuousNames)('an exact touch as the gun is held from the first tick, %s', (accuracy) => {
+  // the pull leads away along this side of her box, the wind or the alien towards her along the other
+  const SIDES = [
+    { x: 26, y: 0, away: [-1, 0] },
+    { x: -26, y: 0, away: [1, 0] },
+    { x: 0, y: 32, away: [0, -1] },
+    { x: 0, y: -32, away: [0, 1] },
+  ] as const;
+
+  const firstTouch = (level: Level, holds: readonly Hold[]) => {
+    const { events } = simulate(compile(level, accuracy), holds, { maxTime: 0.25 });
+    return events.find(({ type }) => type === 'mineral' || type === 'collided' || type === 'completed')?.time ?? null;
+  };
+
+  it('is a contact if the wind is stronger than the pull, and none if it is weaker', () => {
+    fc.assert(
+      fc.property(
+        fc.constantFrom('nova', 'black hole', 'mineral', 'hot asteroid'),
+        fc.constantFrom(...SIDES),
+        fc.integer({ min: 1, max: 37 }),
+        fc.integer({ min: 0, max: 360 }),
+        fc.integer({ min: -400, max: 400 }),
+        (kind, { x, y, away }, strength, delay, at) => {
+          // she looks at the asteroid: across, her box reaches 16 px, but upright at the start 10 px
+          const turnsAway = away[0] === 0;
+          const asteroids = [{ x: at + 20 * away[0], y: -at + 20 * away[1], radius: 2 }];
+          const level = (wind: number, pull: number): Level => {
+            const thing = withThing(
+              kind,
+              { x: at + x, y: -at + y, radius: 16 },
+              { asteroids, range: 2000, astronaut: { x: at, y: -at } },
+            );
+            const winds = [{ id: null, x: at, y: -at, radius: 500, ax: -away[0] * wind, ay: -away[1] * wind }];
+            return { ...plainLevel(thing), winds, rules: { pull } };
+          };
+          expect(firstTouch(level(strength, 39), [[0, 600]])).toBeNull();
+          // not held, or too late, she is blown into it; turned, her box is 6 px away
+          expect(firstTouch(level(strength, 39), [])).toBe(0);
+          expect(firstTouch(level(strength, 39), [[1 + delay, 600]])).toBe(0);
+          if (turnsAway) expect(firstTouch(level(strength, strength / 2), [[0, 600]])).not.toBe(0);
+          else expect(firstTouch(level(strength, strength / 2), [[0, 600]])).toBe(0);
+        },
+      ),
+      { numRuns: 40 },
+    );
+  });
+
+  it('of an alien is a contact if it follows faster than the pull leads away', () => {
+    for (const { x, y, away } of SIDES) {
+      const level = (alienPull: number): Level => ({
+        ...plainLevel({
+          asteroids: [{ x: 20 * away[0], y: 20 * away[1], radius: 2 }],
+          range: 2000,
+          aliens: [{ x, y, radius: 16 }],
+        }),
+        rules: { alienPull },
+      });
+      expect(firstTouch(level(8), [[0, 600]])).toBeNull();
+      expect(firstTouch(level(8), [])).toBe(0);
+      const turnsAway = away[0] === 0;
+      if (!turnsAway) expect(firstTouch(level(60), [[0, 600]])).toBe(0);
+    }
+  });
+
+  it('is none if the press turns the box away, however fast she moves', () => {
+    const level = (vy: number): Level =>
+      plainLevel({
+        astronaut: { vy },
+        novae: [{ x: 0, y: 32, radius: 16 }],
+        asteroids: [{ x: 0, y: 300, radius: 4 }],
+        range: 2000,
+      });
+    expect(firstTouch(level(40), [])).toBe(0);
+    // turned downwards, her box reaches 10 px: 6 px to go at 40 px/s and more
+    const later = firstTouch(level(40), [[0, 60]]);
+    expect(later).toBeGreaterThan(0.12);
+    expect(later).toBeLessThan(0.15);
+  });
+
+  it('gives the same run if the ticks before the press are 0 or more', () => {
+    const asteroids = [{ x: -20, y: 0, radius: 2 }];
+    const scene = compile(
+      {
+        ...plainLevel({ asteroids, range: 2000, novae: [{ x: 26, y: 0, radius: 16 }] }),
+        winds: [{ id: null, x: 0, y: 0, radius: 500, ax: 20, ay: 0 }],
+      },
+      accuracy,
+    );
+    const simulation = createSimulation(scene);
+    simulation.advance(0, false);
+    expect(simulation.ending).toBeNull();
+    simulation.advance(10, true);
+    expect(simulation.ending).toBeNull();
+    simulation.reset();
+    simulation.advance(0, false);
+    simulation.advance(1, false);
+    expect(simulation.ending).toMatchObject({ outcome: 'collided', time: 0, tick: 0 });
+  });
+});
+
+describe.each(continuousNames)('of what she touches and overlaps at one instant, %s', (accuracy) => {
+  const told = (parts: PlainLevel, holds: readonly Hold[] = []) =>
+    simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 12 })
+      .events.filter(({ type }) => ['mineral', 'collided', 'completed', 'lost'].includes(type))
+      .map(({ type }) => type);
+  const nova = { novae: [{ x: 26, y: 0, radius: 16 }] };
+
+  it('what she overlaps at the start counts before what she then moves into', () => {
+    const astronaut = { vx: 40 };
+    const overlapped = { x: -12, y: 0, radius: 7 };
+    expect(told({ astronaut, ...nova, minerals: [overlapped] })).toEqual(['mineral', 'collided']);
+    expect(told({ astronaut, ...nova, blackHole: overlapped })).toEqual(['completed']);
+    expect(told({ astronaut, novae: [overlapped], minerals: [{ x: 17, y: 0, radius: 7 }] })).toEqual(['collided']);
+    expect(told({ astronaut, ...nova, asteroids: [{ x: 0, y: 200, radius: 16 }], range: 199 })).toEqual(['lost']);
+    expect(told({ astronaut, ...nova, blackHole: { x: 26, y: 0, radius: 16 } })).toEqual(['collided']);
+  });
+
+  it('minerals come first, then hazards, then the black hole, at the start and on the way', () => {
+    fc.assert(
+      fc.property(
+        fc.integer({ min: 0, max: 40 }),
+        fc.constantFrom(1, 2, 3, 5, 8, 20, 40, 200, 1000),
+        fc.constantFrom('nova', 'hot asteroid', 'alien'),
+        fc.constantFrom(1, -1),
+        fc.boolean(),
+        (gap, speed, kind, side, sleeps) => {
+          fc.pre(gap < 10 * speed);
+          const ahead = (radius: number, beside: number) => ({ x: side * (10 + gap + radius), y: beside, radius });
+          const parts = withThing(kind, ahead(16, 3), {
+            astronaut: { vx: side * speed },
+            minerals: [ahead(7, -5), ahead(7, 9)],
+            blackHole: ahead(18, -8),
+          });
+          const still = kind !== 'alien' || sleeps ? { alienSight: 0 } : {};
+          const run = simulate(compile({ ...plainLevel(parts), rules: still }, accuracy), [], { maxTime: 12 });
+          // an alien that sees her comes to meet her
+          if (kind === 'alien' && !sleeps && gap > 0) return;
+          expect(run.events.map(({ type }) => type)).toEqual(['mineral', 'mineral', 'collided']);
+        },
+      ),
+      { numRuns: 60 },
+    );
   });
 });
 

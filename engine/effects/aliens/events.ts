@@ -1,4 +1,4 @@
-import { alienTravel, contactTime, eventRule, justFired, offer, quietOutside, rimTime } from '../../events/index.ts';
+import { alienTravel, eventRule, justFired, offer, offerContact, quietOutside, rimTime } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeAlien, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import { type AlienCrowd, NOBODY } from './crowd.ts';
@@ -37,7 +37,7 @@ export const touchAlien = eventRule({
 function offerTouch(m: Motion, i: number, from: number): void {
   placeAlien(m, i);
   const pull = m.circleMotion === SERIES ? m.rules.alienPull : 0;
-  offer(m, contactTime(m, m.scene.aliens.r[i], pull, from), touchAlien.kind, i, 0);
+  offerContact(m, m.scene.aliens.r[i], pull, touchAlien.kind, i, from);
 }
 
 /** Her centre comes so near to an alien that it sees her. */

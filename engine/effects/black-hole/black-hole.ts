@@ -1,4 +1,4 @@
-import { contactTime, distanceToNear, eventRule, offer, quietOutside } from '../../events/index.ts';
+import { distanceToNear, eventRule, offerContact, quietOutside } from '../../events/index.ts';
 import { placeCircle } from '../../motion/index.ts';
 import type { Effect } from '../effect.ts';
 
@@ -12,7 +12,7 @@ export const touchBlackHole = eventRule({
   guard(m, _i, from) {
     const { x, y, radius } = m.scene.level.blackHole;
     placeCircle(m, x, y, m.originX, m.originY);
-    offer(m, contactTime(m, radius, 0, from), touchBlackHole.kind, 0, 0);
+    offerContact(m, radius, 0, touchBlackHole.kind, 0, from);
   },
   quiet(m, _i, time) {
     const { x, y, radius } = m.scene.level.blackHole;

@@ -1,4 +1,4 @@
-import { contactTime, eachTargetNear, eventRule, offer, quietOutside, rockDistanceToNear } from '../../events/index.ts';
+import { eachTargetNear, eventRule, offerContact, quietOutside, rockDistanceToNear } from '../../events/index.ts';
 import { placeRock } from '../../motion/index.ts';
 import type { Effect } from '../effect.ts';
 
@@ -14,7 +14,7 @@ export const touchHot = eventRule({
   },
   guard(m, i, from) {
     placeRock(m, i);
-    offer(m, contactTime(m, m.scene.targets.r[i], m.kappa, from), touchHot.kind, i, 0);
+    offerContact(m, m.scene.targets.r[i], m.kappa, touchHot.kind, i, from);
   },
   quiet: (m, i, time) => quietOutside(m, m.targetX[i], m.targetY[i], m.scene.targets.r[i] + m.touchMargin, time),
   fire: (m, i) => m.scene.targets.index[i],

@@ -1,4 +1,4 @@
-import { contactTime, eventRule, listTouching, offer, quietOutside } from '../../events/index.ts';
+import { eventRule, listTouching, offerContact, quietOutside } from '../../events/index.ts';
 import { placeCircle } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
@@ -10,7 +10,7 @@ export const touchNova = eventRule({
   guard(m, i, from) {
     const { x, y, r, index } = m.scene.novae;
     placeCircle(m, x[i], y[i], m.originX, m.originY);
-    offer(m, contactTime(m, r[i], 0, from), touchNova.kind, index[i], 0);
+    offerContact(m, r[i], 0, touchNova.kind, index[i], from);
   },
   quiet(m, i, time) {
     const { x, y, r } = m.scene.novae;

@@ -1,4 +1,4 @@
-import { contactTime, eventRule, listTouching, offer, quietOutside } from '../../events/index.ts';
+import { eventRule, listTouching, offerContact, quietOutside } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLOTS } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
@@ -16,7 +16,7 @@ export const collect = eventRule({
     if (isCollected(m, i)) return;
     const { minerals } = m.scene;
     placeCircle(m, minerals.x[i], minerals.y[i], m.originX, m.originY);
-    offer(m, contactTime(m, minerals.r[i], 0, from), collect.kind, i, 0);
+    offerContact(m, minerals.r[i], 0, collect.kind, i, from);
   },
   quiet(m, i, time) {
     if (isCollected(m, i)) return time;

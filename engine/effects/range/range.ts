@@ -1,10 +1,11 @@
-import { eventRule, offer, quietWithin, rimTime } from '../../events/index.ts';
-import { distanceSquared, GOES_ON, type Motion, nearest, placeRock, RECORDS, SLOTS } from '../../motion/index.ts';
+import { eventRule, offerAs, quietWithin, rimTime } from '../../events/index.ts';
+import { distanceSquared, GOES_ON, type Motion, nearest, ONSETS, placeRock, RECORDS, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import type { Effect } from '../effect.ts';
 
-const { COVER } = SLOTS;
+const { START, COVER } = SLOTS;
 const { ROCK } = RECORDS;
+const { COMES, STANDS } = ONSETS;
 
 /** She leaves the range of the asteroid that kept her in range: another one takes over, or she is lost. */
 export const leaveRange = eventRule({
@@ -14,7 +15,7 @@ export const leaveRange = eventRule({
     const { s, scene, path } = m;
     const cover = s[COVER];
     if (cover < 0) {
-      offer(m, from, leaveRange.kind, -1, 0);
+      offerAs(m, from, leaveRange.kind, -1, 0, STANDS);
       return;
     }
     const { range } = scene.level;
@@ -24,7 +25,9 @@ export const leaveRange = eventRule({
     const dy = (m.recoil ? s[o + 1] : m.targetY[cover]) - path.y;
     if (within > 0 && dx * dx + dy * dy < within * within) return;
     placeRock(m, cover);
-    offer(m, rimTime(m, range, false, m.kappa, from, false), leaveRange.kind, cover, 0);
+    const time = rimTime(m, range, false, m.kappa, from, false);
+    const isOut = time === 0 && s[START] === 0 && isOutOfRange(m, cover);
+    offerAs(m, time, leaveRange.kind, cover, 0, isOut ? STANDS : COMES);
   },
   alwaysQuiet(m, time) {
     const left = m.scene.level.range - Math.sqrt(distanceSquared(m, m.s[COVER])) - SURPLUS;
