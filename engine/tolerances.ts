@@ -64,6 +64,13 @@ export const RADIAL = 1e-12;
 export const RADIAL_ROUNDING = 1e-15;
 
 /**
+ * A fall that comes this near to a centre goes through it, px. On no line at first, since she was all but at rest, she may have
+ * no other direction left: pieces that cover only a part of the way to the centre would then never reach it. If it were much
+ * larger, a fall past the centre would become one through it.
+ */
+export const HEAD_ON = 1e-14;
+
+/**
  * A dip across the bisector of two asteroids that is shallower than this is within the error of the path, so the target does
  * not change, px. If it were smaller, the target would alternate between two equally near asteroids in one instant.
  */

@@ -1,4 +1,4 @@
-import { GOES_ON, type Motion, PIECE_END, SLOTS } from '../motion/index.ts';
+import { GOES_ON, isInCentre, type Motion, PIECE_END, SLOTS } from '../motion/index.ts';
 import { begin, proceed } from './begin.ts';
 import { endingOf } from './ending.ts';
 import { locate } from './locate.ts';
@@ -40,8 +40,8 @@ function goOn(m: Motion, until: number): void {
   s[LAST_EVENT] = 0;
   for (const repeat of parts.repeat) repeat(m);
   if (integrator.glide !== null && (recorder === null || !recorder.keeps)) skipQuietSteps(m, until);
-  // on a rim, what holds her there is determined anew; under a steady force, whether she passes a centre
-  if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0 && !m.flow.isSteady) proceed(m);
+  // on a rim, what holds her there is determined anew; under a steady force and close to a centre, whether she passes it
+  if (s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && s[RIM] < 0 && !m.flow.isSteady && !isInCentre(m.flow, m.ux, m.uy)) proceed(m);
   else begin(m);
 }
 

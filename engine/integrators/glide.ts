@@ -1,4 +1,4 @@
-import { type Flow, type Glide, LINEAR, ontoLine } from '../motion/index.ts';
+import { type Flow, type Glide, isInCentre, LINEAR, ontoLine } from '../motion/index.ts';
 import { closePass, untilGrid } from './step-near.ts';
 
 const end4 = new Float64Array(4);
@@ -12,7 +12,7 @@ export function glideBy(whole: Whole): Glide {
     let time = start;
     for (;;) {
       const h = closePass(flow, x, y, untilGrid(time, rate));
-      if (!(time + h <= end)) return time;
+      if (!(time + h <= end) || isInCentre(flow, x, y)) return time;
       if (flow.kind === LINEAR) flow.moveTo(x[0], y[0]);
       whole(flow, x, y, h, end4);
       if (flow.kind === LINEAR) ontoLine(flow.steep, flow.slope, end4, 0);

@@ -1,4 +1,5 @@
 import { CENTRAL, type Flow, type Glide } from '../motion/index.ts';
+import { HEAD_ON } from '../tolerances.ts';
 import { cubicFrom } from './cubic.ts';
 import { dragRungeKutta } from './drag.ts';
 import { fixedStep } from './fixed-step.ts';
@@ -70,7 +71,7 @@ const glideRungeKutta: Glide = (flow, xs, ys, start, end, rate, count) => {
   let steps = 0;
   for (;;) {
     const h = stepNear(x, y, vx, vy, strength, untilGrid(time, rate));
-    if (!(time + h <= end)) break;
+    if (!(time + h <= end) || x * x + y * y < HEAD_ON * HEAD_ON) break;
     const half = h / 2;
     const quarter = half * half;
     let f = alpha / Math.sqrt(x * x + y * y) + beta;

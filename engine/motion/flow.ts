@@ -1,4 +1,4 @@
-import { SMALLEST_ORBIT } from '../tolerances.ts';
+import { HEAD_ON } from '../tolerances.ts';
 
 /** No force: a straight line. */
 export const COAST = 0;
@@ -12,9 +12,9 @@ export const SLIDE = 3;
 /** A steady force alone: u'' = w. */
 export const STEADY = 4;
 
-/** Whether she is so close to the centre of the force that, on her way through it, she may have no other direction left. */
+/** Whether she falls through the centre of the force; see {@link HEAD_ON}. */
 export const isInCentre = ({ kind }: Flow, x: Float64Array, y: Float64Array): boolean =>
-  kind === CENTRAL && x[0] * x[0] + y[0] * y[0] < SMALLEST_ORBIT * SMALLEST_ORBIT;
+  kind === CENTRAL && x[0] * x[0] + y[0] * y[0] < HEAD_ON * HEAD_ON;
 
 /** The smooth motion between two events, in a frame whose origin is the centre of the force. */
 export class Flow {

@@ -45,7 +45,8 @@ export interface Integrator {
   /** Writes place and velocity after `t` of an expanded piece to out[0..3]; null if the polynomial itself gives both. */
   readonly settle: ((flow: Flow, x: Float64Array, y: Float64Array, t: number, out: Float64Array) => void) | null;
   /**
-   * Makes whole steps of the grid of `rate` from `start` for as long as they end by `end`. Place and velocity in x[0..1],
+   * Makes whole steps of the grid of `rate` from `start` for as long as they end by `end` and begin outside the centre, see
+   * {@link isInCentre}. Place and velocity in x[0..1],
    * y[0..1] get the bits that `expand` and `settle` would give, but no pieces are made. null for integrators without fixed
    * steps.
    * @returns the time reached, s
