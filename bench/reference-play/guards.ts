@@ -13,7 +13,8 @@ import {
   type Vector,
   ZERO,
 } from './double-double.ts';
-import { type Flow, type Path, standing } from './flow.ts';
+import type { Flow } from './flow.ts';
+import { type Path, standing } from './path.ts';
 import { crossings, firstBelow, opened } from './roots.ts';
 import { eachOf, product, type Series, valueAt } from './series.ts';
 import { placeOf, secondMouth, type World } from './world.ts';
@@ -21,7 +22,7 @@ import { placeOf, secondMouth, type World } from './world.ts';
 /** What may happen; those that come first at the same instant stand first. */
 export const KINDS = [
   ...(['mineral', 'nova', 'asteroid', 'alien', 'blackHole', 'range', 'jump'] as const),
-  ...(['mouth', 'centre', 'target', 'field', 'wind', 'sight', 'explosion', 'limit'] as const),
+  ...(['mouth', 'centre', 'target', 'field', 'wind', 'sight', 'explosion', 'limit', 'slip'] as const),
 ];
 export type Kind = (typeof KINDS)[number];
 
@@ -70,7 +71,7 @@ export class Guards {
   }
 
   #findAll(): void {
-    const { level, rules, taken, aliens, limits } = this.#world;
+    const { level, rules, taken, aliens, limits, slide } = this.#world;
     const flow = this.#flow;
     for (const [i, c] of level.novae.entries()) this.#contact('nova', i, standing(placeOf(c)), c.radius);
     level.asteroids.forEach((c, i) => {
@@ -84,8 +85,10 @@ export class Guards {
       if (!taken[i]) this.#contact('mineral', i, standing(placeOf(c)), c.radius);
     });
     if (this.#world.anchor >= 0) this.#rim('range', 0, flow.asteroids[this.#world.anchor], level.range, true);
-    for (const [i, c] of level.repulsors.entries()) this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]);
-    for (const [i, c] of level.winds.entries()) this.#rim('wind', i, standing(placeOf(c)), c.radius, this.#world.winds[i]);
+    for (const [i, c] of level.repulsors.entries())
+      if (slide?.kind !== 'field' || slide.index !== i) this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]);
+    for (const [i, c] of level.winds.entries())
+      if (slide?.kind !== 'wind' || slide.index !== i) this.#rim('wind', i, standing(placeOf(c)), c.radius, this.#world.winds[i]);
     level.wormholes.forEach((c, i) => {
       const state = this.#world.mouths[i];
       const second = secondMouth(c);
@@ -98,6 +101,10 @@ export class Guards {
     this.#explosions();
     this.#targets();
     for (const [i, line] of flow.centres.entries()) this.#below('centre', i, line, 0, 1);
+    if (flow.insideShare !== null) {
+      this.#below('slip', 0, flow.insideShare, 1, 1);
+      this.#below('slip', 1, shifted(minus(flow.insideShare), 1), 1, 1);
+    }
     for (const axis of [0, 1] as const) {
       const sign = limits[axis];
       const speed = axis === 0 ? flow.her.vx : flow.her.vy;

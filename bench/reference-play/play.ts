@@ -17,9 +17,11 @@ import {
   type Vector,
   ZERO,
 } from './double-double.ts';
-import { expand, type Flow, NotCovered } from './flow.ts';
+import { expand, type Flow } from './flow.ts';
 import { Guards, gapTo, type Happening, KINDS, type Kind, type Margins, placeAt, velocityAt } from './guards.ts';
+import { NotCovered } from './not-covered.ts';
 import { valueAt } from './series.ts';
+import { speedAcross } from './sliding.ts';
 import { isIn, NO_LENGTH, type Nudge, nearest, placeOf, secondMouth, startOf, type World } from './world.ts';
 
 /** Her state at a moment, with 32 digits. */
@@ -45,6 +47,8 @@ export interface Played {
   readonly margins: Margins;
   /** Smallest gap between her box and what ends the run, wherever a stretch begins, px. */
   readonly clearance: number;
+  /** On the rims of what she slides. */
+  readonly slides: ReadonlySet<'field' | 'wind'>;
   /** Smallest time between two crossings of the rims of fields and winds, s. */
   readonly quickestCrossing: number;
   /** Her smallest distance from a centre past which she does not fly on a line, wherever a stretch begins, px. */
@@ -88,6 +92,9 @@ class Game {
   readonly #margins: Margins = { narrowest: Number.POSITIVE_INFINITY, exact: 0 };
   #narrowestOrder = Number.POSITIVE_INFINITY;
   #happenings = 0;
+  /** The rims crossed at this instant. */
+  readonly #flips = new Set<string>();
+  readonly #slides = new Set<'field' | 'wind'>();
   #clearance = Number.POSITIVE_INFINITY;
   #nearestCentre = Number.POSITIVE_INFINITY;
   #quickestCrossing = Number.POSITIVE_INFINITY;
@@ -134,6 +141,7 @@ class Game {
       clearance: this.#clearance,
       nearestCentre: this.#nearestCentre,
       quickestCrossing: this.#quickestCrossing,
+      slides: this.#slides,
     };
   }
 
@@ -241,6 +249,7 @@ class Game {
     const { found } = new Guards(world, flow, end, this.#margins);
     if (!found.every(({ at }) => Number.isFinite(at.hi))) throw new NotCovered('not a number');
     if (found.length === 0) {
+      this.#flips.clear();
       this.#moveTo(flow, end, isWhole ? boundary : null);
       return true;
     }
@@ -253,6 +262,7 @@ class Game {
       this.#narrowestOrder = Math.min(this.#narrowestOrder, toNumber(subtract(later.at, first.at)) * flow.unit);
     }
     this.#moveTo(flow, first.at, null);
+    if (first.at.hi > 0) this.#flips.clear();
     this.#happenings++;
     this.#happen(same);
     return first.at.hi > 0;
@@ -341,6 +351,7 @@ class Game {
     const wormhole = world.level.wormholes[mouth >> 1];
     const way = minus(secondMouth(wormhole), placeOf(wormhole));
     world.her.at = mouth % 2 === 0 ? plus(world.her.at, way) : minus(world.her.at, way);
+    world.slide = null;
     this.#orient(true);
     world.mouths[mouth >> 1] = mouth % 2 === 0 ? 2 : 1;
     if (world.held) {
@@ -349,6 +360,21 @@ class Game {
       if (!isShort(u, NO_LENGTH)) world.box = direction(u);
     }
     this.#settle(this.#findAnchor(true));
+  }
+
+  /** She crosses a rim; where she crosses it back at once, at rest across it, she slides on it. */
+  #noteFlip(kind: 'field' | 'wind', index: number): void {
+    const world = this.#world;
+    const rim = `${kind} ${index}`;
+    const before = this.#flips.has(rim);
+    this.#flips.add(rim);
+    if (!before || this.#flips.size > 1) return;
+    const disc = kind === 'field' ? world.level.repulsors[index] : world.level.winds[index];
+    const { her, limits } = world;
+    if (Math.abs(speedAcross(her.at, her.velocity, placeOf(disc), disc.radius)) > 1e-18) return;
+    if (limits[0] !== 0 || limits[1] !== 0) throw new NotCovered('slides at the speed limit');
+    world.slide = { kind, index };
+    this.#slides.add(kind);
   }
 
   /** Changes the flow. */
@@ -360,8 +386,16 @@ class Game {
       this.#quickestCrossing = Math.min(this.#quickestCrossing, time - this.#lastCrossing);
       this.#lastCrossing = time;
     }
-    if (kind === 'field') fields[index] = !fields[index];
-    else if (kind === 'wind') winds[index] = !winds[index];
+    if (kind === 'field' || kind === 'wind') {
+      const flags = kind === 'field' ? fields : winds;
+      flags[index] = !flags[index];
+      this.#noteFlip(kind, index);
+    } else if (kind === 'slip') {
+      const slide = world.slide!;
+      (slide.kind === 'field' ? fields : winds)[slide.index] = index === 1;
+      world.slide = null;
+      this.#flips.clear();
+    }
     else if (kind === 'mouth') {
       const wormhole = level.wormholes[index >> 1];
       const opposite = index % 2 === 0 ? secondMouth(wormhole) : placeOf(wormhole);
@@ -375,6 +409,7 @@ class Game {
       aliens[index].gone = true;
       aliens[other].gone = true;
     } else if (kind === 'limit') {
+      if (world.slide !== null) throw new NotCovered('the speed limit is reached on a rim');
       const axis = index as 0 | 1;
       const speed = axis === 0 ? world.her.velocity.x : world.her.velocity.y;
       const sign = Math.sign(speed.hi);

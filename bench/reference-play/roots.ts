@@ -1,4 +1,5 @@
-import { compare, type Dd, dd, divide, subtract, toNumber, ZERO } from './double-double.ts';
+import { compare, type Dd, dd, divide, subtract, toNumber } from './double-double.ts';
+import { NotCovered } from './not-covered.ts';
 import { DEGREE, degreeOf, derivative, Series, valueAt } from './series.ts';
 
 /** A coefficient below this share of a guard's size is 0: 24 of 32 digits agree, and only an exact tie does that. */
@@ -6,6 +7,9 @@ const NOTHING = 1e-24;
 
 /** Intervals shorter than this share of the whole are not divided any more. */
 const SHORTEST = 2 ** -48;
+
+/** More intervals than this are divided only where a series is almost 0 throughout. */
+const MOST_INTERVALS = 10_000;
 
 /** A piece of a series on which it rises or falls throughout. */
 interface Piece {
@@ -62,6 +66,7 @@ export function firstBelow(guard: Series, from: Dd, end: Dd, miss: (value: numbe
 /** All moments at which a series changes its sign, in order. */
 export function crossings(series: Series, from: Dd, end: Dd): Dd[] {
   const degree = degreeOf(series);
+  if (degree === 0) return [];
   const slope = derivative(series);
   const found: Dd[] = [];
   for (const piece of monotonePieces(series, slope, from, end, false)) {
@@ -95,7 +100,9 @@ function* monotonePieces(series: Series, slope: Series, from: Dd, end: Dd, posit
   const second = derivative(slope);
   const point = (at: number): Dd => (at <= first ? from : at >= last ? end : dd(at));
   const stack: [number, number][] = [[first, last]];
+  let intervals = 0;
   for (let interval = stack.pop(); interval !== undefined; interval = stack.pop()) {
+    if (++intervals > MOST_INTERVALS) throw new NotCovered('a guard stays close to 0');
     const [a, b] = interval;
     const middle = (a + b) / 2;
     const half = (b - a) / 2;
@@ -170,6 +177,3 @@ function crossing(series: Series, slope: Series, { from, to }: Piece, degree: nu
   }
   return at;
 }
-
-/** A moment that is not before the start. */
-export const notBefore = (at: Dd): Dd => (at.hi < 0 ? ZERO : at);

@@ -36,6 +36,8 @@ export interface World {
   readonly winds: boolean[];
   /** Of each wormhole, the mouth that she is in and that does not fire: 1 or 2; 0 for none. */
   readonly mouths: number[];
+  /** The rim on which she slides; whether she counts as in it then means nothing. */
+  slide: { readonly kind: 'field' | 'wind'; readonly index: number } | null;
   /** Whether a velocity component is at the speed limit and stays there: its sign, else 0. */
   readonly limits: [x: number, y: number];
   readonly taken: boolean[];
@@ -68,6 +70,7 @@ export function startOf(level: Level, nudge: Nudge): World {
     fields: level.repulsors.map(() => false),
     winds: level.winds.map(() => false),
     mouths: level.wormholes.map(() => 0),
+    slide: null,
     limits: [0, 0],
     taken: level.minerals.map(() => false),
   };

@@ -40,7 +40,8 @@ export function mixedScene(seed: number): RandomScene {
 
   const radius = (...usual: number[]) => {
     if (isExact) return pick(...usual, 5, 10, 25, 50);
-    return chance(0.6) ? pick(...usual) : draw.log(0.2, 400);
+    if (chance(0.55)) return pick(...usual);
+    return chance(0.85) ? draw.log(0.2, 400) : draw.log(0.001, 1e6);
   };
   /** A place of its own, or one that has to do with another disc or with her start. */
   const place = (r: number): { x: number; y: number } => {
@@ -50,7 +51,11 @@ export function mixedScene(seed: number): RandomScene {
       const far = pick(0, 0, other.radius, other.radius + r, Math.abs(other.radius - r));
       return { x: other.x + dx * far, y: other.y + dy * far };
     }
-    return { x: originX + snap(draw.between(-spread, spread)), y: originY + snap(draw.between(-spread, spread)) };
+    const near = { x: originX + snap(draw.between(-spread, spread)), y: originY + snap(draw.between(-spread, spread)) };
+    if (r <= spread) return near;
+    // of a disc that is larger than all the rest its rim is near
+    const [dx, dy] = pick(...EXACT_DIRECTIONS);
+    return { x: near.x + dx * r, y: near.y + dy * r };
   };
   const disc = (r: number): Disc => {
     const made = { ...place(r), radius: r };
@@ -75,7 +80,7 @@ export function mixedScene(seed: number): RandomScene {
   const list = <T>(most: number, make: () => T): T[] => (chance(0.5) ? [] : Array.from({ length: 1 + draw.int(most - 1) }, make));
   const withId = <T>(object: T) => ({ id: null, ...object });
 
-  const range = chance(0.7) ? pick(250, 300, 400, 600) : snap(draw.log(60, 5000)) || 100;
+  const range = chance(0.7) ? pick(250, 300, 400, 600) : snap(chance(0.8) ? draw.log(60, 5000) : draw.log(0.001, 1e6)) || 100;
   const first = Math.min(0.7 * range, spread);
   const asteroids = Array.from({ length: 1 + draw.int(pick(0, 1, 2, 4)) }, (_, i) => {
     const hot = chance(0.2);
@@ -134,7 +139,7 @@ export function mixedScene(seed: number): RandomScene {
     ...(Object.keys(rules).length === 0 ? {} : { rules }),
     runs: [],
   };
-  const maxTime = pick(2, 4, 4, 8);
+  const maxTime = pick(2, 4, 4, 8, 8, 20);
   return { level, holds: holdsOf(draw, maxTime * 60), maxTime };
 
   function startVelocity(): { vx: number; vy: number } {

@@ -76,12 +76,28 @@ describe('the reference with 32 digits', () => {
     expect(Math.abs(Number(energy - atStart) / 1e36)).toBeLessThan(1e-24);
   });
 
-  it('says where it does not know how to go on: at rest on a rim between a pull inwards and a push outwards', () => {
+  it('slides on a rim between a pull inwards and a push outwards, as fast as she was', () => {
+    const level = plainLevel({
+      range: 400,
+      asteroids: [{ x: 0, y: 0, radius: 16 }],
+      astronaut: { x: 50, vy: 3 },
+      repulsors: [{ x: 0, y: 0, radius: 50 }],
+    });
+    const { end, slides } = from(level, [[0, 600]], 600);
+    expect([...slides]).toEqual(['field']);
+    expect(toNumber(end.at.x)).toBeCloseTo(50 * Math.cos(0.6), 13);
+    expect(toNumber(end.at.y)).toBeCloseTo(50 * Math.sin(0.6), 13);
+  });
+
+  it('says where it does not know how to go on: at rest on two rims between a pull inwards and a push outwards', () => {
     const level = plainLevel({
       range: 400,
       asteroids: [{ x: 0, y: 0, radius: 16 }],
       astronaut: { x: 50 },
-      repulsors: [{ x: 0, y: 0, radius: 50 }],
+      repulsors: [
+        { x: 0, y: 0, radius: 50 },
+        { x: 20, y: 0, radius: 30 },
+      ],
     });
     expect(() => from(level, [[0, 60]], 60)).toThrow(NotCovered);
   });
