@@ -1,5 +1,12 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
-import { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../engine/basics/index.ts';
+import {
+  ACCURACIES,
+  ACCURACY_LIMITS,
+  type Accuracy,
+  type AccuracyName,
+  accuracyOf,
+  DEFAULT_ACCURACY,
+} from '../engine/basics/index.ts';
 import type { Configuration } from './configuration.ts';
 import { Failure } from './failure.ts';
 import { numberOption } from './options.ts';
@@ -13,9 +20,7 @@ export interface AccuracyOptions {
   readonly contact?: 'frame' | 'swept';
 }
 
-const HIGHEST_RATE = 100_000;
-/** px; below this, only the rounding of doubles is left */
-const TIGHTEST = 1e-14;
+const { rate: RATE, tolerance: TOLERANCE } = ACCURACY_LIMITS;
 
 const EXAMPLES = 'for example --integrator rk4 --rate 120, or --integrator taylor --tolerance 1e-6';
 
@@ -35,11 +40,7 @@ export function addAccuracyOptions(command: Command): Command {
         'taylor',
       ]),
     )
-    .option(
-      '--rate <hz>',
-      'custom setting: steps per second, for euler, verlet and rk4',
-      numberOption('steps a second', 0, HIGHEST_RATE),
-    )
+    .option('--rate <hz>', 'custom setting: steps per second, for euler, verlet and rk4', parseRate)
     .option('--tolerance <px>', 'custom setting: error per second, for taylor', parseTolerance)
     .addOption(
       new Option(
@@ -49,10 +50,18 @@ export function addAccuracyOptions(command: Command): Command {
     );
 }
 
+const parseRate = (text: string): number => {
+  const value = numberOption('steps a second', 0, RATE.most)(text);
+  if (value >= RATE.least) return value;
+  throw new InvalidArgumentError(`expected at least ${RATE.least} step a second`);
+};
+
 const parseTolerance = (text: string): number => {
-  const value = numberOption('an error in px', 0, 1)(text);
-  if (value >= TIGHTEST) return value;
-  throw new InvalidArgumentError(`expected an error of at least ${TIGHTEST} px: rounding of doubles exceeds anything smaller`);
+  const value = numberOption('an error in px', 0, TOLERANCE.most)(text);
+  if (value >= TOLERANCE.least) return value;
+  throw new InvalidArgumentError(
+    `expected an error of at least ${TOLERANCE.least} px: rounding of doubles exceeds anything smaller`,
+  );
 };
 
 /**

@@ -46,22 +46,14 @@ export const DEFAULT_ACCURACY: AccuracyName = 'precise';
  */
 export const isAccuracyName = (name: string): name is AccuracyName => Object.hasOwn(ACCURACIES, name);
 
+/** An accuracy without its name. */
+export type Setting = Omit<Accuracy, 'name'>;
+
+/** What rate (Hz) and tolerance (px per second) a custom setting may have. Below the least tolerance, only rounding is left. */
+export const ACCURACY_LIMITS = { rate: { least: 1, most: 100_000 }, tolerance: { least: 1e-14, most: 1 } } as const;
+
 /** The name of a custom setting, for example `rk4 120 Hz, frame`. Swept contacts are not mentioned. */
-function nameOfSetting({ integrator, rate, tolerance, contact }: Omit<Accuracy, 'name'>): string {
+export function nameOfSetting({ integrator, rate, tolerance, contact }: Setting): string {
   const size = rate === null ? `${tolerance?.toExponential()} px` : `${rate} Hz`;
   return `${integrator} ${size}${contact === 'frame' ? ', frame' : ''}`;
-}
-
-const sameSetting = (a: Omit<Accuracy, 'name'>, b: Accuracy): boolean =>
-  a.integrator === b.integrator && a.rate === b.rate && a.tolerance === b.tolerance && a.contact === b.contact;
-
-/**
- * Makes an accuracy of its settings.
- *
- * @param setting - integrator, rate (Hz) or tolerance (px), and contact test
- * @returns the named accuracy with these settings if there is one, otherwise one that is named after its settings
- */
-export function accuracyOf(setting: Omit<Accuracy, 'name'>): Accuracy {
-  const named = Object.values<Accuracy>(ACCURACIES).find((accuracy) => sameSetting(setting, accuracy));
-  return named ?? { name: nameOfSetting(setting), ...setting };
 }

@@ -5,6 +5,7 @@ import { boxOf } from './contact/index.ts';
 import { type EffectSet, explosionsAtStart, strongestOf } from './effects/index.ts';
 import { circlesOf, type IndexedCircles, indexed } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
+import { validAccuracy } from './valid-accuracy.ts';
 
 /** The places in a list of all circles, without those that equal an earlier one. */
 function unlike(list: readonly Circle[]): number[] {
@@ -54,9 +55,10 @@ export function compileWith(included: EffectSet, level: Level, accuracy: Accurac
  * @param scene - the scene
  * @param accuracy - the accuracy
  * @returns the scene that {@link compile} would make
+ * @throws {RangeError} when the accuracy is none
  */
 export const atAccuracy = (scene: Scene, accuracy: Accuracy): Scene =>
-  accuracy === scene.accuracy ? scene : sceneAt(scene, accuracy);
+  accuracy === scene.accuracy ? scene : sceneAt(scene, validAccuracy(accuracy));
 
 /** What is the same at all accuracies. */
 type Prepared = Omit<Scene, 'accuracy' | 'aliens'> & { readonly aliens: IndexedCircles };

@@ -1,8 +1,9 @@
 import type { Level } from '../schema/basics/index.ts';
-import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
+import { type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
 import { compileWith } from './compile-with.ts';
 import { ALL_EFFECTS } from './effects/index.ts';
 import type { Scene } from './scene.ts';
+import { validAccuracy } from './valid-accuracy.ts';
 
 /**
  * Prepares a level for simulation at one accuracy: chooses the effects that the level calls for and lays its objects out in
@@ -12,6 +13,7 @@ import type { Scene } from './scene.ts';
  * its radii to be positive
  * @param accuracy - the name of an accuracy, or a custom setting from {@link accuracyOf}; {@link DEFAULT_ACCURACY} when left
  * out
+ * @throws {RangeError} when the accuracy is none, or a custom setting contradicts itself
  * @returns the scene; it is never changed afterwards and may be shared by any number of simulations
  *
  * @example
@@ -27,5 +29,5 @@ import type { Scene } from './scene.ts';
  * ```
  */
 export function compile(level: Level, accuracy: AccuracyName | Accuracy = DEFAULT_ACCURACY): Scene {
-  return compileWith(ALL_EFFECTS, level, typeof accuracy === 'string' ? ACCURACIES[accuracy] : accuracy);
+  return compileWith(ALL_EFFECTS, level, validAccuracy(accuracy));
 }

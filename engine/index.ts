@@ -1,4 +1,15 @@
-export * from './accuracy.ts';
+export {
+  ACCURACIES,
+  ACCURACY_LIMITS,
+  type Accuracy,
+  type AccuracyName,
+  type ContactTest,
+  DEFAULT_ACCURACY,
+  type Integrator,
+  isAccuracyName,
+  type Setting,
+} from './accuracy.ts';
+export { accuracyOf } from './accuracy-of.ts';
 export type { Circles } from './circles.ts';
 export type { Clearance } from './clearance.ts';
 export { compile } from './compile.ts';

@@ -1,6 +1,7 @@
 // What options and reports need of the engine. The engine itself takes longer to load than node takes to start, and a check whose
 // reports are all in the cache needs no engine.
-export { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCURACY } from '../accuracy.ts';
+export { ACCURACIES, ACCURACY_LIMITS, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from '../accuracy.ts';
+export { accuracyOf } from '../accuracy-of.ts';
 export { DEFAULT_MAX_TIME, TICK, TICK_RATE } from '../constants.ts';
 export { MORE_WARNINGS } from '../more-warnings.ts';
 export { joinHolds } from '../script.ts';

@@ -123,3 +123,71 @@ describe.each(continuousNames)('a jump while the gun is held, %s', (accuracy) =>
     expect(endOf(10 + 4, 0, 3.5).isAtOnce).toBe(false);
   });
 });
+
+describe.each(accuracyNames)('mouths that share their exit, pulled into one, %s', (accuracy) => {
+  it('let her out, though fixed steps put her beside their rims and other events reset what happened last', () => {
+    let jumped = 0;
+    fc.assert(
+      fc.property(
+        fc.record({
+          vx: fc.integer({ min: -300, max: 300 }),
+          vy: fc.integer({ min: -300, max: 300 }),
+          pull: fc.integer({ min: 39, max: 1000 }),
+          x: fc.integer({ min: -60, max: 60 }),
+          radius: fc.constantFrom(20, 40, 60),
+          aliens: fc.integer({ min: 0, max: 2 }),
+        }),
+        ({ vx, vy, pull, x, radius, aliens }) => {
+          const [exitX, exitY] = [3000, 4000];
+          // an alien that loses sight of her and one that sees her, at the very instant of the jump
+          const where = [-70, exitX + 60].slice(0, aliens).map((at) => ({ x: at, y: at < 0 ? 300 : exitY + 200, radius: 7 }));
+          const make = (sharing: number): Level => ({
+            ...withMouths(
+              {
+                astronaut: { vx, vy },
+                range: 5000,
+                asteroids: [{ x, y: 90, radius: 16 }],
+                aliens: where,
+              },
+              [x, 90, exitX, exitY, radius],
+              ...Array.from({ length: sharing }, (_, k): Mouths => [-9000 - 500 * k, 0, exitX, exitY, radius]),
+            ),
+            rules: { pull, alienSight: 400 },
+          });
+          const holds: Hold[] = [[0, 600]];
+          const run = (sharing: number) => {
+            const { events, final } = simulate(compile(make(sharing), accuracy), holds, { maxTime: 1 });
+            return { jumps: events.flatMap((event) => (event.type === 'effect' ? [event.index] : [])), final };
+          };
+          const alone = run(0);
+          if (alone.jumps.length > 0) jumped++;
+          const { jumps, final } = run(2);
+          expect(jumps).toEqual(alone.jumps);
+          expect(Math.hypot(final.x - alone.final.x, final.y - alone.final.y)).toBeLessThan(1e-6);
+        },
+      ),
+      { numRuns: 40 },
+    );
+    expect(jumped).toBeGreaterThan(5);
+  });
+});
+
+describe.each(accuracyNames)('a wormhole to which she comes back, %s', (accuracy) => {
+  it('takes her once, although an alien falls asleep at that instant', () => {
+    const level = withMouths(
+      {
+        astronaut: { vx: -400, vy: -500 },
+        blackHole: { x: 700, y: -800 },
+        range: 2000,
+        asteroids: [{ x: 30, y: 80, radius: 1 }],
+        aliens: [{ x: -70, y: 10, radius: 30 }],
+      },
+      [-70, 0, -14, 113, 60],
+    );
+    const { events, outcome } = simulate(compile(level, accuracy), [[0, 30]], { maxTime: 0.5 });
+    const times = events.flatMap(({ type, time }) => (type === 'effect' ? [time] : []));
+    expect(times).toHaveLength(3);
+    expect(Math.min(times[1] - times[0], times[2] - times[1])).toBeGreaterThan(0.1);
+    expect(outcome).toBe('timeout');
+  });
+});

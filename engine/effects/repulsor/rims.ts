@@ -13,7 +13,7 @@ export const enterField = eventRule({
   list: (m) => listRims(m, enterField, m.scene.repulsors),
   guard(m, i, from) {
     if (m.s[RIM] === i) return;
-    offerCrossing(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, enterField, leaveField, from);
+    offerCrossing(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, enterField, leaveField, from, false);
   },
   quiet: (m, i, time) => quietAtRim(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, time),
   fire: (m, i, _b, time) => cross(m, i, true, time),

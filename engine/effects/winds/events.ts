@@ -42,7 +42,7 @@ export const wind: SteadyForce = {
 export const enterWind = eventRule({
   name: 'wind',
   list: (m) => listRims(m, enterWind, preparedWinds(m.scene)),
-  guard: (m, i, from) => offerCrossing(m, preparedWinds(m.scene), i, blows(m, i), enterWind, leaveWind, from),
+  guard: (m, i, from) => offerCrossing(m, preparedWinds(m.scene), i, blows(m, i), enterWind, leaveWind, from, false),
   quiet: (m, i, time) => quietAtRim(m, preparedWinds(m.scene), i, blows(m, i), time),
   fire: (m, i, _b, time) => cross(m, i, true, time),
 });

@@ -23,7 +23,7 @@ export const enterMouth = eventRule({
   isOver: (m, mouth) => !matters(m, mouth),
   guard(m, mouth, from) {
     if (!matters(m, mouth)) return;
-    offerCrossing(m, preparedMouths(m.scene), mouth, m.s[slotOf(m, mouth)] !== OPEN, enterMouth, leaveMouth, from);
+    offerCrossing(m, preparedMouths(m.scene), mouth, m.s[slotOf(m, mouth)] !== OPEN, enterMouth, leaveMouth, from, true);
   },
   quiet(m, mouth, time) {
     if (!matters(m, mouth)) return time;
@@ -35,7 +35,10 @@ export const enterMouth = eventRule({
     const exit = otherMouth(mouth);
     countCrossing(m, time);
     m.recorder?.event({ time, type: 'effect', effect: 'wormholes', what: 'jump', index: mouth >> 1 });
+    // fixed steps, or a chatter between rims, may have put her beside the rim
+    const late = Math.abs(depthIn(m, mouth));
     moveBy(m, x[exit] - x[mouth], y[exit] - y[mouth], time);
+    stayPut(m, late);
     s[slotOf(m, mouth)] = inMouth(exit);
     s[LAST_EVENT] = leaveMouth.kind;
     s[LAST_A] = exit;
@@ -63,21 +66,31 @@ function goesOnIn(m: Motion, mouth: number): boolean {
   const { x, y, r } = preparedMouths(m.scene);
   const dx = s[BASE_X] + ux[0] - (x[mouth] - m.originX);
   const dy = s[BASE_Y] + uy[0] - (y[mouth] - m.originY);
-  const depth = r[mouth] - Math.sqrt(dx * dx + dy * dy);
+  const depth = depthIn(m, mouth);
   if (Math.abs(depth) > roundingOnRim(m, x[mouth], y[mouth], r[mouth])) return depth > 0;
   return dx * (ux[1] + px[1]) + dy * (uy[1] + py[1]) < 0;
 }
 
+/** How far inside the rim of a mouth she is, px. */
+function depthIn(m: Motion, mouth: number): number {
+  const { s, ux, uy } = m;
+  const { x, y, r } = preparedMouths(m.scene);
+  const dx = s[BASE_X] + ux[0] - (x[mouth] - m.originX);
+  const dy = s[BASE_Y] + uy[0] - (y[mouth] - m.originY);
+  return r[mouth] - Math.sqrt(dx * dx + dy * dy);
+}
+
 /** She starts: no mouth that contains her fires now. */
-export const startInMouths = (m: Motion): void => stayPut(m, false);
+export const startInMouths = (m: Motion): void => stayPut(m, null);
 
 /** She was moved to a place: no mouth that contains it, or on whose rim it is, fires now. */
-export const arriveInMouths = (m: Motion): void => stayPut(m, true);
+export const arriveInMouths = (m: Motion): void => stayPut(m, 0);
 
-function stayPut(m: Motion, onRim: boolean): void {
+/** @param late - as for {@link stateAt} */
+function stayPut(m: Motion, late: number | null): void {
   const mouths = preparedMouths(m.scene);
   const { s, ux, uy, originX, originY } = m;
   for (let w = 0; 2 * w < mouths.count; w++) {
-    s[m.own.wormholes + w] = stateAt(mouths, w, s[BASE_X] + ux[0], s[BASE_Y] + uy[0], originX, originY, onRim);
+    s[m.own.wormholes + w] = stateAt(mouths, w, s[BASE_X] + ux[0], s[BASE_Y] + uy[0], originX, originY, late);
   }
 }

@@ -9,7 +9,7 @@ export const wormholeFrame: FrameRule = {
   layOut(scene, s, at) {
     const mouths = preparedMouths(scene);
     const { x, y } = scene.level.astronaut;
-    for (let w = 0; 2 * w < mouths.count; w++) s[at + w] = stateAt(mouths, w, x, y, 0, 0, false);
+    for (let w = 0; 2 * w < mouths.count; w++) s[at + w] = stateAt(mouths, w, x, y, 0, 0, null);
   },
   isBusy(scene, s, at) {
     const count = preparedMouths(scene).count / 2;
@@ -20,7 +20,7 @@ export const wormholeFrame: FrameRule = {
     const { scene, s } = frame;
     const mouths = preparedMouths(scene);
     const { x, y } = frame;
-    for (let w = 0; 2 * w < mouths.count; w++) if (s[at + w] !== OPEN) s[at + w] = stateAt(mouths, w, x, y, 0, 0, false);
+    for (let w = 0; 2 * w < mouths.count; w++) if (s[at + w] !== OPEN) s[at + w] = stateAt(mouths, w, x, y, 0, 0, null);
     for (const mouth of near) {
       const w = mouth >> 1;
       if (s[at + w] !== OPEN) continue;
@@ -30,7 +30,7 @@ export const wormholeFrame: FrameRule = {
       const exit = otherMouth(mouth);
       frame.x += mouths.x[exit] - mouths.x[mouth];
       frame.y += mouths.y[exit] - mouths.y[mouth];
-      for (let other = 0; 2 * other < mouths.count; other++) s[at + other] = stateAt(mouths, other, frame.x, frame.y, 0, 0, true);
+      for (let other = 0; 2 * other < mouths.count; other++) s[at + other] = stateAt(mouths, other, frame.x, frame.y, 0, 0, 0);
       s[at + w] = inMouth(exit);
       frame.tell?.({ time: frame.number * TICK, type: 'effect', effect: 'wormholes', what: 'jump', index: w });
       return;

@@ -34,8 +34,8 @@ const ROUNDING = 1e-14;
  * State of a wormhole for her place, if she came there other than by her own motion or has just been in a mouth of it.
  * @param originX - x of the origin that the place is relative to, px
  * @param originY - y of that origin, px
- * @param onRim - whether a rim counts as inside, as far as rounding can tell. It does where a wormhole has put her: she comes
- * out on the rim of its other mouth, and other mouths may have the same rim
+ * @param late - how far from a rim she may be and still count as inside, in addition to rounding, px; null if only what contains
+ * her counts. A wormhole puts her on the rim of its other mouth, and other mouths may have the same rim
  */
 export function stateAt(
   { x, y, r }: IndexedCircles,
@@ -44,13 +44,13 @@ export function stateAt(
   atY: number,
   originX: number,
   originY: number,
-  onRim: boolean,
+  late: number | null,
 ): number {
   for (let mouth = 2 * wormhole; mouth <= 2 * wormhole + 1; mouth++) {
     const cx = x[mouth] - originX;
     const cy = y[mouth] - originY;
     const far = Math.abs(cx) + Math.abs(cy) + Math.abs(atX) + Math.abs(atY) + r[mouth];
-    const within = r[mouth] + (onRim ? LATE + ROUNDING * far : 0);
+    const within = r[mouth] + (late === null ? 0 : late + LATE + ROUNDING * far);
     if ((atX - cx) * (atX - cx) + (atY - cy) * (atY - cy) < within * within) return inMouth(mouth);
   }
   return OPEN;
