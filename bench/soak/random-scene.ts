@@ -81,7 +81,7 @@ export function randomScene(seed: number): RandomScene {
 }
 
 /** A script as people press: one long hold, taps of one tick, holds back to back, or a rhythm. */
-function randomHolds(random: () => number, lastTick: number): Hold[] {
+export function randomHolds(random: () => number, lastTick: number): Hold[] {
   const longest = [1, 6, 30, 120, 10_000][Math.floor(random() * 5)];
   const pause = [0, 1, 20, 90][Math.floor(random() * 4)];
   const holds: Hold[] = [];
