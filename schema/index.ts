@@ -85,7 +85,6 @@ export { type GameRule, RULES } from './rules.ts';
 export { rulesSchema } from './rules-schema.ts';
 export * from './run-text/index.ts';
 export { isSame } from './same-json.ts';
-export { type StrictJson, strictJson } from './strict-json.ts';
 export type { TextPlace } from './text-place.ts';
 export {
   exportTiled,
