@@ -14,6 +14,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption, maxTimeOption } from '../options.ts';
+import { expectOutput, levelsRead } from '../output-file.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { refuseUnused } from '../unused-options.ts';
 import { visibleLine } from '../visible.ts';
@@ -74,6 +75,7 @@ async function measure(file: string, options: Options, command: Command): Promis
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
   const configuration = readConfiguration(options);
+  if (svg !== undefined) expectOutput(`--svg ${svg}`, svg, { ...levelsRead([file]), 'the configuration': configuration.file });
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;
   const { level } = opened;

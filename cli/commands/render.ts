@@ -14,6 +14,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { maxTimeOption, seedOption, wholeNumberOption } from '../options.ts';
+import { expectOutput, levelsRead } from '../output-file.ts';
 import { loadPngRenderer } from '../png.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import {
@@ -130,6 +131,7 @@ async function render(file: string, options: Options, command: Command): Promise
   }
   expectOneView(options);
   expectUsed(command, options);
+  if (output !== '-') expectOutput(`-o ${output}`, output, { ...levelsRead([file]), 'the configuration': configuration.file });
   const renderPng = kind === '.png' ? await loadPngRenderer() : null;
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;

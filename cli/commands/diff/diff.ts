@@ -1,3 +1,4 @@
+import { existsSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
@@ -16,6 +17,7 @@ import {
 } from '../../diff/index.ts';
 import { Failure } from '../../failure.ts';
 import { formatOption, jobsOption, maxTimeOption } from '../../options.ts';
+import { expectOutput } from '../../output-file.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { visible, visibleLine } from '../../visible.ts';
@@ -100,7 +102,13 @@ async function diff(words: readonly string[], command: Command, options: Options
     if (words.length > 0) throw new Failure(`--textconv takes one file and nothing else, found ${words.join(' ')}`);
     return { output: textOfLevel(readBytes(textconv)), exitCode: 0 };
   }
-  const settings = { accuracy: chooseAccuracy(options, configurationHere()), maxTime, slack };
+  const configuration = configurationHere();
+  const settings = { accuracy: chooseAccuracy(options, configuration), maxTime, slack };
+  if (options.output !== undefined)
+    expectOutput(`-o ${options.output}`, options.output, {
+      'a file that is compared': words.filter((word) => existsSync(word)),
+      'the configuration': configuration.file,
+    });
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
   const result = await diffFiles(comparison, settings, jobs);
   const exitCode = options.exitCode && result.levels.length > 0 ? 1 : 0;
