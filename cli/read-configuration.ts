@@ -6,8 +6,10 @@ import { colorsFor } from './colors.ts';
 import { type ConfigOptions, chosenConfig } from './config-file.ts';
 import { type Configuration, noConfiguration, type ReporterChoice } from './configuration.ts';
 import { Failure } from './failure.ts';
+import { whyOutside } from './inside-repository.ts';
 import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
+import { namedPath } from './shown-path.ts';
 import type { ConfiguredTerms } from './terms.ts';
 
 /**
@@ -18,10 +20,41 @@ import type { ConfiguredTerms } from './terms.ts';
 export function readConfiguration(options: ConfigOptions, folder: string = process.cwd()): Configuration {
   const file = chosenConfig(options, folder);
   if (file === null) return noConfiguration();
-  const read = readConfig(readBytes(file));
-  if (read.ok) return configurationOf(file, read.config);
+  const bytes = readBytes(file);
+  const read = readConfig(bytes);
+  if (read.ok) {
+    expectInside(file, bytes, read.config);
+    return configurationOf(file, read.config);
+  }
   const problems = showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr));
   throw new Failure(`nothing was done: the configuration is not valid:\n${problems.trimEnd()}`);
+}
+
+/**
+ * Paths of a configuration stay in its repository, whichever of them a command uses.
+ * @throws Failure with the place of the first that does not
+ */
+function expectInside(file: string, bytes: Uint8Array, { levels, reporters, lock, cache }: ConfigFile): void {
+  const paths: readonly (readonly [text: string, path: string])[] = [
+    ...listOf(levels ?? []).map((path) => [path, path] as const),
+    ...(reporters ?? []).filter((text) => text.includes('=')).map((text) => [text, text.slice(text.indexOf('=') + 1)] as const),
+    ...[lock, cache].filter((path) => typeof path === 'string').map((path) => [path, path] as const),
+  ];
+  for (const [text, path] of paths) {
+    const why = whyOutside(dirname(resolve(file)), path);
+    if (why === null) continue;
+    throw new Failure(
+      `nothing was done: ${namedPath(file)}${placeOf(bytes, text)}: ${JSON.stringify(text)} ${why}: expected a path inside of the repository of the configuration; an argument of the command line may name any path`,
+    );
+  }
+}
+
+/** `:3:14`, where a text stands in a file; '' if it is written in another way. */
+function placeOf(bytes: Uint8Array, text: string): string {
+  const before = Buffer.from(bytes).toString('utf8').split(JSON.stringify(text), 2);
+  if (before.length < 2) return '';
+  const lines = before[0].split('\n');
+  return `:${lines.length}:${lines[lines.length - 1].length + 1}`;
 }
 
 const listOf = (one: string | readonly string[]): readonly string[] => (typeof one === 'string' ? [one] : one);

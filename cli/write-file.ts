@@ -1,24 +1,12 @@
-import { closeSync, existsSync, lstatSync, openSync, readlinkSync, realpathSync, statSync, writeFileSync } from 'node:fs';
-import { dirname, resolve } from 'node:path';
+import { closeSync, existsSync, lstatSync, openSync, statSync, writeFileSync } from 'node:fs';
+import { dirname } from 'node:path';
 import { renamePatiently, replaceFile } from './disk.ts';
 import { Failure, systemReason } from './failure.ts';
 import { LineWriter } from './line-writer.ts';
+import { realTarget } from './real-target.ts';
 import { shellPath } from './shown-path.ts';
 import { hearSignals, uncut, withUndo } from './signals.ts';
 import { whyNotWritable } from './writable.ts';
-
-/** Resolves the links of a path, even if its target does not exist yet. */
-function followed(path: string): string {
-  const stats = lstatSync(path, { throwIfNoEntry: false });
-  if (stats === undefined) return path;
-  try {
-    return realpathSync(path);
-  } catch (error) {
-    if ((error as NodeJS.ErrnoException).code !== 'ENOENT' || !stats.isSymbolicLink()) throw error;
-    // the target may be another link; a cycle is impossible here, as the system has already reported ENOENT
-    return followed(resolve(realpathSync(dirname(path)), readlinkSync(path)));
-  }
-}
 
 /** Whether something is there that is no file. A pipe behind /dev/stdout has no path of its own, so links are not followed by name. */
 function isDevice(path: string): boolean {
@@ -34,7 +22,7 @@ export async function writeWhole(path: string, content: string | Uint8Array): Pr
   const bytes = typeof content === 'string' ? Buffer.from(content) : content;
   // writing may wait for a reader, and a signal must be able to end that
   if (isDevice(path)) return tryTo(path, () => writeFileSync(path, bytes));
-  const target = tryTo(path, () => followed(path));
+  const target = tryTo(path, () => realTarget(path));
   await uncut(() => tryTo(path, () => replace(target, bytes)));
 }
 
@@ -52,7 +40,7 @@ export async function writePieces(path: string, pieces: Iterable<string>): Promi
     }
     return;
   }
-  const target = tryTo(path, () => followed(path));
+  const target = tryTo(path, () => realTarget(path));
   const why = existsSync(target) ? whyNotWritable(target) : null;
   if (why !== null) throw new Failure(`${path}: can't be written: ${why}`);
   const out = tryTo(path, () => new LineWriter(target));
@@ -80,7 +68,7 @@ const SLICE = 20;
 /** The same within work that no signal may interrupt; only for a regular file, or a path without a file. */
 export function replaceRegular(path: string, content: Uint8Array): void {
   tryTo(path, () => {
-    const target = followed(path);
+    const target = realTarget(path);
     if (statSync(target, { throwIfNoEntry: false })?.isFile() === false) throw new Error('it is not a regular file');
     replace(target, content);
   });

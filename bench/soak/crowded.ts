@@ -25,12 +25,16 @@ export function crowded(random: () => number, name: string): LevelFile {
     const x = far * (2 * random() - 1);
     const y = far * (2 * random() - 1);
     const apart = pick(0, 1e-9, 1e-3, 1, 100);
+    const width = pick(300, 1000, 1000, 5000);
+    const spread = (): { x: number; y: number } => ({ x: width * (2 * random() - 1), y: width * (2 * random() - 1) });
     return pick<Place>(
       () => ({ x, y }),
       (i) => ({ x: x + apart * i, y }),
       (i) => ({ x: x + apart * i, y: y + 0.37 * apart * i }),
       () => ({ x: x + apart * random(), y: y + apart * random() }),
-      () => ({ x: 1000 * (2 * random() - 1), y: 1000 * (2 * random() - 1) }),
+      spread,
+      spread,
+      spread,
       // around her, where aliens see her
       (i, n) => {
         const at = pick(1, 1, 0.9999) * 150 * Math.sqrt((i + 1) / n);
@@ -39,7 +43,7 @@ export function crowded(random: () => number, name: string): LevelFile {
     );
   };
   const radii = (): (() => number) => {
-    const least = pick(1e-3, 1e-3, 1, 25, 400, 1e4, 5e5, 1e6);
+    const least = pick(1e-3, 1, 25, 400, 1e4, 1e6, 1e6, 1e6);
     const same = chance(0.5);
     return () => Math.min(1e6, least * (same ? 1 : 1 + random()));
   };
@@ -57,7 +61,7 @@ export function crowded(random: () => number, name: string): LevelFile {
     };
     return Array.from({ length: count }, (_, i) => ({ ...rounded(place(i, count)), radius: radius(), ...more(i, count) }));
   };
-  const main = pick(...LISTS);
+  const main = pick('aliens' as const, 'aliens' as const, ...LISTS);
   const level: LevelFile = {
     version: 1,
     name,

@@ -14,6 +14,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption } from '../options.ts';
+import { expectOutput, levelsRead } from '../output-file.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { addTermsOptions, customAccuracy, type TermsOptions, termsFrom } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
@@ -72,7 +73,9 @@ async function measure(file: string, options: Options, command: Command): Promis
   const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
-  const terms = termsFrom(options, readConfiguration(options));
+  const configuration = readConfiguration(options);
+  if (svg !== undefined) expectOutput(`--svg ${svg}`, svg, { ...levelsRead([file]), 'the configuration': configuration.file });
+  const terms = termsFrom(options, configuration);
   const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
   const { level } = opened;

@@ -13,6 +13,7 @@ import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
 import { seedOption, wholeNumberOption } from '../options.ts';
+import { expectOutput, levelsRead } from '../output-file.ts';
 import { loadPngRenderer } from '../png.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import {
@@ -117,7 +118,8 @@ Examples:
 
 async function render(file: string, options: Options, command: Command): Promise<CommandResult> {
   const { output, width, theme } = options;
-  const terms = termsFrom(options, readConfiguration(options));
+  const configuration = readConfiguration(options);
+  const terms = termsFrom(options, configuration);
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
     throw new Failure(
@@ -126,6 +128,7 @@ async function render(file: string, options: Options, command: Command): Promise
   }
   expectOneView(options);
   expectUsed(command, options);
+  if (output !== '-') expectOutput(`-o ${output}`, output, { ...levelsRead([file]), 'the configuration': configuration.file });
   const renderPng = kind === '.png' ? await loadPngRenderer() : null;
   const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;

@@ -1,9 +1,10 @@
-import { existsSync, lstatSync, realpathSync, statSync } from 'node:fs';
-import { basename, dirname, join, resolve } from 'node:path';
+import { lstatSync, statSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
 import { Option } from 'commander';
 import { didYouMean } from '../did-you-mean.ts';
 import { Failure, systemReason } from '../failure.ts';
-import { entryName } from '../packs/index.ts';
+import { type Inputs, Outputs, standing } from '../output-file.ts';
+import { realTarget } from '../real-target.ts';
 import { namedPath } from '../shown-path.ts';
 import { whyNotWritable } from '../writable.ts';
 import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
@@ -78,21 +79,16 @@ function parse(text: string, given: string): Destination {
 }
 
 /**
- * Checks before the work that the reports can be written.
- * @param levels the level files that are read, which no report may replace
- * @param others files besides that no report may replace, by what each of them is in words; null: there is none
+ * Checks before the work that the reports can be written, and that they replace no file but an earlier report.
+ * @param inputs files that no report may replace
+ * @param force whether a report may replace a file that is none; never one of the inputs, nor a level
  * @throws Failure for each file that can't be written
  */
-export function expectReportFiles(
-  reports: readonly Destination[],
-  levels: readonly string[],
-  others: Readonly<Record<string, string | readonly string[] | null>>,
-): void {
+export function expectReportFiles(reports: readonly Destination[], inputs: Inputs, force: boolean): void {
   const files = reports.flatMap(({ name, file }) => (file === null ? [] : [{ name, file }]));
   if (files.length === 0) return;
   const seen = new Map<string, string>();
-  const read = new Map(levels.map((level) => [identity(fileOf(level)), 'a level that is checked']));
-  for (const [what, paths] of Object.entries(others)) for (const path of [paths ?? []].flat()) read.set(identity(path), what);
+  const outputs = new Outputs(inputs);
   const wrong: string[] = [];
   for (const { name, file } of files) {
     const given = `--reporter ${name}=${file}`;
@@ -101,14 +97,26 @@ export function expectReportFiles(
       wrong.push(`${given}: ${namedPath(file)} can't be written: ${why}`);
       continue;
     }
-    const id = identity(file);
+    const id = realTarget(file);
     const other = seen.get(id);
+    const replaced = outputs.wouldReplace(file);
     if (other !== undefined) wrong.push(`${given}: ${other} writes the same file; give each report a file of its own`);
-    else if (read.has(id)) wrong.push(`${given}: the report would replace ${read.get(id)}; give it another file`);
+    else if (replaced !== null) wrong.push(`${given}: the report would replace ${replaced}; give it another file`);
+    else if (!force && isOther(file))
+      wrong.push(
+        `${given}: the report would replace ${namedPath(file)}, which is no report of gq; give it another file, or --force to replace it`,
+      );
     if (isRegularOrNew(file)) seen.set(id, given);
   }
   if (wrong.length > 0) throw new Failure(`nothing was checked: ${wrong.join('\n')}`);
 }
+
+/** Whether a file is there that is no report. */
+const isOther = (file: string): boolean =>
+  statSync(file, { throwIfNoEntry: false })?.isFile() === true && standing(file) === 'other';
+
+export const forceReportsOption = (): Option =>
+  new Option('--force', 'let a report replace a file that is no report of gq; a level, and what is read, is never replaced');
 
 /** Why no report can be written to a file; null if one can. The folders above it may be missing. */
 function whyNoReport(file: string): string | null {
@@ -130,25 +138,6 @@ function whyNoReport(file: string): string | null {
     }
   } catch (error) {
     return systemReason(error);
-  }
-}
-
-/** The file of a level: for an entry of a pack, the pack. */
-function fileOf(level: string): string {
-  const entry = existsSync(level) ? null : entryName(level);
-  return entry === null ? level : entry.pack;
-}
-
-/** The same text for paths that lead to the same file. */
-function identity(file: string): string {
-  const full = resolve(file);
-  for (let folder = full, below: string[] = []; ; below = [basename(folder), ...below], folder = dirname(folder)) {
-    try {
-      return join(realpathSync(folder), ...below);
-    } catch {
-      // the part of the path that does not exist yet is taken as it is
-      if (dirname(folder) === folder) return full;
-    }
   }
 }
 

@@ -1,4 +1,11 @@
-export { chooseReports, type Destination, expectReportFiles, reporterOption, reportFormatOption } from './destinations.ts';
+export {
+  chooseReports,
+  type Destination,
+  expectReportFiles,
+  forceReportsOption,
+  reporterOption,
+  reportFormatOption,
+} from './destinations.ts';
 export { pathInWorkspace } from './paths.ts';
 export { placesOf } from './places.ts';
 export { reportCheck } from './report-check.ts';

@@ -169,8 +169,9 @@ describe.runIf(process.platform !== 'win32')('special files', () => {
 
   it('a read-only file is not changed, even by root', async () => {
     const text = readFileSync(at('b.level.json'), 'utf8');
-    for (const name of ['b.level.json', 'drawn.svg', 'level-01.level.json']) {
-      if (name !== 'b.level.json') writeFileSync(at(name), text);
+    const texts = { 'b.level.json': text, 'drawn.svg': '<svg/>', 'level-01.level.json': text };
+    for (const [name, content] of Object.entries(texts)) {
+      if (name !== 'b.level.json') writeFileSync(at(name), content);
       chmodSync(at(name), 0o444);
     }
     const [fmt, solve, render, imported] = await Promise.all([
@@ -185,7 +186,7 @@ describe.runIf(process.platform !== 'win32')('special files', () => {
       expect(code).toBe(2);
       expect(stderr).toMatch(/writ.*(?:read-only \(mode 444\)|permission denied)/);
     }
-    for (const name of ['b.level.json', 'drawn.svg', 'level-01.level.json']) expect(readFileSync(at(name), 'utf8')).toBe(text);
+    for (const [name, content] of Object.entries(texts)) expect(readFileSync(at(name), 'utf8')).toBe(content);
     expect(existsSync(at('level-02.level.json'))).toBe(false);
     expect(readdirSync(here).filter((name) => name.includes('tmp'))).toEqual([]);
   });

@@ -26,10 +26,18 @@ import { unreadableFolders } from '../../files.ts';
 import type { FoundPack } from '../../found-pack.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { jobsOption, wholeNumberOption } from '../../options.ts';
+import { levelsRead } from '../../output-file.ts';
 import type { CheckedPack } from '../../pack-file/index.ts';
 import { firstPack } from '../../packs/index.ts';
 import { createProgress } from '../../progress.ts';
-import { chooseReports, expectReportFiles, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
+import {
+  chooseReports,
+  expectReportFiles,
+  forceReportsOption,
+  reportCheck,
+  reporterOption,
+  reportFormatOption,
+} from '../../reporters/index.ts';
 import { addSearchOptions } from '../../search-options.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
@@ -47,6 +55,7 @@ interface CheckOptions extends ConfigOptions, AskedOptions, CacheOptions, ShardO
   readonly quiet?: true;
   readonly format?: string;
   readonly reporter?: readonly string[];
+  readonly force?: true;
   readonly jobs: number;
   /** false with --no-lock */
   readonly lock?: string | false;
@@ -82,6 +91,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
     .addOption(reportFormatOption())
     .addOption(reporterOption())
+    .addOption(forceReportsOption())
     .addOption(editorUrlOption())
     .addOption(jobsOption(availableParallelism()))
     .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
@@ -194,7 +204,8 @@ async function check(
   // a level from standard input without a name is in no lock
   const configuredLock = input !== null && options.stdinPath === undefined ? null : configuration.lock;
   const lockFile = (options.lock ?? configuredLock) || (options.updateLock ? 'gq.lock.json' : null);
-  expectReportFiles(reports, files, { 'the lock': lockFile, 'the configuration': configuration.file });
+  const inputs = { ...levelsRead(files), 'the lock': lockFile, 'the configuration': configuration.file };
+  expectReportFiles(reports, { ...inputs, 'the order of a pack': found.map(({ file }) => file) }, options.force === true);
   const pack = input === null ? firstPack(files) : undefined;
   if (pack !== undefined) refuseForPacks(pack, { ...options, lock: lockFile });
   const asked = settingsFor(options, configuration, files.length);

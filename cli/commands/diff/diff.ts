@@ -1,9 +1,11 @@
+import { existsSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import { colorsFor, PLAIN } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
+import { findConfig } from '../../config-file.ts';
 import {
   chooseComparison,
   type Diff,
@@ -15,6 +17,7 @@ import {
 } from '../../diff/index.ts';
 import { Failure } from '../../failure.ts';
 import { formatOption, jobsOption } from '../../options.ts';
+import { expectOutput } from '../../output-file.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { addTermsOptions, type TermsOptions } from '../../terms.ts';
 import { visible, visibleLine } from '../../visible.ts';
@@ -84,6 +87,11 @@ async function diff(words: readonly string[], command: Command, options: Options
     if (words.length > 0) throw new Failure(`--textconv takes one file and nothing else, found ${words.join(' ')}`);
     return { output: textOfLevel(readBytes(textconv)), exitCode: 0 };
   }
+  if (options.output !== undefined)
+    expectOutput(`-o ${options.output}`, options.output, {
+      'a file that is compared': words.filter((word) => existsSync(word)),
+      'the configuration': findConfig(),
+    });
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
   const settings = { terms: termsOfSides(comparison, options), slack };
   const result = await diffFiles(comparison, settings, jobs);

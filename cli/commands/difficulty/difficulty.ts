@@ -25,6 +25,7 @@ import { unreadableFolders } from '../../files.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
 import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../../options.ts';
+import { expectOutput, levelsRead } from '../../output-file.ts';
 import { firstPack } from '../../packs/index.ts';
 import { createProgress, createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
@@ -137,6 +138,9 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     if (unreadable.length > 0) throw unreadableFolders(unreadable);
     return reportWhole('difficulty', asked, files, [{ name: format, file: null }], 'measured', { jobs });
   }
+  const inputs = { ...levelsRead(files), 'the configuration': configuration.file, 'a play': options.plays ?? null };
+  for (const [option, file] of Object.entries({ svg, picture }))
+    if (file !== undefined) expectOutput(`--${option} ${file}`, file, inputs);
   const plays = options.plays === undefined ? null : await readPlays(options.plays, files, settings, jobs);
   const progress = createProgress('measured', files.length);
   const levels = await measureLevels(files, settings, plays?.levels ?? null, jobs, progress.update);

@@ -10,6 +10,7 @@ import { Failure } from '../../failure.ts';
 import { statOrError } from '../../files.ts';
 import { findConfigured } from '../../level-paths.ts';
 import { formatOption } from '../../options.ts';
+import { expectOutput, levelsRead } from '../../output-file.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
@@ -124,6 +125,8 @@ async function exportLevels(paths: readonly string[], options: ExportOptions): P
     const message = `nothing was written: the original game does not have what these levels have; --drop leaves ${thing} out\n`;
     return { messages: shown(made.refused) + message, exitCode: 1 };
   }
+  const inputs = { ...levelsRead(files), 'the configuration': configuration.file };
+  for (const { file } of made.files) if (file !== '-') expectOutput(`-o ${file}`, file, inputs);
   return write(made, options);
 }
 

@@ -14,6 +14,7 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { Failure } from '../../failure.ts';
 import { formatOption } from '../../options.ts';
+import { Outputs } from '../../output-file.ts';
 import { readBytes } from '../../read-bytes.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { schemaReference } from '../../schema-reference.ts';
@@ -84,6 +85,10 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
     const path = join(options.out, `${slug}.level.json`);
     return { level: level.name, ...planFile(path, formatLevel({ $schema, ...level }), 'gq import', MAX_FILE_SIZE) };
   });
+  const outputs = new Outputs({ [namedPath(file)]: file });
+  const onItself = targets.find((target) => outputs.wouldReplaceInput(target.file) !== null);
+  if (onItself !== undefined)
+    throw new Failure(`nothing was written: ${namedPath(onItself.file)} is what is imported; give another --out`);
   const others = differing(targets);
   if (others.length > 0 && options.force !== true) {
     const names = others.map((target) => `  ${target.file}\n`).join('');

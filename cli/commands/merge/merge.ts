@@ -19,7 +19,15 @@ import {
   setPaths,
 } from '../../fleet/index.ts';
 import { jobsOption } from '../../options.ts';
-import { chooseReports, type Destination, expectReportFiles, reporterOption, reportFormatOption } from '../../reporters/index.ts';
+import { levelsRead } from '../../output-file.ts';
+import {
+  chooseReports,
+  type Destination,
+  expectReportFiles,
+  forceReportsOption,
+  reporterOption,
+  reportFormatOption,
+} from '../../reporters/index.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
 import { exitCodeAfter, stoppable } from '../../signals.ts';
 
@@ -33,6 +41,7 @@ interface Options {
   readonly format?: string;
   readonly reporter?: readonly string[];
   readonly output?: string;
+  readonly force?: true;
   readonly quiet?: true;
   readonly jobs: number;
 }
@@ -50,6 +59,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .addOption(reportFormatOption())
     .addOption(reporterOption())
+    .addOption(forceReportsOption())
     .option('-o, --output <file>', 'write the report into a file in place of stdout')
     .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
     .addOption(jobsOption(availableParallelism()))
@@ -91,7 +101,8 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
     one.file === null && options.output !== undefined ? { ...one, file: options.output } : one,
   );
   expectFormats(plan.job, asked);
-  expectReportFiles(asked, await levelsOf(plan, asked), { 'the plan': options.plan, 'a result': resultsIn(folders) });
+  const inputs = { ...levelsRead(await levelsOf(plan, asked)), 'the plan': options.plan, 'a result': resultsIn(folders) };
+  expectReportFiles(asked, inputs, options.force === true);
   const gathered = await gather(plan, folders);
   const notes = [...gathered.notes, ...gathered.conflicts].map((note) => `${note}\n`).join('');
   if (options.missing !== undefined) return { ...listMissing(options.missing, gathered), messages: notes };

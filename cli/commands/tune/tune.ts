@@ -9,6 +9,7 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
 import { formatOption, jobsOption } from '../../options.ts';
+import { expectOutput, levelsRead } from '../../output-file.ts';
 import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
@@ -104,6 +105,7 @@ async function tune(paths: readonly string[], options: Options, command: Command
     search: options.solve ? { limits: limitsOf(options), seed: options.seed } : null,
   };
   const { files, unreadable } = await findConfigured(paths, configuration);
+  if (svg !== undefined) expectOutput(`--svg ${svg}`, svg, { ...levelsRead(files), 'the configuration': configuration.file });
   const progress = createProgress('tuned', files.length);
   let levels: TunedLevel[];
   try {

@@ -1,0 +1,34 @@
+import { isAbsolute, relative, resolve, sep } from 'node:path';
+import { systemReason } from './failure.ts';
+import { realTarget } from './real-target.ts';
+import { repositoryOf } from './repository.ts';
+
+/** An absolute path of Windows: `C:\levels`, `\\server\levels`. Elsewhere it would be a strange name of a file. */
+const OF_WINDOWS = /^(?:[A-Za-z]:|[\\/]{2})/;
+
+/** The folder in which git keeps its own files, by any of its names on file systems that don't tell them apart. */
+const OF_GIT = /^(?:\.git|git~\d+)[. ]*(?::.*)?$/i;
+
+/** What a pattern of files begins with: the folders before its first wildcard. */
+const fixedPart = (pattern: string): string => pattern.replace(/(?:^|[\\/])[^\\/]*[*?[{(!].*$/s, '');
+
+/**
+ * Why a path in a configuration must not be used: it may come from a stranger, and a command that runs in a clone must not touch
+ * what is around it. Links count by where they lead.
+ * @param folder the folder of the configuration, to which the path is relative
+ * @param path a path, or a pattern of paths
+ * @returns null if the path stays in the repository, outside of git's own files
+ */
+export function whyOutside(folder: string, path: string): string | null {
+  if (OF_WINDOWS.test(path) && !isAbsolute(path)) return 'is an absolute path of Windows';
+  try {
+    const root = repositoryOf(realTarget(folder));
+    const target = realTarget(resolve(folder, fixedPart(path)));
+    const inside = relative(root, target);
+    const parts = inside.split(sep);
+    if (isAbsolute(inside) || parts[0] === '..') return `leads to ${target}, outside of ${root}`;
+    return parts.some((part) => OF_GIT.test(part)) ? `leads to ${target}, among git's own files` : null;
+  } catch (error) {
+    return `leads to nowhere: ${systemReason(error)}`;
+  }
+}
