@@ -54,7 +54,11 @@ describe('a pack whose content git has not fetched', () => {
 describe('a pack of lines', () => {
   it('has no level where a line says two', async () => {
     const other = fallThrough({ name: 'Other' });
-    const lines = [`{"level":${LEVEL},"level":${other}}`, `{"id":1,"id":2,"level":${LEVEL}}`, `{"level":${LEVEL},"id":"a","id":"b"}`];
+    const lines = [
+      `{"level":${LEVEL},"level":${other}}`,
+      `{"id":1,"id":2,"level":${LEVEL}}`,
+      `{"level":${LEVEL},"id":"a","id":"b"}`,
+    ];
     put('twice.ndjson', lines.join('\n'));
     expect(Object.values(await verdicts('twice.ndjson'))).toEqual(['invalid', 'invalid', 'invalid']);
   });
