@@ -8,12 +8,11 @@ import {
   type OrderResponse,
   type PackOnDisk,
 } from '../../schema/index.ts';
-import type { EditedLevel } from '../document/index.ts';
 import { folderPackIn, inOrderOfPack, withKeptPack } from './folder-pack.ts';
 import { withKeptRules } from './folder-rules.ts';
 import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
-import { type OpenedLevel, type Opening, openLevel, placeOf, type Surroundings } from './open-level.ts';
+import { type OpenedLevel, type Opening, openLevel, placeOf, type Remembered, type Surroundings } from './open-level.ts';
 
 /** The folder that is edited. */
 export interface WorkspaceState {
@@ -76,7 +75,7 @@ interface Renamed {
 class StorageWorkspace implements Workspace {
   readonly store: StoreApi<WorkspaceState>;
   readonly storage: LevelStorage;
-  private readonly remembered = new Map<string, EditedLevel>();
+  private readonly remembered = new Map<string, Remembered>();
   /** Ids received since a list began: a long list comes in parts. */
   private heard = new Set<string>();
   /** Opening and closing happen one after the other. */
@@ -311,7 +310,7 @@ class StorageWorkspace implements Workspace {
   /** Saves the changes of a level and keeps its history for the next time. */
   private async putAway(opened: OpenedLevel): Promise<void> {
     await opened.close();
-    this.remembered.set(opened.id(), opened.level);
+    this.remembered.set(opened.id(), opened.remember());
   }
 
   private async closeOpened(): Promise<void> {
