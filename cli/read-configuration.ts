@@ -2,12 +2,10 @@ import { dirname, relative, resolve } from 'node:path';
 import process from 'node:process';
 import { type ConfigFile, type ReporterName, readConfig } from '../schema/index.ts';
 import { showProblems } from './code-frames.ts';
-import { colorsFor } from './colors.ts';
 import { type ConfigOptions, chosenConfig } from './config-file.ts';
 import { type Configuration, noConfiguration, type ReporterChoice } from './configuration.ts';
-import { Failure } from './failure.ts';
+import { FileFailure } from './file-failure.ts';
 import { readBytes } from './read-bytes.ts';
-import { showFileProblems } from './report-parts/index.ts';
 
 /**
  * Reads the configuration that the options choose.
@@ -19,8 +17,8 @@ export function readConfiguration(options: ConfigOptions, folder: string = proce
   if (file === null) return noConfiguration();
   const read = readConfig(readBytes(file));
   if (read.ok) return configurationOf(file, read.config);
-  const problems = showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr));
-  throw new Failure(`nothing was done: the configuration is not valid:\n${problems.trimEnd()}`);
+  const problems = showProblems(read.problems, read.text);
+  throw new FileFailure('nothing was done: the configuration is not valid', [{ file, problems }]);
 }
 
 const listOf = (one: string | readonly string[]): readonly string[] => (typeof one === 'string' ? [one] : one);

@@ -316,6 +316,10 @@ export const errorResponseSchema = z.strictObject({
     hint: z.string().describe('What to do.'),
     problems: z.array(problem).optional().describe('`invalid-level`: what is wrong with the text, and where.'),
     levels: z.array(refusedLevelSchema).optional().describe('`not-completable`: these levels.'),
+    files: z
+      .array(z.strictObject({ file: z.string().describe('Its path, for people.'), problems: z.array(problem) }))
+      .optional()
+      .describe('`not-published`: files that must be corrected first, and what is wrong with them.'),
     current: readResponseSchema
       .nullable()
       .optional()

@@ -87,7 +87,7 @@ export function SaveStatus() {
       <Hint text={reasonOf(state, keeping, lasts, `${opened.id()}.level.json`)}>
         <output className={`topbar__saved topbar__saved--${state.kind}`} aria-label="Saving">
           <Icon size={14} />
-          {isHolding ? 'read-only, not saved' : textOf(state, keeping, lasts)}
+          {isHolding ? 'not saved' : textOf(state, keeping, lasts)}
         </output>
       </Hint>
       {IN_DANGER.includes(state.kind) && (
@@ -102,7 +102,7 @@ export function SaveStatus() {
           Resolve
         </Button>
       )}
-      {role === 'reader' && (
+      {role === 'reader' && !isHolding && (
         <Button hint="Edit here; the other tab becomes read-only" look="outlined" onClick={() => opened.lock.takeOver()}>
           Take over
         </Button>

@@ -8,6 +8,7 @@ import { createSelection, type ObjectKey } from '../document/index.ts';
 import {
   createOpeningMarks,
   createWorkspace,
+  errorInWords,
   folderRulesIn,
   type LevelStorage,
   type Link,
@@ -146,7 +147,7 @@ function offerLateLevels(editor: Editor, found: LevelStorage): void {
       for (let i = 2; ids.has(name); i++) name = `${id}-${i}`;
       const written = await found.write(name, read.value.text, null);
       if (!written.ok) {
-        notices.show('error', `${written.error.message}. ${written.error.hint}.`, { topic: 'late' });
+        notices.show('error', errorInWords(written.error), { topic: 'late' });
         return;
       }
       ids.add(name);

@@ -92,10 +92,10 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     } else {
       const parsed = errorResponseSchema.safeParse(value);
       if (parsed.success) {
-        const { code, message, hint, problems = [], current = null, levels } = parsed.data.error;
+        const { code, message, hint, problems = [], current = null, ...lists } = parsed.data.error;
         if (code === 'wrong-token')
           return { ok: false, error: token === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
-        return { ok: false, error: { code, message, hint, problems, current, ...(levels !== undefined && { levels }) } };
+        return { ok: false, error: { code, message, hint, problems, current, ...lists } };
       }
     }
     const hint = 'are the page and gq edit of the same version? Reload the page';

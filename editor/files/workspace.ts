@@ -76,6 +76,8 @@ class StorageWorkspace implements Workspace {
   readonly store: StoreApi<WorkspaceState>;
   readonly storage: LevelStorage;
   private readonly remembered = new Map<string, Remembered>();
+  /** The earlier ids of renamed levels, by which `pack.json` may still list them. */
+  private readonly former = new Map<string, string>();
   /** Ids received since a list began: a long list comes in parts. */
   private heard = new Set<string>();
   /** Opening and closing happen one after the other. */
@@ -245,7 +247,7 @@ class StorageWorkspace implements Workspace {
 
   private setList(list: ListResponse, more: Partial<WorkspaceState> = {}): void {
     const before = this.store.getState().list;
-    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptRules(list, before), before)), ...more });
+    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptRules(list, before), before), this.former), ...more });
   }
 
   private isWholeListed(): boolean {
@@ -264,7 +266,7 @@ class StorageWorkspace implements Workspace {
 
   private setLevels(change: (levels: readonly LevelEntry[]) => LevelEntry[]): void {
     const { list } = this.store.getState();
-    if (list !== null) this.store.setState({ list: inOrderOfPack({ ...list, levels: change(list.levels) }) });
+    if (list !== null) this.store.setState({ list: inOrderOfPack({ ...list, levels: change(list.levels) }, this.former) });
   }
 
   /** Moves what this browser keeps of the versions of levels. @param of tells this move from others between the same places */
@@ -281,7 +283,10 @@ class StorageWorkspace implements Workspace {
   /** Moves histories and the open level to their new ids; all at once, as levels may swap ids. */
   private follow(renamed: readonly Renamed[]): void {
     this.moveVersions(renamed.map(({ from, entry }) => ({ from, to: entry.id, of: entry.etag })));
-    const { remembered } = this;
+    const { remembered, former } = this;
+    const before = renamed.map(({ from }) => former.get(from) ?? from);
+    for (const { from } of renamed) former.delete(from);
+    for (const [i, { entry }] of renamed.entries()) former.set(entry.id, before[i]);
     const histories = renamed.map(({ from }) => remembered.get(from));
     for (const { from } of renamed) remembered.delete(from);
     for (const [i, { entry }] of renamed.entries()) {

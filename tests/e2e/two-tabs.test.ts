@@ -70,7 +70,7 @@ inChromium('two tabs on one level, in Chromium', ({ on }) => {
         await other.canvas.click(A);
         await edit(other.page);
         await question(other.page).waitFor();
-        await saving(other.page, /^read-only, not saved$/);
+        await saving(other.page, /^not saved$/);
         // what is undone is no question any more, and what is redone is one again
         await command(other.page, 'Undo');
         await question(other.page).waitFor({ state: 'hidden' });
