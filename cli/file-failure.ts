@@ -21,6 +21,11 @@ export class FileFailure extends Failure {
     readonly files: readonly FileProblems[],
   ) {
     const colors = colorsFor(process.stderr);
-    super(`${reason}:\n${files.map(({ file, problems }) => showFileProblems(file, problems, colors)).join('').trimEnd()}`);
+    super(
+      `${reason}:\n${files
+        .map(({ file, problems }) => showFileProblems(file, problems, colors))
+        .join('')
+        .trimEnd()}`,
+    );
   }
 }

@@ -91,7 +91,10 @@ async function publish(
 function refusalOfFailure(error: Failure): Refusal {
   const hint = 'Correct that, then publish again.';
   if (!(error instanceof FileFailure)) return new Refusal('not-published', error.message, hint);
-  const files = error.files.map(({ file, problems }) => ({ file, problems: problems.map(({ frame: _, key: __, ...one }) => one) }));
+  const files = error.files.map(({ file, problems }) => ({
+    file,
+    problems: problems.map(({ frame: _, key: __, ...one }) => one),
+  }));
   return new Refusal('not-published', error.reason, hint, { files });
 }
 

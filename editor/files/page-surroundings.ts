@@ -6,6 +6,7 @@ import { createVersionKeeper, openIndexedDbVersions } from '../versions/index.ts
 import { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 import type { LevelStorage } from './level-storage.ts';
 import type { Surroundings } from './open-level.ts';
+import { createPageKey } from './page-key.ts';
 import { mayBeServed, takeToken } from './page-token.ts';
 import { createServerStorage } from './server-storage.ts';
 import { pageTimers, type Timers } from './timers.ts';
@@ -112,6 +113,15 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
   const given = takeToken(page);
   const opening = inTimeOrLate(() => openIndexedDbStore(indexedDB, timers.after), timers);
   const openingVersions = inTimeOrLate(() => openIndexedDbVersions(indexedDB, timers.after), timers);
+  const key = createPageKey({
+    location: page.location,
+    crypto: page.crypto,
+    fetch: page.fetch.bind(page),
+    // the browser may refuse access only when it is used
+    get sessionStorage() {
+      return page.sessionStorage;
+    },
+  });
   // with an empty token, the storage reports what is missing
   const token = given ?? ((await isServed(page)) ? '' : null);
   const levels =
@@ -121,6 +131,7 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
           storage: createServerStorage({
             origin: page.location.origin,
             token,
+            key,
             client: crypto.randomUUID(),
             fetch: page.fetch.bind(page),
           }),
