@@ -186,7 +186,7 @@ export async function tellKept({ journal, workspace, notices, session }: Editor)
  */
 export async function createEditor(): Promise<Editor> {
   const settings = createSettings(pageStorage('localStorage'));
-  const { lateLevels, ...surroundings } = await pageSurroundings(window);
+  const { lateLevels, attempts, ...surroundings } = await pageSurroundings(window);
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
   const { journal, versions } = surroundings;
@@ -217,6 +217,7 @@ export async function createEditor(): Promise<Editor> {
     workspace,
     journal,
     versions,
+    attempts,
     marks: createOpeningMarks(pageStorage('localStorage'), tabName(pageStorage('sessionStorage'))),
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
@@ -236,9 +237,11 @@ export async function createEditor(): Promise<Editor> {
     const place = `${workspace.store.getState().list?.folder.id ?? ''}/${opened.id()}`;
     editor.marks.set(place);
     const parts = openParts(editor, opened);
+    const stop = attempts.follow(place, parts.level.attempts);
     const cancel = onceDrawn(() => editor.marks.clear(place));
     const close = () => {
       cancel();
+      stop();
       editor.marks.clear(place);
       parts.close();
     };
@@ -252,6 +255,7 @@ export async function createEditor(): Promise<Editor> {
     last = { opened, close };
     editor.open.setState(parts.level, true);
   });
+  workspace.onMoved(attempts.moved);
   followConfiguration(editor);
   window.addEventListener('pagehide', editor.marks.leave);
   document.addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && versions.flush());

@@ -8,6 +8,8 @@ import {
   type OrderResponse,
   type PackOnDisk,
 } from '../../schema/index.ts';
+import { createListeners } from '../document/index.ts';
+import type { Move } from '../versions/index.ts';
 import { folderPackIn, inOrderOfPack, withKeptPack } from './folder-pack.ts';
 import { withKeptRules } from './folder-rules.ts';
 import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
@@ -55,6 +57,8 @@ export interface Workspace {
    * that the page knows; then the list has the other one.
    */
   writePack(text: string | null): Promise<Answer<PackOnDisk | null>>;
+  /** Calls back when levels got other places: they were renamed, deleted, restored or reordered. @returns stops it */
+  onMoved(listener: (moves: readonly Move[]) => void): () => void;
   /** Closes the open level. */
   leave(): Promise<void>;
   close(): Promise<void>;
@@ -78,6 +82,7 @@ class StorageWorkspace implements Workspace {
   private readonly remembered = new Map<string, Remembered>();
   /** The earlier ids of renamed levels, by which `pack.json` may still list them. */
   private readonly former = new Map<string, string>();
+  private readonly moved = createListeners<readonly Move[]>();
   /** Ids received since a list began: a long list comes in parts. */
   private heard = new Set<string>();
   /** Opening and closing happen one after the other. */
@@ -182,6 +187,10 @@ class StorageWorkspace implements Workspace {
     return answer;
   }
 
+  onMoved(listener: (moves: readonly Move[]) => void): () => void {
+    return this.moved.add(listener);
+  }
+
   leave(): Promise<void> {
     return this.inTurn(() => this.closeOpened());
   }
@@ -278,6 +287,7 @@ class StorageWorkspace implements Workspace {
       token: `${from} to ${to} ${of}`,
     }));
     this.surroundings.versions.moved(places);
+    this.moved.call(places);
   }
 
   /** Moves histories and the open level to their new ids; all at once, as levels may swap ids. */

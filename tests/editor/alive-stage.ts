@@ -67,7 +67,7 @@ export function aliveStage(file: LevelFile, { isOn = true } = {}) {
   };
   /** The worker that was asked first dies. */
   const die = async (): Promise<void> => {
-    waiting.shift()?.end({ kind: 'failed', message: 'the worker died', hint: '' });
+    waiting.shift()?.end({ kind: 'failed', message: 'the worker died' });
     await breathe();
   };
   return {

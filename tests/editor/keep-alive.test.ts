@@ -306,9 +306,9 @@ describe('whatever is done, in any order', () => {
         const key = keys[nth % keys.length];
         let drag: ReturnType<typeof document.begin> | null = null;
         /** The level before the last step; null if that was undone or redone. */
-        let start: LevelFile | null = null;
+        const last: { start: LevelFile | null } = { start: null };
         document.onStep((event) => {
-          start = event.kind === 'change' ? event.start : null;
+          last.start = event.kind === 'change' ? event.start : null;
         });
         for (const one of acts) {
           if (one.kind === 'drag' && 'x' in one) {
@@ -325,6 +325,7 @@ describe('whatever is done, in any order', () => {
           else if (one.kind === 'redo') document.redo();
           else if (one.kind === 'toggle') settings.setState({ keepAlive: !settings.getState().keepAlive });
           else document.change('Rename', setLevelProperty('name', `${document.labels().length}`));
+          const { start } = last;
           if (start === null) continue;
           const now = document.settledFile();
           for (const run of now.runs ?? []) {
