@@ -163,24 +163,6 @@ function offerLateLevels(editor: Editor, found: LevelStorage): void {
 }
 
 /**
- * Tells the user which levels have unsaved changes in this browser. The open level is left out: its changes are already
- * restored.
- */
-export async function tellKept({ journal, workspace, notices, session }: Editor): Promise<void> {
-  const { list, opened } = workspace.store.getState();
-  const here = `${list?.folder.id ?? ''}/`;
-  const places = await journal.unsaved().catch(() => []);
-  const ids = places.filter(({ place }) => place.startsWith(here)).map(({ place }) => place.slice(here.length));
-  const others = ids.filter((id) => id !== opened?.id());
-  if (others.length === 0) return;
-  const which = others.length === 1 ? others[0] : `${others.length} levels`;
-  notices.show('warning', `Unsaved changes to ${which} are kept in this browser for ${window.location.host}.`, {
-    topic: 'kept',
-    actions: [{ title: 'Review', run: () => session.setState({ overlay: 'kept' }) }],
-  });
-}
-
-/**
  * Builds the editor of this page: settings, session, journal, and the levels of `gq edit` or, without a server, of this
  * browser.
  */

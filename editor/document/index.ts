@@ -1,8 +1,8 @@
 export { createEditedLevel } from './document.ts';
 export type { ChangeResult, DocumentEvent, DocumentState, EditedLevel, Gesture, Recipe, StepMark } from './edited-level.ts';
 export { enteredGroup, freeGroupName, groupOf, unitOf, withGroups } from './groups.ts';
-export { createListeners } from './listeners.ts';
 export { levelText } from './level-text.ts';
+export { createListeners } from './listeners.ts';
 export {
   grabbableIn,
   groupsIn,

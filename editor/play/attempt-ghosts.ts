@@ -6,5 +6,7 @@ const SHOWN = 24;
 
 /** The latest attempts as ghosts on the canvas. */
 export function attemptGhosts(attempts: readonly Attempt[]): Ghost[] {
-  return attempts.slice(-SHOWN).map(({ number, points }) => ({ id: `attempt-${number}`, label: `attempt ${number}`, points, look: 'attempt' }));
+  return attempts
+    .slice(-SHOWN)
+    .map(({ number, points }) => ({ id: `attempt-${number}`, label: `attempt ${number}`, points, look: 'attempt' }));
 }
