@@ -25,12 +25,18 @@ export const UNFINISHED = /^\.gq-edit-[0-9a-f]{16}\.tmp$/;
 /**
  * Writes a content completely to a temporary file in the folder of `path`, syncs it to the disk, and calls `place`.
  * @param place moves the temporary file; if it throws, nothing has changed
- * @param isLasting whether the content must survive a power failure: without syncing, it takes much less time
+ * @param how `isLasting`: whether the content must survive a power failure: without syncing, it takes much less time; `mode`: of a
+ * new file
  */
-function withUnfinished(path: string, content: Uint8Array, place: (unfinished: string) => void, isLasting = true): void {
+function withUnfinished(
+  path: string,
+  content: Uint8Array,
+  place: (unfinished: string) => void,
+  { isLasting = true, mode = 0o666 } = {},
+): void {
   const unfinished = join(dirname(path), `.gq-edit-${randomBytes(8).toString('hex')}.tmp`);
   try {
-    const descriptor = openSync(unfinished, 'wx', 0o666);
+    const descriptor = openSync(unfinished, 'wx', mode);
     try {
       keepOwnerAndMode(descriptor, path);
       // writeFileSync writes everything or throws; a single writeSync may write less if the disk is nearly full
@@ -59,18 +65,24 @@ export function replaceFile(path: string, content: Uint8Array, isBase: () => voi
 
 /** The same for a file that can be made anew: after a power failure it may be torn. */
 export function replaceSpareFile(path: string, content: Uint8Array): void {
-  withUnfinished(path, content, (unfinished) => renamePatiently(unfinished, path), false);
+  withUnfinished(path, content, (unfinished) => renamePatiently(unfinished, path), { isLasting: false });
 }
 
 /**
  * Creates a new file: completely or not at all.
  * @returns false if the name is taken; nothing changes then
  */
-export function createFile(path: string, content: Uint8Array): boolean {
+export const createFile = (path: string, content: Uint8Array): boolean => create(path, content, 0o666);
+
+/** The same for a file that only this user can read, at every moment. */
+export const createPrivateFile = (path: string, content: Uint8Array): boolean => create(path, content, 0o600);
+
+function create(path: string, content: Uint8Array, mode: number): boolean {
   let made = false;
-  withUnfinished(path, content, (unfinished) => {
+  const place = (unfinished: string): void => {
     made = linkOrRename(unfinished, path);
-  });
+  };
+  withUnfinished(path, content, place, { mode });
   return made;
 }
 

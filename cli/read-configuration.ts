@@ -2,13 +2,12 @@ import { dirname, relative, resolve } from 'node:path';
 import process from 'node:process';
 import { type ConfigFile, type ReporterName, readConfig } from '../schema/index.ts';
 import { showProblems } from './code-frames.ts';
-import { colorsFor } from './colors.ts';
 import { type ConfigOptions, chosenConfig } from './config-file.ts';
 import { type Configuration, noConfiguration, type ReporterChoice } from './configuration.ts';
 import { Failure } from './failure.ts';
+import { FileFailure } from './file-failure.ts';
 import { whyOutside } from './inside-repository.ts';
 import { readBytes } from './read-bytes.ts';
-import { showFileProblems } from './report-parts/index.ts';
 import { namedPath } from './shown-path.ts';
 import type { ConfiguredTerms } from './terms.ts';
 
@@ -26,8 +25,8 @@ export function readConfiguration(options: ConfigOptions, folder: string = proce
     expectInside(file, bytes, read.config);
     return configurationOf(file, read.config);
   }
-  const problems = showFileProblems(file, showProblems(read.problems, read.text), colorsFor(process.stderr));
-  throw new Failure(`nothing was done: the configuration is not valid:\n${problems.trimEnd()}`);
+  const problems = showProblems(read.problems, read.text);
+  throw new FileFailure('nothing was done: the configuration is not valid', [{ file, problems }]);
 }
 
 /**

@@ -20,6 +20,6 @@ createRoot(document.getElementById('root') as HTMLElement).render(
 );
 await openFirstLevel(editor);
 followPlayLinks(editor, linkedPlay);
-void tellKept(editor);
+tellKept(editor, window.location.host);
 // save the latest changes before the page may be closed
 document.addEventListener('visibilitychange', () => void editor.open.getState()?.opened.saver.flush());

@@ -44,6 +44,10 @@ export const EDIT_API = {
   PACK: '/api/pack',
   PUBLISH: '/api/publish',
   EVENTS: '/api/events',
+  /** The key of the folder, with which a page asks for the token of a later run. */
+  KEY: '/api/key',
+  /** Which run this is. It alone needs no token; without the key, the answer says nothing. */
+  RUN: '/api/run',
   TOKEN_HEADER: 'x-gq-token',
   /** Largest body of a request, bytes. */
   MAX_BODY_SIZE: 1024 * 1024,
@@ -259,6 +263,34 @@ export const refusedLevelSchema = z.strictObject({
 /** A level that is not published as it is. */
 export type RefusedLevel = z.infer<typeof refusedLevelSchema>;
 
+/** The zod schema of the response to `GET KEY`. */
+export const keyResponseSchema = z.strictObject({ key: z.string().regex(/^[\w-]{43}$/) });
+
+/** What a page sends to `GET RUN` as `challenge`: random, so that no earlier answer fits. */
+export const CHALLENGE = /^[\w-]{22,64}$/;
+
+/** The zod schema of the response to `GET RUN`. */
+export const runResponseSchema = z.strictObject({
+  nonce: z
+    .string()
+    .regex(/^[\w-]{22}$/)
+    .describe('Of this run.'),
+  proof: z
+    .string()
+    .regex(/^[\w-]{43}$/)
+    .describe('The HMAC of {@link runMessage}: the server has the key.'),
+});
+
+/**
+ * What the server proves by an HMAC-SHA256 with the key that it has it. It contains the port, so that a program which listens on the
+ * port of an earlier run can't pass the question on to the server.
+ */
+export const runMessage = (port: number, challenge: string, nonce: string): string =>
+  `gq edit, run\n${port}\n${challenge}\n${nonce}`;
+
+/** The HMAC-SHA256 of this with the key is the token of a run. */
+export const tokenMessage = (nonce: string): string => `gq edit, token\n${nonce}`;
+
 const by = client.nullable().describe('Who did it: null for another program.');
 
 /** The zod schema of what the server sends unasked. `list` comes first, and again whenever everything may have changed. */
@@ -316,6 +348,10 @@ export const errorResponseSchema = z.strictObject({
     hint: z.string().describe('What to do.'),
     problems: z.array(problem).optional().describe('`invalid-level`: what is wrong with the text, and where.'),
     levels: z.array(refusedLevelSchema).optional().describe('`not-completable`: these levels.'),
+    files: z
+      .array(z.strictObject({ file: z.string().describe('Its path, for people.'), problems: z.array(problem) }))
+      .optional()
+      .describe('`not-published`: files that must be corrected first, and what is wrong with them.'),
     current: readResponseSchema
       .nullable()
       .optional()

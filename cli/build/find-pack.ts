@@ -1,14 +1,12 @@
 import { dirname, relative, resolve, sep } from 'node:path';
-import process from 'node:process';
-import { colorsFor } from '../colors.ts';
 import type { Configuration } from '../configuration.ts';
 import { Failure } from '../failure.ts';
+import { FileFailure } from '../file-failure.ts';
 import { type FoundFiles, statOrError } from '../files.ts';
 import { type FoundPack, levelIdOf } from '../found-pack.ts';
 import { findConfigured, pathsOr } from '../level-paths.ts';
 import { sortedByPlay } from '../order-of-play.ts';
 import { type CheckedPack, checkPackFile } from '../pack-file/index.ts';
-import { showFileProblems } from '../report-parts/index.ts';
 
 /** A level file of a pack. */
 export interface PackFile {
@@ -68,8 +66,8 @@ const isBelow = (folder: string, file: string): boolean => !relative(resolve(fol
 /** @throws Failure if the order of a pack has errors: a hole in the game is not built */
 function refuseErrors(packs: readonly CheckedPack[]): void {
   const wrong = packs.map((pack) => ({ ...pack, problems: pack.problems.filter(({ severity }) => severity === 'error') }));
-  const words = wrong.map(({ file, problems }) => showFileProblems(file, problems, colorsFor(process.stderr))).join('');
-  if (words !== '') throw new Failure(`nothing was written, because of errors in the order of the levels:\n${words.trimEnd()}`);
+  const files = wrong.filter(({ problems }) => problems.length > 0);
+  if (files.length > 0) throw new FileFailure('nothing was written, because of errors in the order of the levels', files);
 }
 
 const slashed = (path: string): string => path.split(sep).join('/');

@@ -72,7 +72,12 @@ async function edit(dir: string | undefined, options: EditOptions): Promise<void
   await new Promise<never>(() => {});
 }
 
-function announcement(folder: string, { address, port, portBefore }: EditServer, options: EditOptions, fragment: string): string {
+function announcement(
+  folder: string,
+  { address, port, portBefore, keyProblem }: EditServer,
+  options: EditOptions,
+  fragment: string,
+): string {
   const notes: string[] = [];
   const usual = portBefore ?? DEFAULT_PORT;
   const isOther = options.port === undefined && port !== usual;
@@ -85,6 +90,10 @@ function announcement(folder: string, { address, port, portBefore }: EditServer,
       `If a page could not save its changes last time, the browser keeps them under ${old}: gq edit --port ${portBefore} finds them.`,
     );
   }
+  if (keyProblem !== null)
+    notes.push(
+      `The key of this folder can't be kept (${visible(keyProblem)}): after a restart, open the new address in each tab of the editor.`,
+    );
   const note = notes.length === 0 ? '' : `${notes.join(' ')}\n`;
   return `${note}Editing ${visible(folder)} at\n  ${address}\nCtrl-C ends it.\n`;
 }

@@ -1,6 +1,7 @@
 import type { HttpBindings } from '@hono/node-server';
 import type { Context } from 'hono';
 import {
+  CHALLENGE,
   deleteRequestSchema,
   EDIT_API,
   orderRequestSchema,
@@ -10,6 +11,7 @@ import {
   restoreRequestSchema,
   writeRequestSchema,
 } from '../../schema/index.ts';
+import type { Access } from './access.ts';
 import { createEventStreams } from './event-stream.ts';
 import type { LevelFolder } from './level-folder.ts';
 import type { Publish } from './publish.ts';
@@ -21,10 +23,27 @@ export type EditContext = Context<{ Bindings: HttpBindings }>;
 /** Answers a request; may throw a `Refusal`. */
 export type Answer = (c: EditContext, query: URLSearchParams) => Response | Promise<Response>;
 
-/** The answer function of each `METHOD /address` of `EDIT_API`. */
-export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<string, Answer> {
+/**
+ * The answer function of each `METHOD /address` of `EDIT_API`.
+ * @param port that the server listens on, once it does
+ */
+export function createApi(
+  levels: LevelFolder,
+  publish: Publish,
+  access: Access,
+  port: () => number,
+): ReadonlyMap<string, Answer> {
   const streams = createEventStreams(levels.known);
-  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, PACK, PUBLISH, EVENTS } = EDIT_API;
+  const { LEVELS, LEVEL, RENAME, DUPLICATE, DELETE, TRASH, RESTORE, ORDER, PACK, PUBLISH, EVENTS, KEY, RUN } = EDIT_API;
+
+  const key: Answer = (c) => c.json({ key: access.key });
+
+  const run: Answer = (c, query) => {
+    const challenge = query.get('challenge') ?? '';
+    if (!CHALLENGE.test(challenge))
+      throw new Refusal('bad-request', 'expected a challenge of 22 to 64 letters, digits, _ and -', 'Reload the page.');
+    return c.json(access.run(port(), challenge));
+  };
 
   const list: Answer = async (c) => c.json(await levels.known.refresh());
 
@@ -96,6 +115,8 @@ export function createApi(levels: LevelFolder, publish: Publish): ReadonlyMap<st
     [`PUT ${PACK}`, pack],
     [`POST ${PUBLISH}`, makePage],
     [`GET ${EVENTS}`, events],
+    [`GET ${KEY}`, key],
+    [`GET ${RUN}`, run],
   ]);
 }
 

@@ -1,25 +1,14 @@
-import { readdirSync, rmSync, statSync } from 'node:fs';
-import { homedir } from 'node:os';
-import { dirname, isAbsolute, join } from 'node:path';
-import process from 'node:process';
+import { dirname, join } from 'node:path';
 import { replaceFile } from '../disk.ts';
 import { makeFolders } from '../make-folders.ts';
 import { readRegularFile } from '../regular-file.ts';
+import { forgetOldest, stateFolder } from './user-state.ts';
 
 /** bytes; a port number is shorter */
 const LONGEST = 16;
 
-/** The largest number of folders that are remembered. */
-const MOST = 1000;
-
-/** The user's directory for program state; it contains a file for each edited folder. */
-function fileOf(folder: string): string {
-  const { XDG_STATE_HOME, LOCALAPPDATA } = process.env;
-  const own = process.platform === 'win32' ? LOCALAPPDATA : XDG_STATE_HOME;
-  const usual: Record<string, string> = { win32: 'AppData/Local', darwin: 'Library/Application Support' };
-  const state = own !== undefined && isAbsolute(own) ? own : join(homedir(), usual[process.platform] ?? '.local/state');
-  return join(state, 'gravity-quest-toolkit', 'edit-ports', folder);
-}
+/** The user's directory for program state contains a file for each edited folder. */
+const fileOf = (folder: string): string => join(stateFolder('edit-ports'), folder);
 
 /**
  * The port on which a folder was last edited; null if it is not known.
@@ -45,11 +34,4 @@ export function keepPort(folder: string, port: number): void {
   } catch {
     // no home directory, or not writable: the next run uses the usual port
   }
-}
-
-function forgetOldest(state: string): void {
-  const names = readdirSync(state);
-  if (names.length <= MOST) return;
-  const aged = names.map((name) => ({ path: join(state, name), time: statSync(join(state, name)).mtimeMs }));
-  for (const { path } of aged.sort((a, b) => a.time - b.time).slice(0, names.length - MOST)) rmSync(path, { force: true });
 }

@@ -18,6 +18,7 @@ import {
 } from '../build/index.ts';
 import type { ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
+import { FileFailure } from '../file-failure.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { findLevel } from './level-files.ts';
 import { Refusal } from './refusal.ts';
@@ -82,8 +83,19 @@ async function publish(
     return { site: words.shown, levels: pack.levels.length, bytes: written.reduce((sum, { bytes }) => sum + bytes, 0) };
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    throw new Refusal('not-published', error.message, 'Nothing was written; change what it says, then publish again.');
+    throw refusalOfFailure(error);
   }
+}
+
+/** What keeps the page from being written, without the lines of files that a terminal shows. */
+function refusalOfFailure(error: Failure): Refusal {
+  const hint = 'Correct that, then publish again.';
+  if (!(error instanceof FileFailure)) return new Refusal('not-published', error.message, hint);
+  const files = error.files.map(({ file, problems }) => ({
+    file,
+    problems: problems.map(({ frame: _, key: __, ...one }) => one),
+  }));
+  return new Refusal('not-published', error.reason, hint, { files });
 }
 
 function siteOf(root: string, name: string): string {

@@ -12,6 +12,7 @@ interface Details {
   readonly problems?: Problem[];
   readonly current?: ReadResponse | null;
   readonly levels?: RefusedLevel[];
+  readonly files?: ErrorResponse['error']['files'];
 }
 
 /** Thrown when a request is refused; nothing has changed on the disk. */

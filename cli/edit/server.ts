@@ -1,4 +1,3 @@
-import { randomBytes } from 'node:crypto';
 import { realpathSync } from 'node:fs';
 import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -9,8 +8,10 @@ import { Failure, systemReason } from '../failure.ts';
 import { statOrError } from '../files.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
 import { siblingHint } from '../sibling-hint.ts';
+import { createAccess } from './access.ts';
 import { createApi } from './api.ts';
 import { createApp } from './app.ts';
+import { keptKey } from './kept-key.ts';
 import { keepPort, lastPort } from './last-port.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { readPage } from './page-files.ts';
@@ -31,6 +32,8 @@ export interface EditServer {
   readonly portBefore: number | null;
   /** Contains the token of this run. */
   readonly address: string;
+  /** Why the pages of this run can't come back in the next one; null: they can. */
+  readonly keyProblem: string | null;
   /** Closes all connections and stops the server. */
   close(): Promise<void>;
 }
@@ -67,12 +70,17 @@ export async function startServer({
   const root = realFolder(folder);
   const files = readPage(page);
   const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom, config));
-  const token = randomBytes(32).toString('base64url');
+  const { id } = levels.known.list().folder;
+  // `--port 0` has a memory of its own: it reuses the last port that was chosen for `--port 0`
+  const memory = port === 0 ? `${id}-any` : id;
+  const { key, problem } = keptKey(id);
+  const access = createAccess(key);
+  const portNow = (): number => (server.address() as AddressInfo).port;
   const app = createApp({
-    api: createApi(levels, createPublish({ root, shown: folder, configFrom, config, game })),
+    api: createApi(levels, createPublish({ root, shown: folder, configFrom, config, game }), access, portNow),
     page: files,
-    token,
-    port: () => (server.address() as AddressInfo).port,
+    token: access.token,
+    port: portNow,
     onCrash,
   });
   const server = createAdaptorServer({
@@ -83,13 +91,10 @@ export async function startServer({
   // a client must not hold a connection open without sending a request
   server.headersTimeout = 10_000;
   server.requestTimeout = 60_000;
-  const { id } = levels.known.list().folder;
-  // `--port 0` has a memory of its own: it reuses the last port that was chosen for `--port 0`
-  const memory = port === 0 ? `${id}-any` : id;
   const before = lastPort(memory);
   await listen(server, port, before);
   const watches = [watchFolder(root, levels.known), watchConfig(configFrom, levels.known, config)];
-  const { port: listening } = server.address() as AddressInfo;
+  const listening = portNow();
   const close = async (): Promise<void> => {
     for (const end of watches) end();
     levels.end();
@@ -101,7 +106,8 @@ export async function startServer({
   return {
     port: listening,
     portBefore: before,
-    address: `http://127.0.0.1:${listening}/#token=${token}`,
+    address: `http://127.0.0.1:${listening}/#token=${access.token}`,
+    keyProblem: problem,
     close,
   };
 }

@@ -8,6 +8,7 @@ import type { SettingsStore } from '../settings/index.ts';
 import type { Workers } from '../workers/index.ts';
 import { type AliveState, aliveOf } from './alive-state.ts';
 import { type Former, formerOf, isSameGame } from './former.ts';
+import { createReplacedHolds } from './replaced-holds.ts';
 import { replayed } from './replayed.ts';
 import { rescueOthers } from './rescue-others.ts';
 import { type Answer, createHoldSeeker, WITHIN } from './seek-holds.ts';
@@ -56,6 +57,7 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
   const { document, proof } = level;
   const store = aliveOf(level);
   const seeker = createHoldSeeker(proof, workers);
+  const replaced = createReplacedHolds(document, proof);
   /** The shown run of each file that was shown. */
   const formers = new WeakMap<LevelFile, Former | null>();
   const remember = (now: LiveProof) => void formers.set(now.file, formerOf(now));
@@ -100,6 +102,7 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
         current.carried = before;
         return false;
       }
+      replaced.note(current.start, former.name, best.holds);
     }
     const isFinal = step !== null && isLast;
     show(best.total === 0 ? { kind: 'idle' } : told(best, former.name, isSameGame(about.file, document.file()), isFinal));
@@ -159,7 +162,7 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
     const wasAlive = formers.get(start)?.name === shown;
     forget = afterRest(REST, () => {
       if (document.lastStep() !== step || document.gesture() !== null) return;
-      rescueOthers({ document, proof, seeker }, { start, shown: wasAlive ? shown : null, step }, (others) => {
+      rescueOthers({ document, proof, seeker, replaced }, { start, shown: wasAlive ? shown : null, step }, (others) => {
         const state = store.getState();
         if (others === null) return;
         show(state.kind === 'alive' || state.kind === 'failed' ? { ...state, others } : { kind: 'others', others });
@@ -169,11 +172,14 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
 
   /** A change is over: the search for its last state goes on, and extends the step. */
   const finish = ({ kind, how, start, file }: DocumentEvent) => {
-    if (kind !== 'change' || how !== 'edited' || !settings.getState().keepAlive || isSameGame(start, file)) return;
     const step = document.lastStep();
-    if (step === null) return;
-    rest();
+    if (kind !== 'change' || how !== 'edited' || step === null) return;
     const current = chase?.start === start ? chase : null;
+    // at once: nothing may come of the search that follows
+    const back = replaced.putBack(start, step);
+    if (current !== null && back.includes(current.former.name)) current.carried = null;
+    if (!settings.getState().keepAlive || isSameGame(start, file)) return;
+    rest();
     if (current === null || (!isBroken() && current.carried === null)) {
       finishOthers(start, step);
       return;
@@ -198,12 +204,15 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
     document.subscribe(look),
     document.onStep(finish),
     settings.subscribe((now, before) => {
-      if (now.keepAlive !== before.keepAlive) stop();
+      if (now.keepAlive === before.keepAlive) return;
+      stop();
+      document.gesture()?.also(null);
     }),
   ];
   remember(proof.proof());
   return () => {
     for (const end of stops) end();
     stop();
+    if (isBroken()) document.gesture()?.also(null);
   };
 }

@@ -4,6 +4,7 @@ import { type EditedLevel, replaceHolds, type StepMark } from '../document/index
 import type { ProofStore } from '../proof/index.ts';
 import type { Surviving } from './alive-state.ts';
 import { completesNow, othersOf } from './former.ts';
+import type { ReplacedHolds } from './replaced-holds.ts';
 import { replayed } from './replayed.ts';
 import type { HoldSeeker } from './seek-holds.ts';
 
@@ -17,6 +18,7 @@ interface RescueParts {
   readonly document: EditedLevel;
   readonly proof: ProofStore;
   readonly seeker: HoldSeeker;
+  readonly replaced: ReplacedHolds;
 }
 
 /**
@@ -26,7 +28,7 @@ interface RescueParts {
  * @param hear called at the end, unless something else was done since; null: no other run was broken
  */
 export function rescueOthers(
-  { document, proof, seeker }: RescueParts,
+  { document, proof, seeker, replaced }: RescueParts,
   { start, shown, step }: { readonly start: LevelFile; readonly shown: string | null; readonly step: StepMark },
   hear: (surviving: Surviving | null) => void,
 ): void {
@@ -44,7 +46,8 @@ export function rescueOthers(
       if (!isLast || document.lastStep() !== step) return;
       const holds = best?.holds ?? null;
       if (holds !== null && replayed(proof.proof().scene, joinHolds(holds)) !== null) {
-        document.amend(step, replaceHolds(former.name, holds));
+        const { ok } = document.amend(step, replaceHolds(former.name, holds));
+        if (ok) replaced.note(start, former.name, holds);
       }
       next(i + 1);
     });

@@ -23,6 +23,7 @@ import { MendCard } from '../mend/index.ts';
 import { appCommands } from './app-commands.ts';
 import { CheatSheet } from './CheatSheet.tsx';
 import { CommandPalette } from './CommandPalette.tsx';
+import { HeldBar } from './HeldBar.tsx';
 import { Layout, type SidePanel } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
 import { LEFT, LEVELS, PROBLEMS, RIGHT } from './parts.tsx';
@@ -121,7 +122,10 @@ function LevelScreen() {
   const playFrom = useSession((state) => state.playFrom);
   return (
     <>
-      <TopBar />
+      <div className="head">
+        <TopBar />
+        <HeldBar />
+      </div>
       <Layout
         left={[LEVELS.content, <SideTabs key="tabs" side="left" label="Objects and runs" panels={LEFT} />]}
         right={[<SideTabs key="tabs" side="right" label="Inspector and tools" panels={RIGHT} />, PROBLEMS.content]}

@@ -79,6 +79,7 @@ export function SaveStatus() {
   const role = useStore(opened.lock.store);
   const keeping = useStore(opened.keeping);
   const isUndecided = useDocument(({ file }) => (file.conflicts ?? []).length > 0);
+  const isHolding = useStore(opened.holding);
   const { lasts } = workspace.storage;
   const { Icon } = LOOKS[state.kind];
   return (
@@ -86,7 +87,7 @@ export function SaveStatus() {
       <Hint text={reasonOf(state, keeping, lasts, `${opened.id()}.level.json`)}>
         <output className={`topbar__saved topbar__saved--${state.kind}`} aria-label="Saving">
           <Icon size={14} />
-          {textOf(state, keeping, lasts)}
+          {isHolding ? 'not saved' : textOf(state, keeping, lasts)}
         </output>
       </Hint>
       {IN_DANGER.includes(state.kind) && (
@@ -101,7 +102,7 @@ export function SaveStatus() {
           Resolve
         </Button>
       )}
-      {role === 'reader' && (
+      {role === 'reader' && !isHolding && (
         <Button hint="Edit here; the other tab becomes read-only" look="outlined" onClick={() => opened.lock.takeOver()}>
           Take over
         </Button>

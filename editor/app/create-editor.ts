@@ -8,6 +8,7 @@ import { createSelection, type ObjectKey } from '../document/index.ts';
 import {
   createOpeningMarks,
   createWorkspace,
+  errorInWords,
   folderRulesIn,
   type LevelStorage,
   type Link,
@@ -146,7 +147,7 @@ function offerLateLevels(editor: Editor, found: LevelStorage): void {
       for (let i = 2; ids.has(name); i++) name = `${id}-${i}`;
       const written = await found.write(name, read.value.text, null);
       if (!written.ok) {
-        notices.show('error', `${written.error.message}. ${written.error.hint}.`, { topic: 'late' });
+        notices.show('error', errorInWords(written.error), { topic: 'late' });
         return;
       }
       ids.add(name);
@@ -162,30 +163,12 @@ function offerLateLevels(editor: Editor, found: LevelStorage): void {
 }
 
 /**
- * Tells the user which levels have unsaved changes in this browser. The open level is left out: its changes are already
- * restored.
- */
-export async function tellKept({ journal, workspace, notices, session }: Editor): Promise<void> {
-  const { list, opened } = workspace.store.getState();
-  const here = `${list?.folder.id ?? ''}/`;
-  const places = await journal.unsaved().catch(() => []);
-  const ids = places.filter(({ place }) => place.startsWith(here)).map(({ place }) => place.slice(here.length));
-  const others = ids.filter((id) => id !== opened?.id());
-  if (others.length === 0) return;
-  const which = others.length === 1 ? others[0] : `${others.length} levels`;
-  notices.show('warning', `Unsaved changes to ${which} are kept in this browser for ${window.location.host}.`, {
-    topic: 'kept',
-    actions: [{ title: 'Review', run: () => session.setState({ overlay: 'kept' }) }],
-  });
-}
-
-/**
  * Builds the editor of this page: settings, session, journal, and the levels of `gq edit` or, without a server, of this
  * browser.
  */
 export async function createEditor(): Promise<Editor> {
   const settings = createSettings(pageStorage('localStorage'));
-  const { lateLevels, ...surroundings } = await pageSurroundings(window);
+  const { lateLevels, attempts, ...surroundings } = await pageSurroundings(window);
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
   const { journal, versions } = surroundings;
@@ -216,6 +199,7 @@ export async function createEditor(): Promise<Editor> {
     workspace,
     journal,
     versions,
+    attempts,
     marks: createOpeningMarks(pageStorage('localStorage'), tabName(pageStorage('sessionStorage'))),
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
@@ -235,9 +219,11 @@ export async function createEditor(): Promise<Editor> {
     const place = `${workspace.store.getState().list?.folder.id ?? ''}/${opened.id()}`;
     editor.marks.set(place);
     const parts = openParts(editor, opened);
+    const stop = attempts.follow(place, parts.level.attempts);
     const cancel = onceDrawn(() => editor.marks.clear(place));
     const close = () => {
       cancel();
+      stop();
       editor.marks.clear(place);
       parts.close();
     };
@@ -251,6 +237,7 @@ export async function createEditor(): Promise<Editor> {
     last = { opened, close };
     editor.open.setState(parts.level, true);
   });
+  workspace.onMoved(attempts.moved);
   followConfiguration(editor);
   window.addEventListener('pagehide', editor.marks.leave);
   document.addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && versions.flush());

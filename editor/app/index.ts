@@ -1,3 +1,4 @@
 export { App } from './App.tsx';
-export { createEditor, tellKept } from './create-editor.ts';
+export { createEditor } from './create-editor.ts';
 export { openFirstLevel } from './first-level.ts';
+export { tellKept } from './tell-kept.ts';

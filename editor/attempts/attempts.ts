@@ -6,6 +6,8 @@ import { keptWith } from '../kept/index.ts';
 
 /** One attempt of the user at a level. */
 export interface Attempt {
+  /** Unlike its number, the same in every page. */
+  readonly id: string;
   /** Counted from 1 within the level. */
   readonly number: number;
   readonly holds: readonly Hold[];
@@ -32,14 +34,30 @@ export interface PlayedOn {
   readonly rules: OwnRules;
 }
 
-/** number of attempts that are kept, as each is a line on the canvas */
-const KEPT = 24;
+/** number of attempts that are kept of a level: each has about 30 kB for 60 s */
+const KEPT = 200;
+
+/** What is added as an attempt. */
+type NewAttempt = Omit<Attempt, 'id' | 'number'>;
 
 export interface Attempts {
   readonly store: StoreApi<readonly Attempt[]>;
-  add(attempt: Omit<Attempt, 'number'>): Attempt;
+  add(attempt: NewAttempt): Attempt;
+  /** Adds attempts of earlier pages before those of this page, except those that are there. */
+  restore(earlier: readonly Attempt[]): void;
   remove(number: number): void;
   clear(): void;
+}
+
+const newId = (): string => crypto.getRandomValues(new Uint32Array(4)).join('-');
+
+/** Numbers that grow: attempts of several pages may have the same. */
+function numbered(attempts: readonly Attempt[]): Attempt[] {
+  let last = 0;
+  return attempts.map((attempt) => {
+    last = Math.max(last + 1, attempt.number);
+    return attempt.number === last ? attempt : { ...attempt, number: last };
+  });
 }
 
 /** The attempts at one level, the latest last. */
@@ -49,12 +67,22 @@ export function createAttempts(): Attempts {
   return {
     store,
     add(attempt) {
-      const numbered = { ...attempt, number: ++count };
-      const all = [...store.getState(), numbered];
+      const added = { ...attempt, id: newId(), number: ++count };
+      const all = [...store.getState(), added];
       // unfinished attempts are dropped first
       const spare = all.slice(0, -1).find(({ end }) => end === null) ?? all[0];
       store.setState(all.length > KEPT ? all.filter((one) => one !== spare) : all, true);
-      return numbered;
+      return added;
+    },
+    restore(earlier) {
+      const here = store.getState();
+      const known = new Set(here.map(({ id }) => id));
+      const missing = earlier.filter(({ id }) => !known.has(id));
+      if (missing.length === 0) return;
+      const inOrder = [...missing].sort((a, b) => a.number - b.number || (a.id < b.id ? -1 : 1));
+      const all = numbered([...inOrder, ...here]);
+      count = Math.max(count, ...all.map(({ number }) => number));
+      store.setState(all, true);
     },
     remove: (number) =>
       store.setState(

@@ -1,6 +1,6 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
-import type { Attempts } from '../attempts/index.ts';
+import type { AttemptKeeper, Attempts } from '../attempts/index.ts';
 import type { Commands } from '../commands/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../document/index.ts';
 import type { OpenedLevel, OpeningMarks, Workspace } from '../files/index.ts';
@@ -61,6 +61,8 @@ export interface Editor {
   readonly journal: Journal;
   /** What this browser keeps of earlier versions of levels. */
   readonly versions: VersionKeeper;
+  /** What this browser keeps of attempts at levels. */
+  readonly attempts: AttemptKeeper;
   /** Marks of levels whose opening made an earlier page hang. */
   readonly marks: OpeningMarks;
   /** A level from the page's address that is not added yet. */

@@ -144,7 +144,18 @@ export function PublishTab() {
           {!refused.every(isChoice) && <p>Nobody can play a level that is not valid: fix it, or move it out of the folder.</p>}
         </div>
       )}
-      {published?.kind === 'failed' && <p role="alert">{published.message}</p>}
+      {published?.kind === 'failed' && (
+        <div role="alert" className="publish__refused">
+          <p className="publish__why">{published.message}</p>
+          {published.reasons.length > 0 && (
+            <ul className="share__refusals">
+              {published.reasons.map((reason) => (
+                <li key={reason}>{reason}</li>
+              ))}
+            </ul>
+          )}
+        </div>
+      )}
       {published?.kind === 'done' && <p role="status">{published.message}</p>}
       <div className="share__buttons">
         <Button

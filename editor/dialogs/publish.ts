@@ -2,7 +2,7 @@ import { chaptersOf } from '../../check/pack/index.ts';
 import { plural } from '../../check/words/index.ts';
 import { levelsOfPack, type RefusedLevel } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
-import { errorInWords, folderPackIn, folderRulesIn } from '../files/index.ts';
+import { errorInWords, folderPackIn, folderRulesIn, problemInWords } from '../files/index.ts';
 import { downloadFile, fetchGame, singlePage, slugOf } from '../share/index.ts';
 import { collectLevels } from './collect-levels.ts';
 
@@ -23,7 +23,8 @@ export interface PublishWish {
 /** What became of it. */
 export type Published =
   | { readonly kind: 'done'; readonly message: string }
-  | { readonly kind: 'failed'; readonly message: string }
+  /** `reasons`: what must be corrected first, one sentence or two each */
+  | { readonly kind: 'failed'; readonly message: string; readonly reasons: readonly string[] }
   | { readonly kind: 'refused'; readonly levels: readonly RefusedLevel[] };
 
 const megabytes = (bytes: number): string => `${(bytes / 1e6).toFixed(1)} MB`;
@@ -37,7 +38,8 @@ export async function publish(editor: Editor, wish: PublishWish): Promise<Publis
       throw new Error(`the latest changes to “${opened.id()}” are not saved yet, and would be missing`);
     return await (wish.target === 'folder' || wish.target === 'levelFolder' ? intoFolder : asFile)(editor, wish);
   } catch (error) {
-    return { kind: 'failed', message: `The levels could not be published: ${error instanceof Error ? error.message : error}.` };
+    const message = `The levels could not be published: ${error instanceof Error ? error.message : error}.`;
+    return { kind: 'failed', message, reasons: [] };
   }
 }
 
@@ -52,7 +54,9 @@ async function intoFolder({ workspace }: Editor, { target, site, title, withRuns
     return { kind: 'done', message };
   }
   if (answer.error.levels !== undefined) return { kind: 'refused', levels: answer.error.levels };
-  return { kind: 'failed', message: errorInWords(answer.error) };
+  const { files = [] } = answer.error;
+  const reasons = files.flatMap(({ file, problems }) => problems.map((problem) => problemInWords(file, problem)));
+  return { kind: 'failed', message: errorInWords(answer.error), reasons };
 }
 
 async function asFile(editor: Editor, { target, title, withRuns, force, onProgress }: PublishWish): Promise<Published> {

@@ -2,6 +2,7 @@ export { createEditedLevel } from './document.ts';
 export type { ChangeResult, DocumentEvent, DocumentState, EditedLevel, Gesture, Recipe, StepMark } from './edited-level.ts';
 export { enteredGroup, freeGroupName, groupOf, unitOf, withGroups } from './groups.ts';
 export { levelText } from './level-text.ts';
+export { createListeners } from './listeners.ts';
 export {
   grabbableIn,
   groupsIn,

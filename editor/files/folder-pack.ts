@@ -52,11 +52,19 @@ export function folderPackIn({ list }: { readonly list: ListResponse | null }): 
   return found;
 }
 
-/** The list with its levels as its pack puts them in order; a pack that is not valid says nothing. */
-export function inOrderOfPack(list: ListResponse): ListResponse {
+/**
+ * The list with its levels as its pack puts them in order; a pack that is not valid says nothing.
+ * @param former the earlier ids of renamed levels: they keep their places until the pack has the new ones
+ */
+export function inOrderOfPack(list: ListResponse, former: ReadonlyMap<string, string>): ListResponse {
   const pack = folderPackIn({ list });
   if (pack.kind !== 'valid') return list;
-  const levels = inPackOrder<LevelEntry>(list.levels, ({ id }) => id, levelsOfPack(pack.reading.pack));
+  const listed = levelsOfPack(pack.reading.pack);
+  const placeIn = ({ id }: LevelEntry): string => {
+    const before = former.get(id);
+    return before === undefined || listed.includes(id) || list.levels.some((other) => other.id === before) ? id : before;
+  };
+  const levels = inPackOrder<LevelEntry>(list.levels, placeIn, listed);
   return levels.every((entry, i) => entry === list.levels[i]) ? list : { ...list, levels };
 }
 

@@ -9,7 +9,7 @@ export type { OpenedLevel } from './open-level.ts';
 export { createOpeningMarks, type OpeningMarks, tabName } from './opening-marks.ts';
 export { pageSurroundings } from './page-surroundings.ts';
 export { isOtherToken } from './page-token.ts';
-export { problemsInWords } from './problems-in-words.ts';
+export { problemInWords, problemsInWords } from './problems-in-words.ts';
 export type { SaveState } from './save-state.ts';
 export { createSaver, type Saver } from './saver.ts';
 export { createServerStorage } from './server-storage.ts';

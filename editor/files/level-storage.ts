@@ -24,6 +24,8 @@ export interface StorageError {
   readonly current: ReadResponse | null;
   /** `not-completable`: the levels that are not published as they are. */
   readonly levels?: readonly RefusedLevel[];
+  /** `not-published`: files that must be corrected first. */
+  readonly files?: ErrorResponse['error']['files'];
 }
 
 export type Answer<T> = { readonly ok: true; readonly value: T } | { readonly ok: false; readonly error: StorageError };
@@ -75,6 +77,6 @@ export const storageError = (
 
 /** What went wrong and what to do, as sentences. */
 export function errorInWords({ message, hint }: StorageError): string {
-  const sentence = (text: string) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+  const sentence = (text: string) => `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.?!]$/.test(text) ? '' : '.'}`;
   return `${sentence(message)} ${sentence(hint)}`;
 }

@@ -4,11 +4,12 @@ import { isSame, type Problem } from '../../schema/index.ts';
 import { createEditedLevel, type EditedLevel, levelText } from '../document/index.ts';
 import type { Journal, Keeping, LevelJournal, Recovery } from '../journal/index.ts';
 import type { LevelVersions, VersionKeeper } from '../versions/index.ts';
-import { readStored, readText } from './disk-text.ts';
+import { readStored } from './disk-text.ts';
 import type { DiskBase } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
 import { createSaver, type Saver } from './saver.ts';
 import { type Throttled, type Timers, throttled } from './timers.ts';
+import { WriterFollower } from './writer-follower.ts';
 import { type Channel, claimLevel, type Role, type Shown, type WriterLock } from './writer-lock.ts';
 
 /** What the page provides, and tests replace. */
@@ -31,6 +32,12 @@ export interface OpenedLevel {
   readonly level: EditedLevel;
   readonly saver: Saver;
   readonly lock: WriterLock;
+  /** Whether this page has changed a level that another page writes: the changes wait for the user to take over or drop them. */
+  readonly holding: StoreApi<boolean>;
+  /** Drops these changes, as a step that can be undone. */
+  dropHeld(): void;
+  /** The level as it leaves this page, to go on from there when it is opened again. */
+  remember(): Remembered;
   /** Whether unsaved changes would outlive this page; null: this page keeps no journal of the level, as another page does. */
   readonly keeping: StoreApi<Keeping | null>;
   /** The versions of the level that were on disk, or have names. */
@@ -41,6 +48,13 @@ export interface OpenedLevel {
   moved(id: string, etag: string): void;
   /** Saves the changes and releases the level. Changes that could not be saved stay in the journal. */
   close(): Promise<void>;
+}
+
+/** A level as a page last had it open. */
+export interface Remembered {
+  readonly level: EditedLevel;
+  /** What its changes are based on that the page could only hold; null: there are none. */
+  readonly held: DiskBase | null;
 }
 
 export type Opening =
@@ -70,9 +84,10 @@ const ASKING = 'checking whether another tab has this level open';
 /**
  * Opens a level of the storage, including unsaved changes of an earlier page. Resolves when it is known whether this page may
  * write it.
- * @param remembered the level as this page last had it open: its history continues if nothing has changed it since
+ * @param remembered the level as this page last had it open: its history continues if nothing has changed it since, and what the
+ * page holds is held again
  */
-export async function openLevel(id: string, surroundings: Surroundings, remembered: EditedLevel | null = null): Promise<Opening> {
+export async function openLevel(id: string, surroundings: Surroundings, remembered: Remembered | null = null): Promise<Opening> {
   const answer = await surroundings.storage.read(id);
   if (!answer.ok) return { ok: false, kind: 'failed', error: answer.error };
   const { text, etag } = answer.value;
@@ -80,8 +95,11 @@ export async function openLevel(id: string, surroundings: Surroundings, remember
   if (!reading.ok) return { ok: false, kind: 'invalid', text: text ?? '', etag, problems: reading.problems };
   // The id may now belong to another level: the history continues only if the file is still the same.
   const fresh = createEditedLevel(reading.file);
-  const level = remembered !== null && isSame(remembered.file(), fresh.file()) ? remembered : fresh;
-  const opened = new LevelOnPage(id, surroundings, level, { file: level.file(), etag }, answer.value.readOnly);
+  const held = remembered?.held ?? null;
+  const goesOn = remembered !== null && (held !== null || isSame(remembered.level.file(), fresh.file()));
+  const level = goesOn ? remembered.level : fresh;
+  const base = held ?? { file: level.file(), etag };
+  const opened = new LevelOnPage(id, surroundings, level, base, answer.value.readOnly, held !== null);
   await opened.decided;
   return { ok: true, opened };
 }
@@ -90,14 +108,15 @@ class LevelOnPage implements OpenedLevel {
   readonly saver: Saver;
   readonly versions: LevelVersions;
   readonly lock: WriterLock;
+  readonly holding: StoreApi<boolean>;
   readonly keeping = createStore<Keeping | null>(() => null);
   /** Resolves when it is known whether this page may write. */
   readonly decided: Promise<void>;
   recovered: Recovery | null = null;
   /** This page's journal of the level; null if another page keeps it. */
   private kept: LevelJournal | null = null;
-  /** Whether this page lost the level to another one before it could write its changes. */
-  private isStranded = false;
+  /** Shows what another page does that writes the level. */
+  private readonly follower: WriterFollower;
   /** Resolves when the consequences of this page's role are done. */
   private settled: Promise<void> = Promise.resolve();
   private stopShowing = () => {};
@@ -111,6 +130,8 @@ class LevelOnPage implements OpenedLevel {
     readonly level: EditedLevel,
     base: DiskBase,
     unwritable: string | null,
+    /** Whether the level has changes that this page could only hold. */
+    private hasHeld: boolean,
   ) {
     const { storage, journal, versions, timers, locks, channel, folder } = surroundings;
     this.versions = versions.follow(placeOf(folder, at), level);
@@ -124,7 +145,10 @@ class LevelOnPage implements OpenedLevel {
         if (this.lock.store.getState() === 'writer') this.versions.note(file, by);
       },
       onSent: (file) => this.kept?.onSent(file),
+      onStep: (event) => this.follower.stepped(event),
     });
+    this.follower = new WriterFollower(level, this.saver, timers);
+    this.holding = this.follower.holding;
     this.saver.setReadOnly(ASKING, true);
     const name = this.lockOf(at);
     this.lock = claimLevel({
@@ -136,7 +160,7 @@ class LevelOnPage implements OpenedLevel {
         this.telling.now();
         return this.saver.flush();
       },
-      onShown: (theirs) => this.show(theirs),
+      onShown: (theirs) => this.follower.show(theirs),
       shown: () => this.shown(),
     });
     this.telling = throttled(TELL_AFTER, () => this.lock.tell(this.shown()), timers);
@@ -170,12 +194,22 @@ class LevelOnPage implements OpenedLevel {
     void next.settled().then(() => (this.at === from ? undefined : journal.forget(placeOf(folder, from))));
   }
 
+  dropHeld(): void {
+    this.follower.drop();
+  }
+
+  remember(): Remembered {
+    return { level: this.level, held: this.hasHeld ? this.saver.base() : null };
+  }
+
   async close(): Promise<void> {
     this.level.seal();
     this.telling.now();
     await this.settled;
     await this.saver.flush();
     for (const stop of this.stops) stop();
+    this.hasHeld = this.holding.getState();
+    this.follower.close();
     this.saver.close();
     this.versions.close();
     await this.kept?.settled();
@@ -191,14 +225,6 @@ class LevelOnPage implements OpenedLevel {
   private shown(): Shown {
     const { file, etag } = this.saver.base();
     return { text: levelText(this.level.settledFile()), base: { text: levelText(file), etag } };
-  }
-
-  /** Shows the state of the tab that writes. */
-  private show({ text, base }: Shown): void {
-    const [theirs, disk] = [readText(text), readText(base.text)];
-    if (!theirs.ok || !disk.ok || this.isStranded || this.lock.store.getState() !== 'reader') return;
-    this.level.replace('Changed in another tab', theirs.file);
-    this.saver.restart({ file: disk.file, etag: base.etag });
   }
 
   /** @returns resolves when the first role is known and its consequences are done */
@@ -219,10 +245,14 @@ class LevelOnPage implements OpenedLevel {
     if (role === 'writer') {
       // the file may have changed while no page had the level open
       const { file, etag } = this.saver.base();
-      if (etag !== null) this.versions.note(file, 'found');
+      if (etag !== null && !this.hasHeld && !this.holding.getState()) this.versions.note(file, 'found');
       return this.takeUp();
     }
-    this.giveUp();
+    // what this page could not write before it lost the level
+    const isStranded = this.kept !== null && this.saver.isUnsaved();
+    this.keep(null);
+    this.follower.begin(isStranded || this.hasHeld);
+    this.hasHeld = false;
     return Promise.resolve();
   }
 
@@ -239,6 +269,7 @@ class LevelOnPage implements OpenedLevel {
       return;
     }
     if (lock.store.getState() !== 'writer') return;
+    this.follower.end();
     // a write whose answer was lost may have reached the disk
     if (left !== null && !isSame(left.file, saver.base().file)) {
       // this page may have changes of its own that it could not write before it lost the level
@@ -248,7 +279,6 @@ class LevelOnPage implements OpenedLevel {
       level.replace('Recovered', file);
       this.recovered ??= left;
     }
-    this.isStranded = false;
     this.keep(journal.follow(placeOf(folder, this.at), level, saver.base()));
     saver.setReadOnly(null);
     saver.refresh();
@@ -260,15 +290,9 @@ class LevelOnPage implements OpenedLevel {
     this.cancelRetry = this.surroundings.timers.after(RETRY, () => {
       if (this.kept === null) this.settled = this.onRole(this.lock.store.getState());
     });
+    this.follower.end();
     this.saver.setReadOnly(null);
     this.saver.refresh();
-  }
-
-  /** Another page is the writer. */
-  private giveUp(): void {
-    this.isStranded = this.kept !== null && this.saver.isUnsaved();
-    this.keep(null);
-    this.saver.setReadOnly('another tab has this level open', !this.isStranded);
   }
 
   private keep(journal: LevelJournal | null): void {

@@ -1,11 +1,13 @@
 import { get, update } from 'idb-keyval';
 import { EDIT_API, EDIT_ERRORS } from '../../schema/index.ts';
+import { type AttemptKeeper, createAttemptKeeper, openIndexedDbAttempts } from '../attempts/index.ts';
 import { openDatabase } from '../database/index.ts';
 import { createJournal, openIndexedDbStore } from '../journal/index.ts';
 import { createVersionKeeper, openIndexedDbVersions } from '../versions/index.ts';
 import { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 import type { LevelStorage } from './level-storage.ts';
 import type { Surroundings } from './open-level.ts';
+import { createPageKey } from './page-key.ts';
 import { mayBeServed, takeToken } from './page-token.ts';
 import { createServerStorage } from './server-storage.ts';
 import { pageTimers, type Timers } from './timers.ts';
@@ -20,6 +22,7 @@ const LEVELS = 'gravity-quest-editor-levels';
 
 /** What the page provides, whether or not its database answers. */
 export interface PageSurroundings extends Omit<Surroundings, 'folder'> {
+  readonly attempts: AttemptKeeper;
   /** Levels of this browser that became readable only after the page had started without them; null if it started with them. */
   readonly lateLevels: Promise<LevelStorage> | null;
 }
@@ -111,7 +114,17 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
   const timers = pageTimers;
   const given = takeToken(page);
   const opening = inTimeOrLate(() => openIndexedDbStore(indexedDB, timers.after), timers);
+  const openingAttempts = inTimeOrLate(() => openIndexedDbAttempts(indexedDB, timers.after), timers);
   const openingVersions = inTimeOrLate(() => openIndexedDbVersions(indexedDB, timers.after), timers);
+  const key = createPageKey({
+    location: page.location,
+    crypto: page.crypto,
+    fetch: page.fetch.bind(page),
+    // the browser may refuse access only when it is used
+    get sessionStorage() {
+      return page.sessionStorage;
+    },
+  });
   // with an empty token, the storage reports what is missing
   const token = given ?? ((await isServed(page)) ? '' : null);
   const levels =
@@ -121,6 +134,7 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
           storage: createServerStorage({
             origin: page.location.origin,
             token,
+            key,
             client: crypto.randomUUID(),
             fetch: page.fetch.bind(page),
           }),
@@ -132,5 +146,8 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
   const found = await openingVersions;
   const versions = createVersionKeeper({ store: found.inTime, now: Date.now, whenIdle: whenPageIdle });
   if (found.inTime === null) void found.late.then((store) => versions.adopt(store));
-  return { ...levels, journal, versions, timers, locks: page.navigator.locks ?? null, channel: channelTo };
+  const made = await openingAttempts;
+  const attempts = createAttemptKeeper(made.inTime, timers.after);
+  if (made.inTime === null) void made.late.then((store) => attempts.adopt(store));
+  return { ...levels, attempts, journal, versions, timers, locks: page.navigator.locks ?? null, channel: channelTo };
 }

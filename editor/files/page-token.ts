@@ -24,6 +24,15 @@ const tokenIn = ({ hash }: Pick<Location, 'hash'>): string =>
 
 const partsOf = (hash: string): string[] => hash.replace(/^#/, '').split('&');
 
+/** Keeps the token of a later run for this tab, so that the page can be reloaded. */
+export function keepToken({ sessionStorage }: Pick<TokenPage, 'sessionStorage'>, token: string): void {
+  try {
+    sessionStorage.setItem(KEPT, token);
+  } catch {
+    // a tab that stores nothing is reloaded from the address
+  }
+}
+
 /** Whether the address has a token that this tab does not know yet: another start of `gq edit` has printed the address. */
 export function isOtherToken(page: Omit<TokenPage, 'history'>): boolean {
   const given = tokenIn(page.location);

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type Choices, mergeLevels } from '../../review/index.ts';
 import type { LevelFile, ReadResponse } from '../../schema/index.ts';
-import { type EditedLevel, levelText } from '../document/index.ts';
+import { type DocumentEvent, type EditedLevel, levelText } from '../document/index.ts';
 import { diskNews } from './disk-news.ts';
 import { type DiskBase, KnownDisk } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
@@ -51,6 +51,8 @@ export interface SaverOptions {
   readonly onDisk?: (file: LevelFile, etag: string | null, by: 'page' | 'other') => void;
   /** Called when a version is about to be sent, so that it may be on disk from now on. It is sent when the promise resolves. */
   readonly onSent?: (file: LevelFile) => Promise<unknown> | undefined;
+  /** Called after each step of the level, except those that bring in the state on disk. */
+  readonly onStep?: (event: DocumentEvent) => void;
 }
 
 /** After these errors, it is uncertain whether the text has reached the disk: it may have been written and replaced at once. */
@@ -95,7 +97,7 @@ class LevelSaver implements Saver {
   constructor(
     private id: string,
     private readonly level: EditedLevel,
-    { storage, timers, base, unwritable = null, onDisk, onSent }: SaverOptions,
+    { storage, timers, base, unwritable = null, onDisk, onSent, onStep }: SaverOptions,
   ) {
     this.storage = storage;
     this.timers = timers;
@@ -104,7 +106,11 @@ class LevelSaver implements Saver {
     this.disk = new KnownDisk(level, base, onDisk);
     this.pacing = new WritePacing(timers, () => void this.send());
     this.store = createStore<SaveState>(() => (this.disk.differs() ? { kind: 'unsaved' } : { kind: 'saved' }));
-    this.stop = level.onStep(() => this.changed());
+    this.stop = level.onStep((event) => {
+      if (this.isTaking) return;
+      onStep?.(event);
+      this.changed();
+    });
     if (this.disk.differs()) this.changed();
   }
 
@@ -201,7 +207,6 @@ class LevelSaver implements Saver {
   /** The level may have changed: makes sure that it is written. */
   private changed(): void {
     const { pacing } = this;
-    if (this.isTaking) return;
     if (this.readOnly !== null || this.blocked !== null) {
       this.showResting();
       return;

@@ -22,6 +22,7 @@ import {
   writeResponseSchema,
 } from '../../schema/index.ts';
 import { type Answer, type LevelStorage, type Link, storageError } from './level-storage.ts';
+import type { PageKey } from './page-key.ts';
 import { pageTimers, type Timers } from './timers.ts';
 
 export interface ServerOptions {
@@ -31,6 +32,8 @@ export interface ServerOptions {
    * The token after `#token=` in the address that `gq edit` prints; '' if the page was opened without one: then errors say so.
    */
   readonly token: string;
+  /** Lets the page in again after a restart. */
+  readonly key: PageKey;
   /** A random name of this page. */
   readonly client: string;
   readonly fetch: typeof fetch;
@@ -58,9 +61,33 @@ const NO_TOKEN = storageError(
   OPEN_AGAIN,
 );
 
+/** The token of the run that the server is in, as far as it is known. */
+interface Token {
+  now(): string;
+  /** @param refused the token that the server does not take. @returns whether there is another one now */
+  renewed(refused: string): Promise<boolean>;
+}
+
+function tokenOf({ token, key }: Pick<ServerOptions, 'token' | 'key'>): Token {
+  let now = token;
+  let asking: Promise<string | null> | null = null;
+  return {
+    now: () => now,
+    async renewed(refused) {
+      if (now !== refused) return true;
+      asking ??= key.renew();
+      const fresh = await asking;
+      asking = null;
+      if (fresh !== null) now = fresh;
+      return now !== refused;
+    },
+  };
+}
+
 /** The folder behind `gq edit`. */
 export function createServerStorage(options: ServerOptions): LevelStorage {
-  const { origin, token, client, fetch, timers = pageTimers } = options;
+  const { origin, client, fetch, timers = pageTimers } = options;
+  const token = tokenOf(options);
 
   const ask = async <T>(
     method: string,
@@ -69,13 +96,14 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     headers: Fields,
     body?: object,
   ): Promise<Answer<T>> => {
+    const given = token.now();
     let response: Response;
     let value: unknown;
     try {
       response = await fetch(`${origin}${path}`, {
         method,
         headers: {
-          [EDIT_API.TOKEN_HEADER]: token,
+          [EDIT_API.TOKEN_HEADER]: given,
           ...(body === undefined ? {} : { 'Content-Type': 'application/json' }),
           ...headers,
         },
@@ -92,10 +120,13 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     } else {
       const parsed = errorResponseSchema.safeParse(value);
       if (parsed.success) {
-        const { code, message, hint, problems = [], current = null, levels } = parsed.data.error;
-        if (code === 'wrong-token')
-          return { ok: false, error: token === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
-        return { ok: false, error: { code, message, hint, problems, current, ...(levels !== undefined && { levels }) } };
+        const { code, message, hint, problems = [], current = null, ...lists } = parsed.data.error;
+        if (code === 'wrong-token') {
+          // nothing was done: the request is sent again
+          if (await token.renewed(given)) return ask(method, path, schema, headers, body);
+          return { ok: false, error: given === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
+        }
+        return { ok: false, error: { code, message, hint, problems, current, ...lists } };
       }
     }
     const hint = 'are the page and gq edit of the same version? Reload the page';
@@ -155,16 +186,21 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
     },
     watch(onEvent, onLink) {
       // without a token, the server reports nothing
-      if (token === '') return () => {};
+      if (token.now() === '') return () => {};
       const own = (event: EditEvent) => 'by' in event && event.by === client;
-      return followEvents({ ...options, timers }, (event) => !own(event) && onEvent(event), onLink);
+      return followEvents({ ...options, timers, token }, (event) => !own(event) && onEvent(event), onLink);
     },
   };
 }
 
+interface Following extends Pick<ServerOptions, 'origin' | 'key' | 'fetch'> {
+  readonly timers: Timers;
+  readonly token: Token;
+}
+
 /** Keeps a stream of events open and reconnects when it ends. */
 function followEvents(
-  { origin, token, fetch, timers = pageTimers }: ServerOptions,
+  { origin, token, key, fetch, timers }: Following,
   onEvent: (event: EditEvent) => void,
   onLink: (link: Link) => void,
 ): () => void {
@@ -182,14 +218,19 @@ function followEvents(
   const readAll = async (): Promise<void> => {
     abort = new AbortController();
     const { signal } = abort;
+    const given = token.now();
     const response = await fetch(`${origin}${EDIT_API.EVENTS}`, {
-      headers: { [EDIT_API.TOKEN_HEADER]: token },
+      headers: { [EDIT_API.TOKEN_HEADER]: given },
       signal,
       cache: 'no-store',
     });
-    if (response.status === EDIT_ERRORS['wrong-token']) tell('otherRun');
+    if (response.status === EDIT_ERRORS['wrong-token']) {
+      if (await token.renewed(given)) attempts = 0;
+      else tell('otherRun');
+    }
     if (!response.ok || response.body === null) throw new Error(`the server answered ${response.status}`);
     tell('up');
+    void key.learn(given);
     const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
     let rest = '';
     let cancelSilence = timers.after(SILENCE, () => abort.abort());

@@ -8,12 +8,13 @@ import {
   type OrderResponse,
   type PackOnDisk,
 } from '../../schema/index.ts';
-import type { EditedLevel } from '../document/index.ts';
+import { createListeners } from '../document/index.ts';
+import type { Move } from '../versions/index.ts';
 import { folderPackIn, inOrderOfPack, withKeptPack } from './folder-pack.ts';
 import { withKeptRules } from './folder-rules.ts';
 import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
-import { type OpenedLevel, type Opening, openLevel, placeOf, type Surroundings } from './open-level.ts';
+import { type OpenedLevel, type Opening, openLevel, placeOf, type Remembered, type Surroundings } from './open-level.ts';
 
 /** The folder that is edited. */
 export interface WorkspaceState {
@@ -56,6 +57,8 @@ export interface Workspace {
    * that the page knows; then the list has the other one.
    */
   writePack(text: string | null): Promise<Answer<PackOnDisk | null>>;
+  /** Calls back when levels got other places: they were renamed, deleted, restored or reordered. @returns stops it */
+  onMoved(listener: (moves: readonly Move[]) => void): () => void;
   /** Closes the open level. */
   leave(): Promise<void>;
   close(): Promise<void>;
@@ -76,7 +79,10 @@ interface Renamed {
 class StorageWorkspace implements Workspace {
   readonly store: StoreApi<WorkspaceState>;
   readonly storage: LevelStorage;
-  private readonly remembered = new Map<string, EditedLevel>();
+  private readonly remembered = new Map<string, Remembered>();
+  /** The earlier ids of renamed levels, by which `pack.json` may still list them. */
+  private readonly former = new Map<string, string>();
+  private readonly moved = createListeners<readonly Move[]>();
   /** Ids received since a list began: a long list comes in parts. */
   private heard = new Set<string>();
   /** Opening and closing happen one after the other. */
@@ -181,6 +187,10 @@ class StorageWorkspace implements Workspace {
     return answer;
   }
 
+  onMoved(listener: (moves: readonly Move[]) => void): () => void {
+    return this.moved.add(listener);
+  }
+
   leave(): Promise<void> {
     return this.inTurn(() => this.closeOpened());
   }
@@ -246,7 +256,7 @@ class StorageWorkspace implements Workspace {
 
   private setList(list: ListResponse, more: Partial<WorkspaceState> = {}): void {
     const before = this.store.getState().list;
-    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptRules(list, before), before)), ...more });
+    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptRules(list, before), before), this.former), ...more });
   }
 
   private isWholeListed(): boolean {
@@ -265,7 +275,7 @@ class StorageWorkspace implements Workspace {
 
   private setLevels(change: (levels: readonly LevelEntry[]) => LevelEntry[]): void {
     const { list } = this.store.getState();
-    if (list !== null) this.store.setState({ list: inOrderOfPack({ ...list, levels: change(list.levels) }) });
+    if (list !== null) this.store.setState({ list: inOrderOfPack({ ...list, levels: change(list.levels) }, this.former) });
   }
 
   /** Moves what this browser keeps of the versions of levels. @param of tells this move from others between the same places */
@@ -277,12 +287,16 @@ class StorageWorkspace implements Workspace {
       token: `${from} to ${to} ${of}`,
     }));
     this.surroundings.versions.moved(places);
+    this.moved.call(places);
   }
 
   /** Moves histories and the open level to their new ids; all at once, as levels may swap ids. */
   private follow(renamed: readonly Renamed[]): void {
     this.moveVersions(renamed.map(({ from, entry }) => ({ from, to: entry.id, of: entry.etag })));
-    const { remembered } = this;
+    const { remembered, former } = this;
+    const before = renamed.map(({ from }) => former.get(from) ?? from);
+    for (const { from } of renamed) former.delete(from);
+    for (const [i, { entry }] of renamed.entries()) former.set(entry.id, before[i]);
     const histories = renamed.map(({ from }) => remembered.get(from));
     for (const { from } of renamed) remembered.delete(from);
     for (const [i, { entry }] of renamed.entries()) {
@@ -311,7 +325,7 @@ class StorageWorkspace implements Workspace {
   /** Saves the changes of a level and keeps its history for the next time. */
   private async putAway(opened: OpenedLevel): Promise<void> {
     await opened.close();
-    this.remembered.set(opened.id(), opened.level);
+    this.remembered.set(opened.id(), opened.remember());
   }
 
   private async closeOpened(): Promise<void> {

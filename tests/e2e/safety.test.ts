@@ -12,6 +12,11 @@ import { until } from './until.ts';
 const OUTAGE = /Failed to load resource|ERR_/;
 
 const A = { x: 400, y: 200 };
+
+/** Where a tab keeps the key of the folder. */
+const KEY = 'gravity-quest-editor-key';
+const hasKey = (page: Page) => page.waitForFunction((name) => sessionStorage.getItem(name) !== null, KEY);
+
 const saving = (page: Page, text: RegExp) => page.getByRole('status', { name: 'Saving' }).filter({ hasText: text }).waitFor();
 const placeOf = (file: LevelFile, id: string) => file.asteroids?.find((one) => one.id === id);
 
@@ -164,12 +169,45 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a page whose server was restarted says so, and its unsaved changes move to the new page',
+    'a page whose server was restarted is let in again, and what was changed in between is saved',
+    on(
+      { '01': garden() },
+      async ({ page, canvas, file, saved, killServer, startServer, server }) => {
+        await canvas.fit(file('01'));
+        await saved();
+        await hasKey(page);
+        const notices = page.getByRole('list', { name: 'Messages' });
+        for (const y of [201, 202]) {
+          const { port } = server();
+          await killServer();
+          await notices.getByText(/gq edit does not answer/).waitFor();
+          await canvas.click(A);
+          await page.keyboard.press('ArrowDown');
+          await saving(page, /disconnected, kept in this browser/);
+          expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: y - 1 });
+          await startServer(port);
+          await saving(page, /^saved$/);
+          expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y });
+          await until(async () => expect(await notices.getByRole('listitem').count()).toBe(0));
+        }
+        // the tab has the new token, too
+        await page.reload();
+        await saved();
+        await page.getByRole('heading', { level: 1, name: 'Garden' }).waitFor();
+      },
+      { complaints: OUTAGE, ownProcess: true },
+    ),
+  );
+
+  it(
+    'a page whose server was restarted with another key says so, and its unsaved changes move to the new page',
     on(
       { '01': garden() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
         await canvas.fit(file('01'));
         await saved();
+        await hasKey(page);
+        await page.evaluate((name) => sessionStorage.setItem(name, 'k'.repeat(43)), KEY);
         const { port } = server();
         const notices = page.getByRole('list', { name: 'Messages' });
         await killServer();

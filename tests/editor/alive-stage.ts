@@ -65,6 +65,11 @@ export function aliveStage(file: LevelFile, { isOn = true } = {}) {
     await breathe();
     return true;
   };
+  /** The worker that was asked first dies. */
+  const die = async (): Promise<void> => {
+    waiting.shift()?.end({ kind: 'failed', message: 'the worker died' });
+    await breathe();
+  };
   return {
     document,
     proof,
@@ -72,6 +77,7 @@ export function aliveStage(file: LevelFile, { isOn = true } = {}) {
     store: aliveOf(level),
     stop,
     work,
+    die,
     jobs: () => waiting.length,
     asked: () => waiting.map(({ request }) => request),
     /** The page comes to rest. */

@@ -176,6 +176,78 @@ describe('a run that is kept alive', () => {
   });
 });
 
+/** A swing whose run the recoil carries past an alien; no shift of its holds helps once its asteroid is 30 px higher. */
+const KICKBACK: LevelFile = withIds({
+  version: 1,
+  name: 'Kickback',
+  astronaut: { x: 320, y: 360 },
+  blackHole: { x: 640, y: 360 },
+  recoil: true,
+  asteroids: [
+    { id: 'o06tc5', x: 480, y: 360, radius: 16 },
+    { id: 'jz3o2j', x: 600, y: 440, radius: 16 },
+  ],
+  aliens: [{ id: 'e7uie0', x: 560, y: 288 }],
+  // holds that touch: joined, they are [0, 132]
+  runs: [
+    {
+      name: 'solution',
+      holds: [
+        [0, 60],
+        [60, 132],
+      ],
+    },
+  ],
+});
+const up = (by: number) => moveObjects(['o06tc5'], 0, -by);
+
+describe('a run that can not be kept alive', () => {
+  it('has the holds of its author after a drag that had found others on the way', async () => {
+    const { document, store, work, settle, proof } = aliveStage(KICKBACK);
+    const drag = document.begin('Move');
+    const found = new Set<string>();
+    for (let by = 1; by <= 30; by++) {
+      drag.set(up(by));
+      while (await work());
+      found.add(proof.proof().run.holds.join());
+    }
+    expect(found.size).toBeGreaterThan(1);
+    drag.commit();
+    // before the last search as well as after it
+    expect(document.file().runs).toEqual(KICKBACK.runs);
+    await settle();
+    expect(store.getState()).toMatchObject({ kind: 'failed', isFinal: true });
+    expect(document.file().runs).toEqual(KICKBACK.runs);
+    expect(document.labels()).toEqual(['Move']);
+  });
+
+  it('has them after keys held down, a worker that died, and when it is turned off or left in a drag', async () => {
+    const ends: ((stage: ReturnType<typeof aliveStage>) => void)[] = [
+      ({ die }) => die(),
+      ({ settings }) => settings.setState({ keepAlive: false }),
+      ({ stop }) => stop(),
+      ({ document }) => void document.change('Rename', setLevelProperty('name', 'other')),
+    ];
+    for (const end of ends) {
+      for (const isDrag of [false, true]) {
+        const stage = aliveStage(KICKBACK);
+        const { document, work, proof } = stage;
+        const drag = isDrag ? document.begin('Move') : null;
+        const move = (by: number) =>
+          drag === null ? document.change('Move', moveObjects(['o06tc5'], 0, -by), { gesture: 'keys' }) : drag.set(up(by));
+        move(5);
+        while (await work());
+        expect(proof.proof().run.outcome).toBe('completed');
+        expect(document.file().runs).not.toEqual(KICKBACK.runs);
+        move(isDrag ? 30 : 25);
+        end(stage);
+        drag?.commit();
+        expect(document.file().runs).toEqual(KICKBACK.runs);
+      }
+    }
+  });
+});
+
 const step = fc.integer({ min: -12, max: 12 });
 const path = fc.array(fc.tuple(step, step, fc.boolean()), { minLength: 1, maxLength: 6 });
 
@@ -213,6 +285,57 @@ describe('any drag of any object of the shipped levels', () => {
         stop();
       }),
       { numRuns: 40 },
+    );
+  }, 120_000);
+});
+
+describe('whatever is done, in any order', () => {
+  const FILES = [KICKBACK, SWINGS];
+  const act = fc.oneof(
+    fc.record({ kind: fc.constant('drag'), x: step, y: fc.integer({ min: -40, max: 40 }) }),
+    fc.record({ kind: fc.constant('nudge'), x: step, y: step }),
+    fc.record({ kind: fc.constantFrom('work', 'work', 'drop', 'cancel', 'rest', 'die', 'undo', 'redo', 'toggle', 'rename') }),
+  );
+
+  it('a step leaves each run as it was, or completes the level with it', async () => {
+    await fc.assert(
+      fc.asyncProperty(fc.nat(1), fc.nat(3), fc.array(act, { minLength: 4, maxLength: 14 }), async (which, nth, acts) => {
+        const stage = aliveStage(FILES[which]);
+        const { document, settings } = stage;
+        const keys: ObjectKey[] = [...objectsOf(document.file()).keys()];
+        const key = keys[nth % keys.length];
+        let drag: ReturnType<typeof document.begin> | null = null;
+        /** The level before the last step; null if that was undone or redone. */
+        const last: { start: LevelFile | null } = { start: null };
+        document.onStep((event) => {
+          last.start = event.kind === 'change' ? event.start : null;
+        });
+        for (const one of acts) {
+          if (one.kind === 'drag' && 'x' in one) {
+            if (drag?.isLive !== true) drag = document.begin('Move');
+            drag.set(moveObjects([key], one.x, one.y));
+          } else if (one.kind === 'nudge' && 'x' in one)
+            document.change('Move', moveObjects([key], one.x, one.y), { gesture: 'keys' });
+          else if (one.kind === 'work') await stage.work();
+          else if (one.kind === 'drop') drag?.commit();
+          else if (one.kind === 'cancel') drag?.cancel();
+          else if (one.kind === 'rest') await stage.rest();
+          else if (one.kind === 'die') await stage.die();
+          else if (one.kind === 'undo') document.undo();
+          else if (one.kind === 'redo') document.redo();
+          else if (one.kind === 'toggle') settings.setState({ keepAlive: !settings.getState().keepAlive });
+          else document.change('Rename', setLevelProperty('name', `${document.labels().length}`));
+          const { start } = last;
+          if (start === null) continue;
+          const now = document.settledFile();
+          for (const run of now.runs ?? []) {
+            const former = start.runs?.find(({ name }) => name === run.name);
+            if (JSON.stringify(run) !== JSON.stringify(former)) expect(outcomeOf(now, run.name)).toBe('completed');
+          }
+        }
+        stage.stop();
+      }),
+      { numRuns: 60 },
     );
   }, 120_000);
 });

@@ -1,6 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { tellKept } from '../../editor/app/tell-kept.ts';
+import { createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
 import { inTimeOrLate } from '../../editor/files/page-surroundings.ts';
-import { breathe, TurnedClock } from './stage.ts';
+import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
+import { createNotices } from '../../editor/notices/index.ts';
+import { breathe, FILE, TurnedClock } from './stage.ts';
 
 /** The state of a promise so far. */
 function watched<T>(opening: ReturnType<typeof inTimeOrLate<T>>) {
@@ -59,5 +63,28 @@ describe('a database that may never answer', () => {
     expect([times, seen.late]).toEqual([3, undefined]);
     await clock.pass(31_000);
     expect(seen).toEqual({ inTime: null, late: 'levels' });
+  });
+});
+
+describe('unsaved changes of other levels', () => {
+  it('are told of when the database answers only after the page has asked for them', async () => {
+    const store = createMemoryStore();
+    const earlier = createEditedLevel(FILE);
+    const kept = createJournal(store, () => 0).follow('f/07', earlier, { file: earlier.file(), etag: '"1"' });
+    earlier.change('Rename', setLevelProperty('name', 'unsaved'));
+    await kept.settled();
+
+    const journal = createJournal(null, () => 0);
+    const notices = createNotices();
+    const workspace = { store: { getState: () => ({ list: { folder: { id: 'f' } }, opened: null }) } };
+    const stop = tellKept({ journal, notices, workspace: workspace as never, session: {} as never }, '127.0.0.1:4747');
+    await breathe();
+    expect(notices.store.getState()).toEqual([]);
+    journal.adopt(store);
+    await breathe();
+    expect(notices.store.getState().map(({ text }) => text)).toEqual([
+      'Unsaved changes to 07 are kept in this browser for 127.0.0.1:4747.',
+    ]);
+    stop();
   });
 });

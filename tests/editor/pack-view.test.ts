@@ -44,7 +44,7 @@ const FACTS = new Map(Object.entries(LEVELS).map(([id, text]) => [id, factsOf(te
 
 /** What the view of a folder shows, as the page has it from the server. */
 function shown(list: ListResponse, grades: ReadonlyMap<string, ShownGrade> = new Map()) {
-  const ordered = inOrderOfPack(list);
+  const ordered = inOrderOfPack(list, new Map());
   return modelOf({
     levels: ordered.levels,
     pack: folderPackIn({ list: ordered }),
@@ -98,7 +98,7 @@ describe('check, build and editor', () => {
           const idOf = (file: string): string => file.slice(folder.length + 1).replace('.level.json', '');
           const checked = (await findLevelFiles([folder])).files.map(idOf);
           const built = await findPack([folder], noConfiguration());
-          const edited = inOrderOfPack(list).levels.map(({ id }) => id);
+          const edited = inOrderOfPack(list, new Map()).levels.map(({ id }) => id);
           expect(edited).toEqual(checked);
           expect([...built.files.map(({ id }) => id), ...built.leftOut]).toEqual(checked);
           expect(shown(list).cards.map(({ id }) => id)).toEqual(checked);

@@ -323,6 +323,134 @@ describe('two pages on one level', () => {
   });
 });
 
+describe('a change in a page that may not write', () => {
+  const two = async () => {
+    const at = await browser();
+    await at.disk.write('08', formatLevel({ ...FILE, name: 'eight' }), null);
+    const [a, b] = [await at.page(), await at.page()];
+    const [writer, reader] = [await opening(a.workspace), await opening(b.workspace)];
+    expect([role(a.workspace), role(b.workspace)]).toEqual(['writer', 'reader']);
+    const namedBy = async (one: OpenedLevel, name: string) => {
+      one.level.change('Rename', setLevelProperty('name', name));
+      await at.clock.pass(1000);
+    };
+    return { at, a, b, writer, reader, namedBy };
+  };
+  const describedIn = (one: OpenedLevel, text: string) => one.level.change('Describe', setLevelProperty('description', text));
+
+  it('stays where it was made while the other page goes on, and is saved with the rest once it takes over', async () => {
+    const { at, b, writer, reader, namedBy } = await two();
+    await namedBy(writer, 'by the writer');
+    describedIn(reader, 'by the reader');
+    expect(reader.holding.getState()).toBe(true);
+    expect(reader.saver.store.getState()).toMatchObject({ kind: 'readOnly', unsaved: true });
+    await namedBy(writer, 'by the writer again');
+    expect(reader.level.file().description).toBe('by the reader');
+    expect(b.line.writes).toBe(0);
+    reader.lock.takeOver();
+    await at.clock.pass(3000);
+    expect(reader.holding.getState()).toBe(false);
+    const both = { name: 'by the writer again', description: 'by the reader' };
+    expect(await at.file()).toMatchObject(both);
+    expect(reader.level.file()).toMatchObject(both);
+    expect(writer.level.file()).toMatchObject(both);
+  });
+
+  it('is saved when the other page is closed, dies, or does not answer', async () => {
+    for (const end of ['close', 'kill', 'freeze'] as const) {
+      const { at, a, writer, reader } = await two();
+      // what the writer could not write is not lost either
+      a.line.isCut = true;
+      writer.level.change('Rename', setLevelProperty('name', 'unsaved'));
+      await at.clock.pass(300);
+      describedIn(reader, 'by the reader');
+      if (end === 'close') a.line.isCut = false;
+      if (end === 'close') await a.workspace.close();
+      else if (end === 'kill') a.kill();
+      else {
+        a.line.write = () => new Promise(() => {});
+        a.line.isCut = false;
+        reader.lock.takeOver();
+      }
+      await at.clock.pass(5000);
+      expect([end, reader.lock.store.getState(), reader.holding.getState()]).toEqual([end, 'writer', false]);
+      expect(await at.file()).toMatchObject({ name: 'unsaved', description: 'by the reader' });
+    }
+  });
+
+  it('can be dropped: the level is as the other page has it, and undo holds the change again', async () => {
+    const { at, writer, reader, namedBy } = await two();
+    describedIn(reader, 'by the reader');
+    await namedBy(writer, 'by the writer');
+    reader.dropHeld();
+    expect(reader.level.file()).toEqual(writer.level.file());
+    expect(reader.holding.getState()).toBe(false);
+    expect(reader.saver.store.getState()).toMatchObject({ kind: 'readOnly', unsaved: false });
+    await namedBy(writer, 'by the writer again');
+    expect(reader.level.file().name).toBe('by the writer again');
+    reader.level.undo();
+    reader.level.undo();
+    expect([reader.level.file().description, reader.holding.getState()]).toEqual(['by the reader', true]);
+    expect(await at.file()).not.toHaveProperty('description');
+  });
+
+  it('is held no more once it is undone by hand: the page follows again', async () => {
+    const { writer, reader, namedBy } = await two();
+    await namedBy(writer, 'first');
+    describedIn(reader, 'by the reader');
+    await namedBy(writer, 'second');
+    // the disk has told nothing: only the writer has
+    reader.level.undo();
+    expect([reader.holding.getState(), reader.level.file().name]).toEqual([false, 'second']);
+  });
+
+  it('is not cut off in the middle of a gesture by what the other page does', async () => {
+    const { at, writer, reader, namedBy } = await two();
+    const drag = reader.level.begin('Describe');
+    drag.set(setLevelProperty('description', 'half'));
+    await namedBy(writer, 'by the writer');
+    expect(drag.isLive).toBe(true);
+    drag.set(setLevelProperty('description', 'whole'));
+    drag.commit();
+    expect([reader.level.file().description, reader.holding.getState()]).toEqual(['whole', true]);
+    reader.level.undo();
+    const other = reader.level.begin('Describe');
+    other.set(setLevelProperty('description', 'half'));
+    await namedBy(writer, 'by the writer again');
+    other.cancel();
+    await at.clock.pass(200);
+    expect(reader.level.file()).toEqual(writer.level.file());
+    expect(reader.holding.getState()).toBe(false);
+  });
+
+  it('is still there after another level was opened in between, also when the page may write then', async () => {
+    for (const isGone of [false, true]) {
+      const { at, a, b, writer, reader, namedBy } = await two();
+      describedIn(reader, 'by the reader');
+      await b.workspace.open('08');
+      await namedBy(writer, 'by the writer');
+      if (isGone) a.kill();
+      const again = await opening(b.workspace);
+      expect(again.holding.getState()).toBe(!isGone);
+      expect(again.level.file().description).toBe('by the reader');
+      if (!isGone) again.lock.takeOver();
+      await at.clock.pass(3000);
+      expect(await at.file()).toMatchObject({ name: 'by the writer', description: 'by the reader' });
+    }
+  });
+
+  it('of the same property as a change of the other page is a question to the user, not a loss', async () => {
+    const { at, b, writer, reader, namedBy } = await two();
+    reader.level.change('Rename', setLevelProperty('name', 'by the reader'));
+    await namedBy(writer, 'by the writer');
+    reader.lock.takeOver();
+    await at.clock.pass(3000);
+    expect(saveState(b.workspace)).toBe('conflict');
+    expect((await at.file()).name).toBe('by the writer');
+    expect(reader.level.file().name).toBe('by the reader');
+  });
+});
+
 describe('whatever happens', () => {
   const act = fc.oneof(
     { weight: 6, arbitrary: fc.record({ what: fc.constant('edit' as const), page: fc.nat(1) }) },
@@ -351,7 +479,7 @@ describe('whatever happens', () => {
           else if (what === 'others') {
             added.push(added.length + 1);
             await at.byOthers((file) => ({ ...file, minerals: [...(file.minerals ?? []), { x: added.length, y: 0 }] }));
-          } else if (what === 'edit' && role(one.workspace) === 'writer' && saveState(one.workspace) !== 'readOnly') {
+          } else if (what === 'edit') {
             added.push(added.length + 1);
             opened(one.workspace)?.level.change('Add', addObject('mineral', added.length, 0));
             // the journal stores it after a moment
@@ -363,7 +491,8 @@ describe('whatever happens', () => {
             one.line.losesAnswers = false;
             one.line.link('up');
           } else if (what === 'take over') opened(one.workspace)?.lock.takeOver();
-          else if (what === 'kill') {
+          // what a page holds that may not write goes with it
+          else if (what === 'kill' && opened(one.workspace)?.holding.getState() !== true) {
             one.kill();
             pages[page] = await at.page();
             await breathe();

@@ -6,9 +6,10 @@ import { describe, expect, it } from 'vitest';
 import { createEditedLevel, objectsOf, radiusOf } from '../../editor/document/index.ts';
 import { valueOfObjects } from '../../editor/panels/inspector/field-values.ts';
 import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspector/fields.ts';
-import { nearestPass, pullsOf, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
+import { nearestPass, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
+import { targetedIn } from '../../editor/panels/inspector/stretches.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { compile, simulate, TICK } from '../../engine/index.ts';
+import { compile, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import {
   fieldsOf as fieldsOfKind,
   isRequired,
@@ -137,7 +138,9 @@ describe('the effect of the run on an object', () => {
         ({ kind, object }) =>
           kind === 'nova' || kind === 'alien' || (kind === 'asteroid' && 'hot' in object && object.hot === true),
       );
-      const gaps = hazards.map((found) => nearestPass(proof, found, radiusOf(found) ?? 0)?.gap ?? Number.POSITIVE_INFINITY);
+      const gaps = hazards.map(
+        (found) => nearestPass(proof, found, radiusOf(found) ?? 0, 'box')?.gap ?? Number.POSITIVE_INFINITY,
+      );
       const fastest = Math.max(...proof.margins.speed);
       expect(Math.min(...gaps)).toBeGreaterThanOrEqual(clearance.distance - 1e-6);
       expect(Math.min(...gaps)).toBeLessThanOrEqual(clearance.distance + fastest * TICK);
@@ -146,10 +149,10 @@ describe('the effect of the run on an object', () => {
     expect(checked).toBeGreaterThan(5);
   });
 
-  it('lists the pulls of asteroids, which in total take as long as the gun is held', () => {
+  it('lists when asteroids are targets, which in total takes as long as the gun is held', () => {
     for (const file of SHIPPED) {
       const { full, level, run } = provenFile(file);
-      const pulled = level.asteroids.flatMap((_, i) => pullsOf(full?.events ?? [], i, run.time));
+      const pulled = level.asteroids.flatMap((_, i) => targetedIn(full?.events ?? [], i, run.time));
       const held = run.holds.reduce(
         (sum, [press, release]) => sum + Math.max(0, Math.min(release * TICK, run.time) - press * TICK),
         0,
@@ -191,6 +194,123 @@ describe('the effect of the run on an object', () => {
     const facts = [...objectsOf(proof.file).values()].flatMap((found) => runFactsOf(proof, found, radiusOf(found)));
     expect(facts.map(({ value }) => value)).toContain('ends here at 0.00 s');
     for (const { value } of facts) expect(value).not.toMatch(/NaN/);
+  });
+
+  it('does not call a wind touched that never acts, since only her centre counts', () => {
+    const proof = provenFile(
+      withIds({
+        version: 1,
+        name: 'Windy pass',
+        astronaut: { x: 320, y: 360 },
+        blackHole: { x: 640, y: 360 },
+        asteroids: [{ x: 480, y: 360, radius: 16 }],
+        winds: [{ x: 568, y: 296, radius: 51 }],
+        runs: [{ name: 'solution', holds: [[56, 402]] }],
+      }),
+    );
+    const wind = [...objectsOf(proof.file).values()].find(({ kind }) => kind === 'wind');
+    if (wind === undefined) throw new Error('there is a wind');
+    expect(proof.full?.events.filter(({ type }) => type === 'effect')).toEqual([]);
+    expect(nearestPass(proof, wind, 51, 'box')?.gap).toBeLessThan(0);
+    expect(runFactsOf(proof, wind, 51).map(({ label, value }) => `${label}: ${value}`)).toEqual([
+      'blows on her: never: her centre stays outside',
+      expect.stringMatching(/^closest distance: \d+(\.\d+)? px from her centre at \d\.\d\d s$/),
+    ]);
+  });
+
+  /** Small scenes, whose discs she often begins in, overlap, or passes by. */
+  const place = { x: fc.integer({ min: -150, max: 150 }), y: fc.integer({ min: -150, max: 150 }) };
+  const disc = fc.record({ ...place, radius: fc.integer({ min: 10, max: 120 }) });
+  const crowded = fc
+    .record({
+      astronaut: fc.record({ x: fc.constant(0), y: fc.constant(0), vx: fc.integer({ min: -60, max: 60 }) }),
+      asteroids: fc.array(fc.record({ ...place, radius: fc.constant(16) }), { minLength: 1, maxLength: 2 }),
+      repulsors: fc.array(disc, { maxLength: 3 }),
+      winds: fc.array(disc, { maxLength: 2 }),
+      aliens: fc.array(fc.record({ x: fc.integer({ min: 100, max: 300 }), y: place.y }), { maxLength: 1 }),
+      wormholes: fc.array(fc.record({ ...place, toX: fc.constant(400), toY: place.y, radius: fc.constant(24) }), {
+        maxLength: 1,
+      }),
+      runs: fc.constantFrom<[number, number][]>([], [[0, 90]], [[30, 200]]).map((holds) => [{ name: 'r', holds }]),
+    })
+    .map((parts): LevelFile => withIds({ version: 1, name: 'Level', blackHole: { x: 600, y: 0 }, ...parts }));
+
+  it.each(['precise', 'arcade'] as const)('says of each disc and alien what the way of the run shows, as %s', (accuracy) => {
+    fc.assert(
+      fc.property(crowded, (file) => {
+        const proof = createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, accuracy });
+        const { way } = proof.run;
+        const { level } = proof;
+        /** Ticks at which a statement about her place holds. */
+        const ticksOf = (holds: (x: number, y: number, tick: number) => boolean) =>
+          Array.from({ length: way.count }, (_, tick) => tick).filter((tick) =>
+            holds(way.states[STATE_SIZE * tick], way.states[STATE_SIZE * tick + 1], tick),
+          );
+        const depth = (d: { x: number; y: number; radius: number }, x: number, y: number) =>
+          d.radius - Math.hypot(x - d.x, y - d.y);
+        for (const found of objectsOf(proof.file).values()) {
+          const { kind, index } = found;
+          const facts = runFactsOf(proof, found, radiusOf(found));
+          for (const { value } of facts) expect(value).not.toMatch(/touch/);
+          const [fact] = facts;
+          const said = /(\d+\.\d+) s from/.exec(fact.value);
+          // events are located to a tick, and between two samples she may be in and out again
+          const agrees = (sure: readonly number[], possible: readonly number[]) => {
+            if (sure.length > 1) expect([kind, fact.value]).not.toEqual([kind, expect.stringMatching(/^never/)]);
+            if (said === null) return;
+            const seconds = Number(said[1]);
+            const parts = Number(/^(\d+) times/.exec(fact.value)?.[1] ?? 1);
+            const slack = (2 * parts + 1) * TICK + 0.01;
+            expect(seconds).toBeGreaterThanOrEqual(sure.length * TICK - slack);
+            expect(seconds).toBeLessThanOrEqual(possible.length * TICK + slack);
+          };
+          if (kind === 'wind')
+            agrees(
+              ticksOf((x, y) => depth(level.winds[index], x, y) > 0.01),
+              ticksOf((x, y) => depth(level.winds[index], x, y) > -0.01),
+            );
+          if (kind === 'repulsor') {
+            const before = level.repulsors.slice(0, index);
+            agrees(
+              ticksOf((x, y) => depth(level.repulsors[index], x, y) > 0.01 && before.every((one) => depth(one, x, y) < -0.01)),
+              ticksOf((x, y) => depth(level.repulsors[index], x, y) > -0.01 && before.every((one) => depth(one, x, y) < 0.01)),
+            );
+          }
+          if (kind === 'asteroid' && proof.run.with?.kind !== 'asteroid') {
+            const inField = (x: number, y: number, margin: number) => level.repulsors.some((one) => depth(one, x, y) > margin);
+            const held = (tick: number) => proof.run.holds.some(([press, release]) => press <= tick && tick < release);
+            const nearest = (x: number, y: number) =>
+              level.asteroids.every(
+                (one) =>
+                  Math.hypot(x - one.x, y - one.y) >= Math.hypot(x - level.asteroids[index].x, y - level.asteroids[index].y),
+              );
+            if (level.asteroids.length === 1)
+              agrees(
+                ticksOf((x, y, tick) => held(tick) && nearest(x, y) && !inField(x, y, -0.01)),
+                ticksOf((x, y, tick) => held(tick) && nearest(x, y) && !inField(x, y, 0.01)),
+              );
+          }
+        }
+      }),
+    );
+  });
+
+  it('knows that an alien sees her from the start', () => {
+    const proof = provenFile(
+      withIds({
+        version: 1,
+        name: 'Level',
+        astronaut: { x: 0, y: 0 },
+        blackHole: { x: 600, y: 0 },
+        asteroids: [{ x: 0, y: -200, radius: 16 }],
+        aliens: [{ x: 120, y: 0 }],
+        runs: [{ name: 'r', holds: [] }],
+      }),
+    );
+    const alien = [...objectsOf(proof.file).values()].find(({ kind }) => kind === 'alien');
+    if (alien === undefined) throw new Error('there is an alien');
+    const facts = runFactsOf(proof, alien, 25).map(({ label, value }) => `${label}: ${value}`);
+    expect(facts).toContainEqual(expect.stringMatching(/^awake: \d+\.\d+ s from 0\.00 s$/));
   });
 
   it('is given for every object of any level', () => {

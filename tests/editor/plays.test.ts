@@ -279,6 +279,7 @@ it.each([
 
 describe('the list of attempts', () => {
   const attempt = (number: number, tick: number, outcome: 'completed' | 'lost' | null): Attempt => ({
+    id: String(number),
     number,
     holds: [[0, 5]],
     end: outcome === null ? null : { outcome, with: null, time: tick / 60, tick },

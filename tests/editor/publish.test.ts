@@ -103,6 +103,7 @@ describe('what is published', () => {
     const answer = await unsaved.publish({ target: 'folder' });
     expect(answer).toEqual({
       kind: 'failed',
+      reasons: [],
       message: 'The levels could not be published: the latest changes to “a” are not saved yet, and would be missing.',
     });
     expect(unsaved.asked).toEqual([]);

@@ -26,6 +26,7 @@ const storageWith = (token = 'secret'): LevelStorage =>
   createServerStorage({
     origin: 'http://127.0.0.1:4747',
     token,
+    key: { learn: async () => {}, renew: async () => null },
     client: 'page-1',
     timers: clock,
     fetch: async (address, init) => {

@@ -32,7 +32,13 @@ const fetchFrom =
 
 const storageOf = (client: string, token = server.page.token): LevelStorage => {
   const origin = `http://127.0.0.1:${server.port}`;
-  return createServerStorage({ origin, token, client, fetch: fetchFrom(origin) });
+  return createServerStorage({
+    origin,
+    token,
+    key: { learn: async () => {}, renew: async () => null },
+    client,
+    fetch: fetchFrom(origin),
+  });
 };
 const onDisk = (id: string) => readFileSync(join(made.folder, `${id}.level.json`), 'utf8');
 

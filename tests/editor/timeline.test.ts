@@ -130,11 +130,11 @@ it('unfinished attempts are dropped first to make room', () => {
   const end = { outcome: 'lost', with: null, time: 1, tick: 60 } as const;
   const played = { bytes: new Uint8Array(), hash: '', file: TEMPLATES[0].make('Empty', 1), rules: {} };
   const rest = { holds: [], tick: 60, minerals: 0, accuracy: 'precise', points: new Float32Array(), played } as const;
-  for (let i = 1; i <= 24; i++) attempts.add({ ...rest, end: i === 3 ? null : end });
+  for (let i = 1; i <= 200; i++) attempts.add({ ...rest, end: i === 3 ? null : end });
   attempts.add({ ...rest, end });
   attempts.add({ ...rest, end: null });
   const numbers = attempts.store.getState().map(({ number }) => number);
-  expect(numbers).toHaveLength(24);
+  expect(numbers).toHaveLength(200);
   expect(numbers.slice(0, 3)).toEqual([2, 4, 5]);
-  expect(numbers.at(-1)).toBe(26);
+  expect(numbers.at(-1)).toBe(202);
 });

@@ -114,6 +114,19 @@ describe('the list', () => {
     expect([ids(workspace), lists]).toEqual([['0', 'z', 'b', 'c'], 2]);
   });
 
+  it('keeps a renamed level at its place while pack.json still has its old id, and follows it once it has the new one', async () => {
+    const { workspace } = await page();
+    const packOf = (levels: string[]) => `${JSON.stringify({ version: 1, name: 'pack', levels }, null, 2)}\n`;
+    granted(await workspace.writePack(packOf(['c', 'a', 'b'])));
+    expect(ids(workspace)).toEqual(['c', 'a', 'b']);
+    granted(await workspace.rename(entry(workspace, 'a'), 'z'));
+    granted(await workspace.rename(entry(workspace, 'c'), 'y'));
+    granted(await workspace.rename(entry(workspace, 'z'), 'x'));
+    expect(ids(workspace)).toEqual(['y', 'x', 'b']);
+    granted(await workspace.writePack(packOf(['b', 'x', 'y'])));
+    expect(ids(workspace)).toEqual(['b', 'x', 'y']);
+  });
+
   it('ignores events before it has arrived', async () => {
     const { workspace, line } = await page();
     workspace.store.setState({ list: null });

@@ -78,6 +78,24 @@ describe('POST PUBLISH', () => {
     expect(pack()).toMatch(/"id":"1-good".*\n.*"id":"2-unproven"/);
   });
 
+  it('says in words what is wrong with the order of the levels: the page has no room for lines of a terminal', async () => {
+    const order = { version: 1, name: 'pack', levels: ['1-good', 'missing'] };
+    writeFileSync(join(made.folder, 'game/levels/pack.json'), JSON.stringify(order, null, 2));
+    const error = await refused();
+    expect(error).toMatchObject({
+      status: 409,
+      code: 'not-published',
+      message: 'nothing was written, because of errors in the order of the levels',
+      files: [
+        {
+          file: expect.stringMatching(/levels.pack\.json$/),
+          problems: [expect.objectContaining({ message: 'there is no level "missing" in this folder', line: 6, column: 5 })],
+        },
+      ],
+    });
+    expect(JSON.stringify(error)).not.toContain('\\n');
+  });
+
   it('never publishes an invalid level', async () => {
     writeFileSync(join(made.folder, 'game/levels/3.level.json'), '{');
     expect(await refused({ force: true })).toMatchObject({ status: 409, levels: [{ id: '3', verdict: 'invalid' }] });
@@ -105,7 +123,16 @@ describe('POST PUBLISH', () => {
     expect(await refused({ level: '../levels/1-good' })).toMatchObject({ status: 404 });
     expect(await refused({ title: '' })).toMatchObject({ status: 400 });
     writeFileSync(join(made.folder, 'game/levels/gq.config.json'), '{ "rulez": 1 }');
-    expect(await refused({ level: '1-good' })).toMatchObject({ status: 409, message: expect.stringContaining('rulez') });
+    expect(await refused({ level: '1-good' })).toMatchObject({
+      status: 409,
+      message: 'nothing was done: the configuration is not valid',
+      files: [
+        {
+          file: expect.stringMatching(/gq\.config\.json$/),
+          problems: [expect.objectContaining({ message: expect.stringContaining('rulez'), line: 1, column: 3 })],
+        },
+      ],
+    });
     expect(existsSync(join(made.folder, 'game/site'))).toBe(false);
   });
 });

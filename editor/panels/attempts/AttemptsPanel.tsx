@@ -33,7 +33,7 @@ const SHOWN_TITLES: Readonly<Record<Shown, string>> = {
   completed: 'Completed',
   failed: 'Failed',
   left: 'Left before the end',
-  mine: 'Of this session',
+  mine: 'Your own',
   opened: 'Opened plays',
   differs: 'Not as they claim',
 };
@@ -46,7 +46,7 @@ function lossOfRow(losses: LostFindings['losses'], { outcome, holds, accuracy }:
   return loss === undefined || lostFromInWords(loss) === null ? null : loss;
 }
 
-/** The attempts of this session and the opened plays of the level. Those that are selected are shown on the canvas. */
+/** The attempts of the person and the opened plays of the level. Those that are selected are shown on the canvas. */
 export function AttemptsPanel() {
   const editor = useEditor();
   const level = useLevel();
@@ -55,6 +55,7 @@ export function AttemptsPanel() {
   const plays = useStore(store, (state) => state.plays);
   const selected = useStore(store, (state) => state.selected);
   const reading = useStore(readingOf(editor));
+  const trouble = useStore(editor.attempts.trouble);
   const range = useProof((proof) => proof.level.range);
   const minerals = useProof((proof) => proof.level.minerals.length);
   const losses = useStore(lostOf(level), (state) => state.losses);
@@ -85,6 +86,11 @@ export function AttemptsPanel() {
         )}
         <Button hint="Open plays…" icon={<FolderOpen size={15} />} onClick={() => editor.commands.run('plays.open')} />
       </div>
+      {trouble !== null && attempts.length > 0 && (
+        <p className="attempts-panel__note" role="note">
+          {trouble}
+        </p>
+      )}
       {reading !== null && <ReadingLine reading={reading} />}
       {all === 0 ? (
         <NoAttempts />

@@ -1,10 +1,10 @@
-import { boxCircleGap, type RunEvent, STATE_SIZE, TICK, TICK_RATE } from '../../../engine/index.ts';
+import { boxCircleGap, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import { appearanceOfObject } from '../../../schema/index.ts';
 import { type FoundObject, placesOf } from '../../document/index.ts';
 import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
+import { blowsIn, chasesIn, jumpsIn, lengthOf, pullsIn, pushesIn, type Stretch, tickOf } from './stretches.ts';
 
-const tickOf = (time: number): number => Math.floor(time * TICK_RATE + 1e-9);
 const at = (time: number): string => `at ${seconds(time)}`;
 
 /** Where an object is at a tick; null once it is gone. */
@@ -31,14 +31,24 @@ function placesIn({ run }: LiveProof, found: FoundObject): Places {
   return () => still;
 }
 
+/** What of her an object acts on: discs that are entered act on her centre alone. */
+type Part = 'box' | 'centre';
+
+const CENTRE = { halfWidth: 0, halfHeight: 0, halfDiagonal: 0 } as const;
+
 /**
- * The closest distance between the collision box and an object in the shown run, sampled once per tick.
+ * The closest distance between her and an object in the shown run, sampled once per tick.
  * @param radius px
- * @returns the gap between box and rim in px, negative if they overlap; null if the object is never there
+ * @returns the gap to the rim in px, negative if they overlap; null if the object is never there
  */
-export function nearestPass(proof: LiveProof, found: FoundObject, radius: number): { gap: number; tick: number } | null {
+export function nearestPass(
+  proof: LiveProof,
+  found: FoundObject,
+  radius: number,
+  part: Part,
+): { gap: number; tick: number } | null {
   const { states, count } = proof.run.way;
-  const { box } = proof.scene;
+  const box = part === 'box' ? proof.scene.box : CENTRE;
   const placesAt = placesIn(proof, found);
   let best: { gap: number; tick: number } | null = null;
   for (let tick = 0; tick < count; tick++) {
@@ -53,45 +63,8 @@ export function nearestPass(proof: LiveProof, found: FoundObject, radius: number
   return best;
 }
 
-/** The intervals in which an asteroid is the target of the held gun, s. */
-export function pullsOf(events: readonly RunEvent[], asteroid: number, end: number): { from: number; to: number }[] {
-  const pulls: { from: number; to: number }[] = [];
-  let from: number | null = null;
-  const close = (to: number) => {
-    if (from !== null) pulls.push({ from, to });
-    from = null;
-  };
-  for (const event of events) {
-    if (event.type === 'target') {
-      close(event.time);
-      if (event.index === asteroid) from = event.time;
-    } else if (event.type === 'release') close(event.time);
-  }
-  close(end);
-  return pulls;
-}
-
-/** The intervals between two types of events of the same object, s; the end of the run may cut off the last. */
-function between(events: readonly RunEvent[], index: number, first: 'enter' | 'wake', last: 'leave' | 'sleep', end: number) {
-  const stretches: { from: number; to: number }[] = [];
-  let from: number | null = null;
-  for (const event of events) {
-    if (!('index' in event) || event.index !== index) continue;
-    if (event.type === first) from ??= event.time;
-    if (event.type === last && from !== null) {
-      stretches.push({ from, to: event.time });
-      from = null;
-    }
-  }
-  if (from !== null) stretches.push({ from, to: end });
-  return stretches;
-}
-
-const lengthOf = (stretches: readonly { from: number; to: number }[]): number =>
-  stretches.reduce((sum, { from, to }) => sum + to - from, 0);
-
 /** `2 times, 3.1 s from 1.20 s`, with the tick of the first */
-function stretchFact(label: string, stretches: readonly { from: number; to: number }[], never: string): Fact {
+function stretchFact(label: string, stretches: readonly Stretch[], never: string): Fact {
   if (stretches.length === 0) return { label, value: never };
   const many = stretches.length === 1 ? '' : `${stretches.length} times, `;
   return {
@@ -101,13 +74,36 @@ function stretchFact(label: string, stretches: readonly { from: number; to: numb
   };
 }
 
-function passFact(proof: LiveProof, found: FoundObject, radius: number, isDeadly: boolean): Fact[] {
-  const pass = nearestPass(proof, found, radius);
+/** @param over what she does where the box lies over an object that nothing comes of; null: the events know of each contact */
+function passFact(proof: LiveProof, found: FoundObject, radius: number, isDeadly: boolean, over: string | null = null): Fact[] {
+  const pass = nearestPass(proof, found, radius, 'box');
   if (pass === null) return [];
   const { gap, tick } = pass;
   const tone = isDeadly && gap < 8 ? (gap <= 0 ? 'bad' : 'warn') : undefined;
-  const value = gap <= 0 ? `touched ${at(tick * TICK)}` : `${pixels(gap)} ${at(tick * TICK)}`;
+  const value = gap <= 0 && over !== null ? `${over} ${at(tick * TICK)}` : `${pixels(Math.max(0, gap))} ${at(tick * TICK)}`;
   return [{ label: 'closest distance', value, tick, ...(tone === undefined ? {} : { tone }) }];
+}
+
+/** How near her centre comes to a disc that she stays out of. */
+function centreFact(proof: LiveProof, found: FoundObject, radius: number): Fact[] {
+  const pass = nearestPass(proof, found, radius, 'centre');
+  if (pass === null || pass.gap < 0) return [];
+  return [{ label: 'closest distance', value: `${pixels(pass.gap)} from her centre ${at(pass.tick * TICK)}`, tick: pass.tick }];
+}
+
+/** What a disc does to her while her centre is inside; else how near she comes. */
+function discFacts(proof: LiveProof, found: FoundObject, radius: number, label: string, stretches: readonly Stretch[]): Fact[] {
+  if (stretches.length > 0) return [stretchFact(label, stretches, 'never')];
+  const near = centreFact(proof, found, radius);
+  return [stretchFact(label, [], near.length > 0 ? 'never: her centre stays outside' : 'never'), ...near];
+}
+
+function jumpFacts(proof: LiveProof, found: FoundObject, radius: number, times: readonly number[]): Fact[] {
+  const label = 'carries her';
+  if (times.length === 0) return discFacts(proof, found, radius, label, []);
+  const [first] = times;
+  const value = times.length === 1 ? at(first) : `${times.length} times, first ${at(first)}`;
+  return [{ label, value, tick: tickOf(first) }];
 }
 
 /** Whether and when the run ends at this object. */
@@ -120,7 +116,7 @@ function endFact({ run }: LiveProof, { kind, index }: FoundObject): Fact[] {
 /** What an object does in the shown run. @param radius of the object, with defaults filled in */
 export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number | null): readonly Fact[] {
   const { kind, index, object } = found;
-  const { run, full, level } = proof;
+  const { full, level } = proof;
   if (full === null) return [{ label: 'the run', value: endInWords(proof), tone: 'warn' }];
   const { events } = full;
   if (kind === 'astronaut' || radius === null) return wayFacts(proof);
@@ -128,8 +124,8 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
   switch (kind) {
     case 'asteroid': {
       const hot = level.asteroids[index]?.hot === true;
-      const pulls = stretchFact('pulls her', pullsOf(events, index, run.time), 'never');
-      return [...end, pulls, ...(end.length > 0 ? [] : passFact(proof, found, radius, hot))];
+      const pulls = stretchFact('pulls her', pullsIn(proof, events, index), 'never');
+      return [...end, pulls, ...(end.length > 0 ? [] : passFact(proof, found, radius, hot, hot ? null : 'she flies through it'))];
     }
     case 'mineral': {
       const taken = full.minerals.find((mineral) => mineral.index === index);
@@ -137,14 +133,23 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
         return [{ label: 'collected', value: 'no', tone: 'warn' }, ...passFact(proof, found, radius, false)];
       return [{ label: 'collected', value: at(taken.time), tick: tickOf(taken.time), tone: 'good' }];
     }
-    case 'repulsor': {
-      const inside = stretchFact('pushes her', between(events, index, 'enter', 'leave', run.time), 'never: she stays outside');
-      return [inside, ...passFact(proof, found, radius, false)];
+    case 'repulsor':
+      return discFacts(proof, found, radius, 'pushes her', pushesIn(proof, events, index));
+    case 'wind': {
+      const { ax, ay } = level.winds[index];
+      return discFacts(
+        proof,
+        found,
+        radius,
+        ax === 0 && ay === 0 ? 'has her in it' : 'blows on her',
+        blowsIn(proof, events, index),
+      );
     }
+    case 'wormhole':
+      return jumpFacts(proof, found, radius, jumpsIn(events, index));
     case 'alien': {
       const burst = events.find((event) => event.type === 'explosion' && event.aliens.includes(index));
-      const gone = burst?.time ?? run.time;
-      const awake = stretchFact('awake', between(events, index, 'wake', 'sleep', gone), 'never: it does not see her');
+      const awake = stretchFact('awake', chasesIn(proof, events, index), 'never: it does not see her');
       const other = burst?.type === 'explosion' ? burst.aliens.find((alien) => alien !== index) : undefined;
       const bursts: Fact[] =
         burst === undefined || other === undefined

@@ -2,7 +2,7 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { renameLevel as renameInPack } from '../../../check/pack/index.ts';
 import { useEditor } from '../../context/index.ts';
-import { folderOf } from '../../files/index.ts';
+import { errorInWords, folderOf } from '../../files/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 import { inFolder, renameTitle, stemOf } from './level-files.ts';
@@ -13,7 +13,8 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
   const editor = useEditor();
   const { workspace } = editor;
   const list = useStore(workspace.store, (state) => state.list);
-  const entry = list?.levels.find((other) => other.id === id);
+  // as it was: the dialog stays until the order of the levels is written, too
+  const [entry] = useState(() => list?.levels.find((other) => other.id === id));
   const open = editor.open.getState();
   const [oldName] = useState(open?.opened.id() === id ? open.document.file().name : (entry?.name ?? null));
   const [name, setName] = useState(oldName ?? '');
@@ -24,7 +25,7 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
   const field = useId();
   if (entry === undefined || list === null) return null;
 
-  const taken = list.levels.filter((other) => other !== entry).map((other) => other.id);
+  const taken = list.levels.map((other) => other.id).filter((other) => other !== id);
   const problem = fileNameProblem(folder, stem, taken);
   const noName = oldName !== null && name.trim() === '';
   const rename = async () => {
@@ -34,7 +35,7 @@ export function RenameDialog({ id, onClose }: { readonly id: string; readonly on
     if (to !== id) {
       const answer = await workspace.rename(entry, to);
       if (!answer.ok) {
-        setRefusal(`${answer.error.message}. ${answer.error.hint}.`);
+        setRefusal(errorInWords(answer.error));
         setBusy(false);
         return;
       }

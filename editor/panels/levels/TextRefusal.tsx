@@ -1,3 +1,4 @@
+import { errorInWords } from '../../files/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { LevelText } from './use-level-text.ts';
 
@@ -15,7 +16,7 @@ export function TextRefusal({ level, where }: TextRefusalProps) {
     <div className="astext__refusal" role="alert">
       <p>
         {error !== null && newer === null
-          ? `${error.message}. ${error.hint}.`
+          ? errorInWords(error)
           : `The level was changed ${where} in the meantime. Your text is kept; it is based on the previous version.`}
       </p>
       {theirs !== null && (
