@@ -1,6 +1,7 @@
 import * as z from 'zod';
 import { ADJUSTABLE_CODES, type AdjustableCode } from './adjustable.ts';
 import { rulesSchema } from './rules-schema.ts';
+import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from './terms-limits.ts';
 
 /** The accuracies that a configuration can name. */
 export const ACCURACY_NAMES = ['arcade', 'fast', 'standard', 'precise'] as const;
@@ -59,6 +60,18 @@ export const configSchema = z
         'Patterns of files and directories that are left out when a directory or a pattern is searched, relative to this file, as in .gitignore.',
       ),
     accuracy: z.enum(ACCURACY_NAMES).optional().describe('How exactly to simulate: the default of --accuracy.'),
+    maxTime: z
+      .number()
+      .min(SHORTEST_RUN)
+      .max(LONGEST_RUN)
+      .optional()
+      .describe('Simulated time after which a run is a timeout, s: the default of --max-time.'),
+    maxWork: z
+      .int()
+      .min(1)
+      .max(MOST_WORK)
+      .optional()
+      .describe('The most work that one level may cost, in pieces of motion: the default of --max-work.'),
     requireSlack: z
       .int()
       .min(0)

@@ -15,7 +15,7 @@ import { keepPort, lastPort } from './last-port.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { readPage } from './page-files.ts';
 import { createPublish } from './publish.ts';
-import { rulesOnDisk } from './rules-on-disk.ts';
+import { termsOnDisk } from './terms-on-disk.ts';
 import { watchFolder } from './watch.ts';
 import { watchConfig } from './watch-config.ts';
 
@@ -66,7 +66,7 @@ export async function startServer({
 }: EditServerOptions): Promise<EditServer> {
   const root = realFolder(folder);
   const files = readPage(page);
-  const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom, config));
+  const levels = openLevelFolder(root, folder, termsOnDisk(configFrom, config));
   const token = randomBytes(32).toString('base64url');
   const app = createApp({
     api: createApi(levels, createPublish({ root, shown: folder, configFrom, config, game })),

@@ -8,7 +8,6 @@ import { createSelection, type ObjectKey } from '../document/index.ts';
 import {
   createOpeningMarks,
   createWorkspace,
-  folderRulesIn,
   type LevelStorage,
   type Link,
   type OpenedLevel,
@@ -24,6 +23,7 @@ import { attemptGhosts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
 import { createSettings } from '../settings/index.ts';
+import { createPageTerms } from '../terms/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
 
@@ -38,11 +38,10 @@ function pageStorage(name: 'localStorage' | 'sessionStorage'): Storage | null {
 
 /** Makes everything that belongs to an open level. @returns the level and the function that closes it */
 function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; close: () => void } {
-  const { session, settings } = editor;
+  const { session, settings, terms } = editor;
   const document = opened.level;
   const selection = createSelection(document);
-  const proof = createProofStore(document, settings.getState().accuracy, {
-    rules: folderRulesIn(editor.workspace.store.getState()).own,
+  const proof = createProofStore(document, terms.getState().shown, {
     checked: !editor.unchecked.has(opened.id()),
     afterRest,
   });
@@ -51,14 +50,9 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   const stops = [
     session.subscribe((now, before) => {
       if (now.run !== before.run) proof.showRun(now.run);
-      if (now.accuracy !== before.accuracy) proof.setAccuracy(now.accuracy);
     }),
-    settings.subscribe(({ accuracy }) => {
-      if (accuracy !== session.getState().accuracy) session.setState({ accuracy });
-    }),
-    editor.workspace.store.subscribe((now, before) => {
-      const { own } = folderRulesIn(now);
-      if (own !== folderRulesIn(before).own) proof.setFolderRules(own);
+    terms.subscribe((now, before) => {
+      if (now.shown !== before.shown) proof.setTerms(now.shown);
     }),
     attempts.store.subscribe((all) => {
       const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
@@ -74,7 +68,6 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     lookAt: null,
     renaming: null,
     openNote: null,
-    accuracy: settings.getState().accuracy,
   });
   const level: OpenLevel = {
     opened,
@@ -210,7 +203,8 @@ export async function createEditor(): Promise<Editor> {
   });
   const editor: Editor = {
     settings,
-    session: createSession(settings.getState().accuracy),
+    terms: createPageTerms(workspace, settings),
+    session: createSession(),
     commands: createCommands(),
     notices,
     workspace,

@@ -7,7 +7,7 @@ import type { Start } from '../work.ts';
 const REPORT = 100;
 
 /** Verifies plays one by one, and collects what they teach. */
-export const plays: Start<'plays'> = function* ({ level, plays: all, known, first }, now) {
+export const plays: Start<'plays'> = function* ({ level, terms, plays: all, known, first }, now) {
   const verifier = createVerifier(level);
   const replayer = createPlayReplayer(level, { minerals: 'any' });
   const attempts: Attempt[] = [...known];
@@ -23,5 +23,5 @@ export const plays: Start<'plays'> = function* ({ level, plays: all, known, firs
     if (isDue) last = now();
     yield isDue ? { done: checked.length } : null;
   }
-  return { plays: checked, statistics: collectStatistics(level, attempts) };
+  return { plays: checked, statistics: collectStatistics(level, terms, attempts) };
 };
