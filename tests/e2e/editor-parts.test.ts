@@ -56,11 +56,12 @@ Object.assign(window, {
     let job;
     // once it reports progress, the job is running
     await new Promise((resolve) => {
-      job = workers.start('generate', { options: { seed: 1, difficulty: 'hard', size: 'large' } }, resolve);
+      const asked = { level, terms: DEFAULT_TERMS, goal: { minerals: 'any' }, known: [], seed: 1, lane: 0, budget: null };
+      job = workers.start('solve', { ...asked, objective: 'robust', count: 1 }, resolve);
     });
     job.cancel();
     const { kind } = await job.end;
-    const next = await workers.start('proofs', { level, accuracy: 'precise', collected: [] }).end;
+    const next = await workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] }).end;
     return { kind, next: next.kind, proved: next.result?.impossible?.code ?? next.message };
   },
 });

@@ -1,3 +1,4 @@
+import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { describe, expect, it } from 'vitest';
 import {
   createEditedLevel,
@@ -45,9 +46,9 @@ const KNOWN: Leeway = {
 /** A page whose rest and workers a test controls. */
 function stage() {
   const document = createEditedLevel(FILE);
-  const proof = createProofStore(document, 'precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
   const selection = createSelection(document);
-  const session = createSession('precise');
+  const session = createSession();
   const settings = createSettings(null);
   const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Seen, call: () => {} };
   const jobs: {
@@ -164,8 +165,8 @@ describe('where the selection may stand', () => {
       ({ document }) => void document.change('Range', setLevelProperty('range', 260)),
       ({ document }) => void document.change('Hold', moveHold('solution', 0, 2)),
       ({ document }) => void document.change('Resize', setRadius(['bjzg'], 30)),
-      ({ proof }) => proof.setAccuracy('arcade'),
-      ({ proof }) => proof.setFolderRules({ pull: 40 }),
+      ({ proof }) => proof.setTerms(termsOf('arcade')),
+      ({ proof }) => proof.setTerms({ ...DEFAULT_TERMS, rules: { pull: 40 } }),
       ({ selection }) => selection.select(['n1']),
       ({ selection }) => selection.add(['n1']),
       ({ settings }) => settings.setState({ snapToGrid: false }),

@@ -1,3 +1,4 @@
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { expect, it } from 'vitest';
 import { createWorkspace, type LevelStorage, pageTimers } from '../../editor/files/index.ts';
 import type { Journal } from '../../editor/journal/index.ts';
@@ -18,7 +19,7 @@ const listOf = (ids: readonly string[], unread: number): ListResponse => ({
   folder: { id: 'f', path: 'levels', $schema: null },
   folders: [''],
   levels: ids.map((id) => entry(id)),
-  rules: { file: null, own: {}, problems: [] },
+  terms: NO_FOLDER_TERMS,
   troubles: [],
   unread,
 });

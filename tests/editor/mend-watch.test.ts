@@ -1,3 +1,4 @@
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
 import type { AliveState } from '../../editor/alive/alive-state.ts';
@@ -24,8 +25,8 @@ const FALL: LevelFile = {
 
 function stage(file: LevelFile = FALL) {
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
-  const session = createSession('precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
+  const session = createSession();
   session.subscribe(({ run }) => proof.showRun(run));
   const settings = createSettings(null);
   const alive = createStore<AliveState>(() => ({ kind: 'idle' }));

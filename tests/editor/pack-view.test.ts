@@ -1,3 +1,4 @@
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import fc from 'fast-check';
@@ -35,7 +36,7 @@ const LEVELS: Readonly<Record<string, string>> = {
 
 /** Runs a job to its end. */
 function factsOf(text: string): LevelFacts | null {
-  const job = thumbnail({ text, accuracy: 'precise', width: 144, theme: 'dark' }, () => 0);
+  const job = thumbnail({ text, terms: DEFAULT_TERMS, width: 144, theme: 'dark' }, () => 0);
   let step = job.next();
   while (!step.done) step = job.next();
   return step.value.facts;

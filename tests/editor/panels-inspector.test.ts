@@ -8,7 +8,7 @@ import { valueOfObjects } from '../../editor/panels/inspector/field-values.ts';
 import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspector/fields.ts';
 import { nearestPass, pullsOf, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { compile, simulate, TICK } from '../../engine/index.ts';
+import { compile, simulate, TICK, DEFAULT_TERMS } from '../../engine/index.ts';
 import {
   fieldsOf as fieldsOfKind,
   isRequired,
@@ -35,7 +35,7 @@ const SHIPPED: readonly LevelFile[] = readdirSync(levels)
   });
 
 const provenFile = (file: LevelFile): LiveProof =>
-  createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, accuracy: 'precise' });
+  createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, terms: DEFAULT_TERMS });
 
 const SUBJECTS: readonly Subject[] = ['level', ...OBJECT_KINDS];
 

@@ -1,3 +1,4 @@
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -15,7 +16,7 @@ function firewalk() {
   const reading = readLevel(readFileSync(path, 'utf8'));
   if (!reading.ok) throw new Error('firewalk can not be read');
   const document = createEditedLevel(reading.document.file);
-  const proof = createProofStore(document, 'precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
   return { document, proof, ticks: () => proof.reach.getState().ticks, end: () => proof.proof().run.way.count - 1 };
 }
 

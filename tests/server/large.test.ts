@@ -1,3 +1,4 @@
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
@@ -21,7 +22,7 @@ const listOf = (levels: LevelEntry[]): ListResponse => ({
   folder: { id: 'f', path: 'levels', $schema: null },
   folders: [''],
   levels,
-  rules: { file: null, own: {}, problems: [] },
+  terms: NO_FOLDER_TERMS,
   troubles: [],
   unread: 0,
 });

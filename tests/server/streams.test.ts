@@ -1,3 +1,4 @@
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createEventStreams, inParts } from '../../cli/edit/event-stream.ts';
@@ -13,7 +14,7 @@ const listOf = (...ids: string[]): ListResponse => ({
       ...{ id, file: `${id}.level.json`, etag: null, status: 'unreadable', name: null, problems: [], readOnly: null },
     }),
   ),
-  rules: { file: null, own: {}, problems: [] },
+  terms: NO_FOLDER_TERMS,
   troubles: [],
   unread: 0,
 });
