@@ -19,6 +19,10 @@ export interface Configuration {
   /** As written in the file. */
   readonly ignore: readonly string[];
   readonly accuracy: AccuracyName | null;
+  /** s */
+  readonly maxTime: number | null;
+  /** Pieces of motion. */
+  readonly maxWork: number | null;
   readonly requireSlack: number | null;
   readonly severity: SeverityMap;
   readonly maxWarnings: number | null;
@@ -36,6 +40,8 @@ export const noConfiguration = (): Configuration => ({
   levels: null,
   ignore: [],
   accuracy: null,
+  maxTime: null,
+  maxWork: null,
   requireSlack: null,
   severity: {},
   maxWarnings: null,

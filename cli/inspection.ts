@@ -1,5 +1,5 @@
 import type { Mode, Scene, Work } from '../engine/index.ts';
-import { isVariant, KINDS, type Level, LISTED_KINDS, type ListedKind, listOf } from '../schema/index.ts';
+import { isVariant, KINDS, type Level, LISTED_KINDS, type ListedKind, listOf, type TermsReport } from '../schema/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
 
 /** The results of `gq inspect` for a level. */
@@ -7,6 +7,8 @@ export interface Inspection {
   readonly file: string;
   /** The name of the level. */
   readonly level: string;
+  /** Under which terms all this holds. */
+  readonly terms: TermsReport;
   readonly effects: Scene['effects'];
   readonly counts: Readonly<Record<string, number>>;
   /** How the time of the first run is spent; empty without a run. */

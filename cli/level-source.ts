@@ -1,10 +1,9 @@
 import process from 'node:process';
-import { findWarnings, type Run } from '../engine/index.ts';
+import { findWarnings, type Run, type Terms } from '../engine/index.ts';
 import { type Level, type LevelDocument, type Problem, readLevel } from '../schema/index.ts';
 import { showProblems } from './code-frames.ts';
 import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
-import type { Configuration } from './configuration.ts';
 import { Failure } from './failure.ts';
 import { isPackFile, NOT_A_LEVEL } from './found-pack.ts';
 import { notice } from './notices.ts';
@@ -25,11 +24,11 @@ export interface OpenedFile extends OpenedLevel {
 
 /**
  * Reads the level that a command works on.
- * @param configuration its rules apply where the level has none of its own
+ * @param terms the rules of the folder apply where the level has none of its own
  * @returns the level, or the result of the command if the file is not a valid level
  * @throws Failure if the file can't be read
  */
-export function openLevel(file: string, { rules }: Pick<Configuration, 'rules'>): OpenedFile | CommandResult {
+export function openLevel(file: string, { rules }: Pick<Terms, 'rules'>): OpenedFile | CommandResult {
   if (isPackFile(file)) throw new Failure(`${file}: ${NOT_A_LEVEL}`);
   const bytes = readBytes(file);
   const read = readLevel(bytes, { rules });
@@ -45,8 +44,8 @@ export function openLevel(file: string, { rules }: Pick<Configuration, 'rules'>)
 }
 
 /** The warnings about a valid level and its simulated runs, with places. */
-export function warningsOf({ level, document }: OpenedLevel, runs: readonly Run[]): ShownProblem[] {
-  const warnings = findWarnings(level, runs);
+export function warningsOf({ level, document }: OpenedLevel, runs: readonly Run[], terms: Terms): ShownProblem[] {
+  const warnings = findWarnings(level, runs, terms);
   return warnings.length === 0
     ? []
     : showProblems(

@@ -8,6 +8,7 @@ import { type Configuration, noConfiguration, type ReporterChoice } from './conf
 import { Failure } from './failure.ts';
 import { readBytes } from './read-bytes.ts';
 import { showFileProblems } from './report-parts/index.ts';
+import type { ConfiguredTerms } from './terms.ts';
 
 /**
  * Reads the configuration that the options choose.
@@ -25,6 +26,14 @@ export function readConfiguration(options: ConfigOptions, folder: string = proce
 
 const listOf = (one: string | readonly string[]): readonly string[] => (typeof one === 'string' ? [one] : one);
 
+/** What a configuration says about terms. */
+export const termsIn = ({ accuracy, maxTime, maxWork, rules }: ConfigFile): ConfiguredTerms => ({
+  accuracy: accuracy ?? null,
+  maxTime: maxTime ?? null,
+  maxWork: maxWork ?? null,
+  rules: rules ?? {},
+});
+
 function configurationOf(file: string, config: ConfigFile): Configuration {
   const directory = dirname(resolve(file));
   const seen = (path: string): string => relative('', resolve(directory, path)) || '.';
@@ -33,14 +42,13 @@ function configurationOf(file: string, config: ConfigFile): Configuration {
     directory,
     levels: config.levels === undefined ? null : listOf(config.levels).map(seen),
     ignore: listOf(config.ignore ?? []),
-    accuracy: config.accuracy ?? null,
+    ...termsIn(config),
     requireSlack: config.requireSlack ?? null,
     severity: config.severity ?? {},
     maxWarnings: config.maxWarnings ?? null,
     reporters: config.reporters?.map((text) => reporterOf(text, seen)) ?? null,
     lock: config.lock === undefined ? null : seen(config.lock),
     cache: typeof config.cache === 'string' ? seen(config.cache) : (config.cache ?? null),
-    rules: config.rules ?? {},
   };
 }
 

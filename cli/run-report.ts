@@ -1,5 +1,6 @@
-import { type Run, STATE_SIZE } from '../engine/index.ts';
+import { type Run, type Scene, STATE_SIZE, simulate, WorkBudget, WorkLimitReached } from '../engine/index.ts';
 import type { Hold, Level, RunReport } from '../schema/index.ts';
+import { Failure } from './failure.ts';
 
 /**
  * A run as in the output of `gq simulate --format json`.
@@ -39,4 +40,24 @@ function sample(run: Run, rate: number): RunReport['samples'] {
     samples.push([k / rate, state[0], state[1], state[2], state[3], Math.atan2(state[5], state[4])]);
   }
   return samples;
+}
+
+/**
+ * Plays a run, and reads of it what is needed, within the work that the level may cost.
+ * @param scene the compiled level
+ * @param read reads of the played run
+ * @throws Failure if that costs more
+ */
+export function withinWorkOf<T>(scene: Scene, holds: readonly Hold[], read: (run: Run) => T): T {
+  const { maxWork } = scene.terms;
+  const budget = new WorkBudget(maxWork);
+  const run = simulate(scene, holds, { budget });
+  try {
+    if (run.stopped === null) return read(run);
+  } catch (error) {
+    if (!(error instanceof WorkLimitReached)) throw error;
+  }
+  throw new Failure(
+    `the run costs more work than allowed, ${maxWork} pieces of motion: allow more with --max-work, or end it earlier with --max-time`,
+  );
 }

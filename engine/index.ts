@@ -14,7 +14,7 @@ export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';
 export * from './simulation.ts';
 export type { SpatialIndex } from './spatial-index.ts';
-export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf } from './terms.ts';
+export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf, unusualTerms } from './terms.ts';
 export type { Trajectory } from './trajectory.ts';
 export {
   findWarnings,

@@ -44,3 +44,29 @@ export function termsOf(under: AccuracyName | Accuracy | Terms): Terms {
   if (typeof under === 'string') return { ...DEFAULT_TERMS, accuracy: ACCURACIES[under] };
   return 'accuracy' in under ? under : { ...DEFAULT_TERMS, accuracy: under };
 }
+
+/**
+ * What some terms set otherwise than {@link DEFAULT_TERMS}, apart from rules.
+ *
+ * @param terms - the terms, with the name of the accuracy alone
+ * @returns only what differs
+ */
+export function unusualTerms({
+  accuracy,
+  maxTime,
+  maxWork,
+}: {
+  readonly accuracy: string;
+  readonly maxTime: number;
+  readonly maxWork: number;
+}): {
+  readonly accuracy?: string;
+  readonly maxTime?: number;
+  readonly maxWork?: number;
+} {
+  return {
+    ...(accuracy !== DEFAULT_TERMS.accuracy.name && { accuracy }),
+    ...(maxTime !== DEFAULT_TERMS.maxTime && { maxTime }),
+    ...(maxWork !== DEFAULT_TERMS.maxWork && { maxWork }),
+  };
+}

@@ -1,6 +1,7 @@
 import * as z from 'zod';
 import { VERDICTS } from './report.ts';
 import { rulesSchema } from './rules-schema.ts';
+import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from './terms-limits.ts';
 
 /** The version of the lock file that this toolkit reads and writes. */
 export const LOCK_VERSION = 1;
@@ -15,6 +16,18 @@ export const lockEntrySchema = z
   .strictObject({
     verdict: z.enum(VERDICTS).describe('The verdict on the level.'),
     accuracy: z.string().min(1).max(100).describe('The accuracy at which it was checked.'),
+    maxTime: z
+      .number()
+      .min(SHORTEST_RUN)
+      .max(LONGEST_RUN)
+      .optional()
+      .describe('The longest that a run could last, s; 60 when left out.'),
+    maxWork: z
+      .int()
+      .min(1)
+      .max(MOST_WORK)
+      .optional()
+      .describe('The most work that it could cost, pieces of motion; that of gq check without --max-work when left out.'),
     outcome: z.enum(['completed', 'collided', 'lost', 'timeout']).optional().describe('How the shown run ends.'),
     tick: count.optional().describe('The tick of 1/60 s in which it ends.'),
     minerals: count.optional().describe('How many minerals it collects.'),

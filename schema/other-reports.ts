@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { runReportSchema, VERDICTS } from './report.ts';
-import { problem, version } from './report-parts.ts';
+import { problem, terms, version } from './report-parts.ts';
 
 const { holds, outcome, time } = runReportSchema.shape;
 const effect = z.strictObject({ name: z.string(), because: z.string().describe('Why it is simulated, or why not.') });
@@ -10,6 +10,7 @@ const count = z.int().min(0);
 export const inspectReportSchema = z.strictObject({
   version,
   level: z.string(),
+  terms,
   effects: z.strictObject({ simulated: z.array(effect), notCalledFor: z.array(effect) }),
   counts: z.record(z.string(), count).describe('Objects of each kind, and runs.'),
   modes: z
@@ -31,6 +32,7 @@ const px = z.number().min(0).describe('px');
 export const accuracyReportSchema = z.strictObject({
   version,
   level: z.string(),
+  terms,
   holds,
   reference: z.strictObject({
     tolerance: px,
@@ -162,6 +164,7 @@ export const buildReportSchema = z.strictObject({
         id: z.string().describe('The name under which the page keeps progress.'),
         file: z.string(),
         name: z.string(),
+        terms,
         verdict: z.enum(VERDICTS),
         refused: z.boolean().describe('Whether nothing was written because of this level.'),
         problems: z.array(problem),

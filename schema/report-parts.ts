@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { rulesSchema } from './rules-schema.ts';
 
 /** The first key of every report. */
 export const version = z.literal(1).describe('Of the shape of this report. New keys may be added to it without a new version.');
@@ -15,3 +16,18 @@ export const problem = z.strictObject({
 
 /** What a play is found to be, in reports; `verifyPlay` of the game has the same. */
 export const playVerdict = z.enum(['ok', 'claim-differs', 'stale-level', 'unknown-engine', 'malformed', 'too-long']);
+
+/** Under which terms a report says something about a level. */
+export const terms = z
+  .strictObject({
+    accuracy: z.string().describe('How exactly it is simulated: the name of an accuracy, or of a custom setting.'),
+    maxTime: z.number().describe('Simulated time after which a run is a timeout, s.'),
+    maxWork: z.int().describe('The most work that the level may cost, pieces of motion.'),
+    rules: rulesSchema.describe(
+      "The rules that have another value than in the original game: the level's own, and those of its folder.",
+    ),
+  })
+  .describe('Under which terms all this holds.');
+
+/** Under which terms a report says something about a level. */
+export type TermsReport = z.infer<typeof terms>;

@@ -1,7 +1,7 @@
 import * as z from 'zod';
 import { forecastReportSchema } from './forecast-report.ts';
 import { playersReportSchema, playsReportSchema } from './plays-report.ts';
-import { problem, version } from './report-parts.ts';
+import { problem, terms, version } from './report-parts.ts';
 
 /** The verdicts on a level. All but the first need attention. */
 export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
@@ -36,7 +36,7 @@ export const runReportSchema = z.strictObject({
 });
 
 /** The zod schema of what `gq simulate` prints as JSON. */
-export const simulateReportSchema = z.strictObject({ version, ...runReportSchema.shape });
+export const simulateReportSchema = z.strictObject({ version, ...runReportSchema.shape, terms });
 
 /** What `gq simulate` prints as JSON. */
 export type SimulateReport = z.infer<typeof simulateReportSchema>;
@@ -82,6 +82,7 @@ export type SoftlockReport = z.infer<typeof softlockReportSchema>;
 const levelReport = z.strictObject({
   file: z.string(),
   name: z.string(),
+  terms,
   verdict: z.enum(VERDICTS),
   run: runReportSchema.nullable(),
   problems: z.array(problem),
@@ -189,6 +190,7 @@ const solution = z.strictObject({
 /** The zod schema of what `gq solve` prints as JSON: the best run, and with `--count` the others. */
 export const solveReportSchema = z.strictObject({
   version,
+  terms,
   ...solution.shape,
   solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
 });
@@ -301,6 +303,7 @@ export const difficultyReportSchema = z.strictObject({
     z.strictObject({
       file: z.string(),
       name: z.string(),
+      terms,
       problems: z.array(problem),
       measured: measuredDifficulty.nullable(),
       why: z.string().nullable().describe('Why nothing was measured.'),
@@ -367,11 +370,12 @@ export const generateReportSchema = z.strictObject({
       aside: z.int().nullable().describe('Minerals that the run "solution" does not collect, and another run does.'),
     }),
   ),
+  terms: terms.describe('Under which the levels are completable. Rules are written into the levels.'),
   rejected: z.int().min(0).describe('Layouts that were thrown away.'),
   reasons: z
     .record(z.string(), z.int().min(0))
     .describe(
-      'How many layouts were thrown away for each reason: noRoom, noRun, noDetour, offTheme, asymmetric, tooEasy, tooHard, unforgiving, noMinerals, warnings; and alike in a pack.',
+      'How many layouts were thrown away for each reason: noRoom, noRun, noDetour, offTheme, asymmetric, tooEasy, tooHard, unforgiving, noMinerals, outOfTerms, warnings; and alike in a pack.',
     ),
   variety: z
     .strictObject({

@@ -16,7 +16,13 @@ export interface ResultChange {
  * @returns what differs; null when nothing does
  */
 export function resultChange(now: LockEntry, before: LockEntry): ResultChange | null {
-  const parts = [verdictChange(now, before), endChange(now, before), mineralChange(now, before), ticksChange(now, before)];
+  const parts = [
+    limitsChange(now, before),
+    verdictChange(now, before),
+    endChange(now, before),
+    mineralChange(now, before),
+    ticksChange(now, before),
+  ];
   const words = parts.filter((part) => part !== '');
   if (words.length === 0 && now.hash === before.hash) return null;
   if (words.length === 0) words.push(hashChange(now, before));
@@ -37,6 +43,17 @@ export function entryChange(now: LockEntry, before: LockEntry): string {
   const accuracy = now.accuracy === before.accuracy ? '' : `accuracy ${now.accuracy}, before ${before.accuracy}`;
   const rules = rulesChange(now.rules, before.rules);
   return [change?.words ?? '', accuracy, rules === '' ? '' : `rules: ${rules}`].filter((part) => part !== '').join('; ');
+}
+
+/** Other limits are a difference even where the result is the same: it was agreed on under these. */
+function limitsChange(now: LockEntry, before: LockEntry): string {
+  const usual = 'the usual limit';
+  const seconds = ({ maxTime }: LockEntry): string => (maxTime === undefined ? usual : `${maxTime} s`);
+  const pieces = ({ maxWork }: LockEntry): string => (maxWork === undefined ? usual : `${maxWork} pieces of motion`);
+  return [
+    ...(now.maxTime === before.maxTime ? [] : [`time limit ${seconds(now)}, before ${seconds(before)}`]),
+    ...(now.maxWork === before.maxWork ? [] : [`work limit ${pieces(now)}, before ${pieces(before)}`]),
+  ].join('; ');
 }
 
 const verdictChange = (now: LockEntry, before: LockEntry): string =>

@@ -11,4 +11,5 @@ export {
 } from './outcome.ts';
 export { plural } from './plural.ts';
 export { proposalInWords, proposalRunInWords, SIZE_MEANS } from './proposal.ts';
+export { accuracyInWords, termsInWords, termsReport } from './terms.ts';
 export { VERDICT_MEANS } from './verdict.ts';

@@ -1,10 +1,12 @@
 import type { Accuracy } from '../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../engine/work-precision/index.ts';
-import type { AccuracyReport as AccuracyJson, Hold } from '../../schema/index.ts';
+import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../schema/index.ts';
 
 /** The results of `accuracy` for a run of a level. */
 export interface AccuracyReport {
   readonly file: string;
+  /** Under which terms all this holds. */
+  readonly terms: TermsReport;
   /** The level's name. */
   readonly level: string;
   /** The name of the run. */
@@ -31,11 +33,12 @@ const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measu
 });
 
 /** The results of `accuracy` as JSON: errors in px, costs in microseconds per simulated second, times in s. */
-export function accuracyJson({ level, holds, measured, cheapest }: AccuracyReport): string {
+export function accuracyJson({ level, terms, holds, measured, cheapest }: AccuracyReport): string {
   const { tolerance, outcome, time, floor } = measured.reference;
   const report: AccuracyJson = {
     version: 1,
     level,
+    terms,
     holds: holds.map(([press, release]) => [press, release]),
     reference: { tolerance, outcome, time, floor },
     methods: measured.methods.map(methodJson),

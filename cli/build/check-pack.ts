@@ -1,5 +1,5 @@
 import { type Pack, packedLevel } from '../../check/pack/index.ts';
-import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../schema/index.ts';
 import { cacheFolder } from '../cache/index.ts';
 import {
@@ -20,8 +20,6 @@ import type { PackFile } from './find-pack.ts';
 /** How the levels of a pack are checked. */
 export interface BuildOptions {
   readonly asked: AskedOptions;
-  /** undefined: that of the configuration, else the default */
-  readonly accuracy?: AccuracyName;
   /** The folder of the cache, or false for none; null: the usual one. */
   readonly cache: boolean | string | null;
   readonly jobs: number;
@@ -44,15 +42,16 @@ export interface BuiltPack {
 export async function checkPack(
   files: readonly PackFile[],
   configuration: Configuration,
-  { asked, accuracy: wanted, cache: choice, jobs, onProgress }: BuildOptions,
+  { asked, cache: choice, jobs, onProgress }: BuildOptions,
 ): Promise<BuiltPack> {
-  const accuracy = wanted ?? configuration.accuracy ?? DEFAULT_ACCURACY;
   const settings: CheckSettings = {
     ...settingsFor(asked, configuration, files.length),
-    accuracy: ACCURACIES[accuracy],
     forLock: false,
     inFull: false,
   };
+  const accuracy = settings.terms.accuracy.name;
+  // a page plays at an accuracy that has a name, so a build has no options for another
+  if (!isAccuracyName(accuracy)) throw new Error(`not the name of an accuracy: ${accuracy}`);
   const folder = cacheFolder(choice);
   const cache = folder === null ? null : openLevelCache(folder, settings);
   const bytes = new Map<string, Uint8Array>();

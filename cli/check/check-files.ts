@@ -65,7 +65,7 @@ export async function checkFiles(
   const failures = new FailureCount(bail);
   for (const [i, file] of files.entries()) if (known.has(file)) failures.add(i, [known.get(file)!]);
   const bytes = places.map((i) => stats[i]).reduce((sum, s) => sum + (s instanceof Error ? 0 : s.size), 0);
-  const useWorkers = isLong(settings) || (jobs > 1 && unknown.length >= MANY_FILES) || bytes * settings.maxTime > MUCH_WORK;
+  const useWorkers = isLong(settings) || (jobs > 1 && unknown.length >= MANY_FILES) || bytes * settings.terms.maxTime > MUCH_WORK;
   const work = { settings, cacheKey: cache?.key ?? null };
   const checking: Checking = {
     jobs,
@@ -178,7 +178,7 @@ async function checkInWorkers(
       return await pool.run({ files: batch, ...work } satisfies Batch, { signal: enough.signal });
     } catch (error) {
       if (stopping?.aborted || enough.signal.aborted) return [];
-      if (batch.length === 1) return [{ level: crashedLevel(batch[0], error), kept: null }];
+      if (batch.length === 1) return [{ level: crashedLevel(batch[0], error, work.settings.terms), kept: null }];
       // the worker died with the whole batch: check its levels one at a time to find the one that kills it
       return (await Promise.all(batch.map((file) => runBatch([file])))).flat();
     }

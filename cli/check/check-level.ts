@@ -5,6 +5,7 @@ import {
   mineralsToProve,
   playRuns,
   problemsOf,
+  proofBudget,
   proveGoalImpossible,
   proveMineralsLost,
   softlocksOf,
@@ -13,16 +14,8 @@ import {
   verdictOfFindings,
   withinWork,
 } from '../../check/index.ts';
-import {
-  compile,
-  DEFAULT_MAX_WORK,
-  isAccuracyName,
-  type Run,
-  type Scene,
-  simulate,
-  TICK_RATE,
-  WorkBudget,
-} from '../../engine/index.ts';
+import { termsReport } from '../../check/words/index.ts';
+import { compile, isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
 import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import { createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
@@ -66,7 +59,8 @@ export function checkFile(file: string, settings: CheckSettings, cacheKey: strin
       kept: cacheKey !== null && isAnywhere && isSettled ? keptLevel(cacheKey, bytes, timed) : null,
     };
   } catch (error) {
-    const level = error instanceof Failure ? unreadableLevel(file, error.message) : crashedLevel(file, error);
+    const level =
+      error instanceof Failure ? unreadableLevel(file, error.message, settings.terms) : crashedLevel(file, error, settings.terms);
     return { level: { ...level, ms: performance.now() - start }, kept: null };
   }
 }
@@ -80,30 +74,31 @@ interface Judgement {
 }
 
 function judge(file: string, bytes: Uint8Array, settings: CheckSettings): Judgement {
-  const read = readLevel(bytes, settings);
-  if (!read.ok) return refused(file, read.problems, read.text);
+  const { terms } = settings;
+  const read = readLevel(bytes, terms);
+  if (!read.ok) return refused(file, read.problems, read.text, terms);
   const undecided = conflictProblems(read.document.file, read.document.locate);
-  return undecided.length > 0 ? refused(file, undecided, read.document.text) : replay(file, read, settings);
+  return undecided.length > 0 ? refused(file, undecided, read.document.text, terms) : replay(file, read, settings);
 }
 
-function refused(file: string, problems: readonly Problem[], text: string): Judgement {
-  const level = refusedLevel(file, 'invalid', withKeys(showProblems(problems, text), text));
+function refused(file: string, problems: readonly Problem[], text: string, terms: Terms): Judgement {
+  const level = refusedLevel(file, 'invalid', withKeys(showProblems(problems, text), text), terms);
   return { level, isAnywhere: true, isSettled: true };
 }
 
 function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): Judgement {
-  const { accuracy, maxTime, maxWork = DEFAULT_MAX_WORK, requireSlack, search } = settings;
+  const { terms, requireSlack, search } = settings;
   // each part of a check has a budget of its own, so that none uses up another's
-  const budget = new WorkBudget(maxWork);
-  const proofs = new WorkBudget(maxWork / 2);
-  const scene = compile(level, accuracy);
-  const scripted = playRuns(scene, maxTime, budget);
+  const scene = compile(level, terms);
+  const budget = new WorkBudget(terms.maxWork);
+  const proofs = proofBudget(scene);
+  const scripted = playRuns(scene, budget);
   const completing = scripted.findIndex(({ outcome }) => outcome === 'completed');
   const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(scene, settings, proofs);
 
   const shown = found ?? chosen(level.runs, scripted, Math.max(completing, 0));
-  const { run: brief, report } = inWords(level, shown, settings, budget);
-  const runs = examineRuns(level, scripted, { scene, maxTime, maxWork, budget, found: found?.run });
+  const { run: brief, report } = inWords(scene, shown, settings, budget);
+  const runs = examineRuns(level, scripted, { scene, budget, found: found?.run });
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
   const isCompleted = completing >= 0 || found !== null;
@@ -116,24 +111,24 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     tight: isSlackAskedFor ? tightRuns(scene, completingRuns(level, scripted, found?.holds ?? null), requireSlack) : [],
     sought: {
       slack: requireSlack === null ? (search === null ? null : 'low') : requireSlack > 0 ? 'required' : null,
-      minerals: settings.proveMinerals && isAccuracyName(accuracy.name),
+      minerals: settings.proveMinerals && isAccuracyName(terms.accuracy.name),
       softlocks: survey !== null,
     },
-    lost: proveMineralsLost(level, accuracy, asked, ticksOf(settings), proofs),
+    lost: proveMineralsLost(scene, asked, proofs),
   });
-  const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, settings, budget) } : brief;
+  const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, budget) } : brief;
   const isAnywhere = !mayMention(document.text);
   const hints = commandHints(isAnywhere ? ANYWHERE : shellPath(file));
   const problems = problemsOf(findings, hints).map((problem) => placed(problem, document));
   const checked: CheckedLevel = {
     file,
     name: level.name,
+    terms: termsReport(scene),
     verdict: verdictOfFindings(findings),
     run,
     found: found?.holds ?? null,
     report,
     mineralCount: level.minerals.length,
-    ...(settings.forLock && { rules: level.rules ?? {} }),
     ...(settings.softlocks !== undefined && {
       softlocks: findings.softlocks === null ? null : softlockReport(findings.softlocks, level),
     }),
@@ -161,8 +156,6 @@ function surveyLost(scene: Scene, ticks: number, found: readonly Hold[] | undefi
   return survey;
 }
 
-const ticksOf = ({ maxTime }: CheckSettings): number => Math.round(maxTime * TICK_RATE);
-
 interface WithoutRun {
   readonly impossible: Proof | null;
   readonly searched: LevelSearch | null;
@@ -173,13 +166,13 @@ const NOT_NEEDED: WithoutRun = { impossible: null, searched: null, found: null }
 
 /** For a level that none of its own runs completes: always tries proofs, and searches on request. */
 function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): WithoutRun {
-  const { accuracy, search, maxTime } = settings;
-  const impossible = proveGoalImpossible(scene.level, accuracy, { minerals: 'any' }, ticksOf(settings), budget);
+  const { search } = settings;
+  const impossible = proveGoalImpossible(scene, { minerals: 'any' }, budget);
   if (impossible !== null || search === null) return { ...NOT_NEEDED, impossible };
   const searched = search.claimed === undefined ? searchLevel(scene, search, settings) : unsearched(search.claimed);
   if (searched.found === null) return { ...NOT_NEEDED, impossible: searched.impossible, searched };
   const holds = searched.found;
-  const run = simulate(scene, holds, { maxTime });
+  const run = simulate(scene, holds);
   if (search.claimed !== undefined && run.outcome !== 'completed')
     return { ...NOT_NEEDED, searched: { ...searched, found: null } };
   if (run.outcome !== 'completed') throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
@@ -200,9 +193,9 @@ const chosen = (runs: readonly ScriptedRun[], played: readonly Run[], index: num
 
 /** The shown run, in brief and on request in full; null if the run was stopped or a report would cost too much work. */
 function inWords(
-  level: OpenedLevel['level'],
+  { level, accuracy }: Scene,
   shown: PlayedRun | null,
-  { accuracy, inFull }: CheckSettings,
+  { inFull }: CheckSettings,
   budget: WorkBudget,
 ): Pick<CheckedLevel, 'run' | 'report'> {
   if (shown === null || shown.run.stopped !== null) return { run: null, report: null };
@@ -221,15 +214,13 @@ function lockedRun(
   scene: Scene,
   { name, holds, run }: PlayedRun,
   document: OpenedLevel['document'],
-  settings: CheckSettings,
   budget: WorkBudget,
 ): Pick<RunInBrief, 'hash' | 'certifiedTicks' | 'place'> {
-  const { maxWork = DEFAULT_MAX_WORK } = settings;
   const isCompleted = run.outcome === 'completed';
   const pointer = `/runs/${scene.level.runs.findIndex((one) => one.name === name)}`;
   return {
     hash: withinWork(budget, () => run.hash),
-    certifiedTicks: isCompleted ? ticksToAgree(scene, holds, ticksOf(settings), maxWork / 2) : null,
+    certifiedTicks: isCompleted ? ticksToAgree(scene, holds) : null,
     place: name === null ? null : placeOf(pointer, document),
   };
 }

@@ -1,5 +1,5 @@
-import type { Accuracy } from '../../engine/index.ts';
-import type { Allowed, Hold, OwnRules, RunReport, SoftlockReport, Verdict } from '../../schema/index.ts';
+import type { Terms } from '../../engine/index.ts';
+import type { Allowed, Hold, RunReport, SoftlockReport, TermsReport, Verdict } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 
@@ -20,6 +20,8 @@ export interface CheckedLevel {
   readonly file: string;
   /** The name of the level, or of the file if it is not a valid level. */
   readonly name: string;
+  /** Under which terms all this holds. */
+  readonly terms: TermsReport;
   readonly verdict: Verdict;
   /** The first run that completes the level, its own or one found by a search; else its first run. */
   readonly run: RunInBrief | null;
@@ -29,8 +31,6 @@ export interface CheckedLevel {
   readonly report: RunReport | null;
   /** The number of minerals in the level. */
   readonly mineralCount: number;
-  /** The rules that have another value than in the original game. Only with `forLock`, and of a valid level. */
-  readonly rules?: OwnRules;
   /** The problems that the level allows, by code; missing if it allows none. */
   readonly allow?: Allowed;
   /** How many problems were left out because it allows them. */
@@ -46,9 +46,7 @@ export interface CheckedLevel {
 
 /** How to check a level. */
 export interface CheckSettings {
-  readonly accuracy: Accuracy;
-  /** s of simulated time after which a run is a timeout */
-  readonly maxTime: number;
+  readonly terms: Terms;
   /** Whether runs are reported in full; the hash covers every sample and takes an eighth of the time of a check. */
   readonly inFull: boolean;
   /** Whether to find out what a lock compares: hash and certified ticks. Off by default, as it takes longer than the rest. */
@@ -61,10 +59,6 @@ export interface CheckSettings {
   readonly requireSlack: number | null;
   /** Ticks that the search for places where the level is already lost may take; absent: there is none. */
   readonly softlocks?: number;
-  /** The largest work for one level, in pieces of motion; by default the engine's limit. */
-  readonly maxWork?: number;
-  /** The folder's rules; none by default. */
-  readonly rules?: OwnRules;
 }
 
 /** How to search a level that none of its runs completes. */

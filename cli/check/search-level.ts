@@ -1,5 +1,5 @@
 import type { Searched } from '../../check/index.ts';
-import { type Scene, TICK_RATE } from '../../engine/index.ts';
+import type { Scene } from '../../engine/index.ts';
 import { createDecider, type Proof } from '../../solver/index.ts';
 import type { CheckSettings, SearchSettings } from './checked-level.ts';
 
@@ -19,17 +19,12 @@ export interface LevelSearch extends Searched {
  * none, half of the work goes into proofs with ever finer sets.
  * Blocks the calling thread for as long as the limits allow.
  */
-export function searchLevel(
-  scene: Scene,
-  { limits, seed }: SearchSettings,
-  { maxTime, requireSlack }: CheckSettings,
-): LevelSearch {
+export function searchLevel(scene: Scene, { limits, seed }: SearchSettings, { requireSlack }: CheckSettings): LevelSearch {
   const objective = requireSlack === null ? 'first' : 'robust';
-  const maxTicks = Math.round(maxTime * TICK_RATE);
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
   const isLate = (): boolean => performance.now() >= end;
   const effort = limits.effort ?? undefined;
-  const decider = createDecider(scene, { objective, seed, maxTicks, effort, isStopped: isLate });
+  const decider = createDecider(scene, { objective, seed, effort, isStopped: isLate });
   while (!decider.finished && !isLate()) decider.advance(SLICE);
   const { best, impossible, closest, finished } = decider;
   return { found: best?.holds ?? null, impossible, effort: { ...decider.effort }, closest, isOutOfTime: !finished };

@@ -1,6 +1,7 @@
 import type { Configuration } from '../configuration.ts';
 import { Failure } from '../failure.ts';
 import { limitsOf, type SearchOptions } from '../search-options.ts';
+import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
 import type { CheckSettings } from './checked-level.ts';
 
 /**
@@ -13,13 +14,11 @@ export const FEW_FILES = 64;
 export const SOFTLOCK_EFFORT = 10_000_000;
 
 /** The options that say what a check asks of each level. */
-export interface AskedOptions extends SearchOptions {
+export interface AskedOptions extends SearchOptions, TermsOptions {
   readonly solve?: true;
   /** false with --no-require-slack */
   readonly requireSlack?: number | false;
   readonly softlocks?: number | true;
-  readonly maxTime: number;
-  readonly maxWork: number;
 }
 
 /** @throws Failure if a limit is given for a search that is not asked for */
@@ -28,20 +27,18 @@ export function refuseLimitsWithoutSearch({ solve, budget, effort }: AskedOption
   if (!solve && part !== null) throw new Failure(`${part} limits the search of --solve: give --solve as well`);
 }
 
-/** What a check of so many files asks of each level, except for the accuracy and the extent of the report. */
+/** What a check of so many files asks of each level, except for the extent of the report. */
 export function settingsFor(
   options: AskedOptions,
-  { rules, requireSlack }: Pick<Configuration, 'rules' | 'requireSlack'>,
+  configuration: ConfiguredTerms & Pick<Configuration, 'requireSlack'>,
   count: number,
-): Omit<CheckSettings, 'accuracy' | 'inFull'> {
-  const { solve = false, seed, maxTime, maxWork, softlocks } = options;
+): Omit<CheckSettings, 'inFull'> {
+  const { solve = false, seed, softlocks } = options;
   return {
-    rules,
-    maxTime,
-    maxWork,
+    terms: termsFrom(options, configuration),
     search: solve ? { limits: limitsOf(options), seed } : null,
     proveMinerals: solve || count <= FEW_FILES,
-    requireSlack: slackOf(options.requireSlack, requireSlack),
+    requireSlack: slackOf(options.requireSlack, configuration.requireSlack),
     ...(softlocks !== undefined && { softlocks: softlocks === true ? SOFTLOCK_EFFORT : softlocks }),
   };
 }

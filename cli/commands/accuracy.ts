@@ -1,11 +1,11 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
+import { termsReport } from '../../check/words/index.ts';
 import { ACCURACIES } from '../../engine/index.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../engine/work-precision/index.ts';
 import { drawDiagram, type Ground, levelDiagram } from '../../picture/accuracy/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../accuracy/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, customAccuracy } from '../accuracy-options.ts';
 import { chooseRun } from '../chosen-run.ts';
 import { colorsFor, widthOf } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
@@ -13,8 +13,9 @@ import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
-import { formatOption, maxTimeOption } from '../options.ts';
+import { formatOption } from '../options.ts';
 import { readConfiguration } from '../read-configuration.ts';
+import { addTermsOptions, customAccuracy, type TermsOptions, termsFrom } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
@@ -22,17 +23,16 @@ import { writeWhole } from '../write-file.ts';
 /** ms for the timing */
 const BUDGET = 3000;
 
-interface Options extends ConfigOptions, AccuracyOptions {
+interface Options extends ConfigOptions, TermsOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
   readonly svg?: string;
   readonly theme: Ground;
-  readonly maxTime: number;
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(addAccuracyOptions(command))
+  addConfigOptions(addTermsOptions(command))
     .description(
       'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
     )
@@ -45,7 +45,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
         .choices(['auto', 'light', 'dark'])
         .default('auto'),
     )
-    .addOption(maxTimeOption())
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
@@ -73,19 +72,20 @@ async function measure(file: string, options: Options, command: Command): Promis
   const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
-  const configuration = readConfiguration(options);
-  const opened = openLevel(file, configuration);
+  const terms = termsFrom(options, readConfiguration(options));
+  const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
   const { level } = opened;
   const { name, holds } = chooseRun(file, level, options);
   const measured = measureWorkPrecision(level, holds, {
-    maxTime: options.maxTime,
+    maxTime: terms.maxTime,
     now: () => performance.now(),
     budget: BUDGET,
     methods: isNew ? [...METHODS, custom] : METHODS,
   });
   const report: AccuracyReport = {
     file,
+    terms: termsReport({ terms, level }),
     level: level.name,
     run: name,
     holds,

@@ -1,13 +1,16 @@
+import { dirname, resolve } from 'node:path';
 import { type Command, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
-import type { OwnRules } from '../../schema/index.ts';
+import type { Terms } from '../../engine/basics/index.ts';
 import type { CommandResult } from '../command.ts';
+import { noConfiguration } from '../configuration.ts';
 import { Failure, systemReason } from '../failure.ts';
 import { type MergedFile, mergeFiles, mergeText, playAgain } from '../merge-driver/index.ts';
 import { wholeNumberOption } from '../options.ts';
 import { readBytes } from '../read-bytes.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { shellPath } from '../shown-path.ts';
+import { termsFrom } from '../terms.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
 
@@ -30,7 +33,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .argument('<base>', 'the version that both started from, %O; an empty file if both added the level')
     .argument('<ours>', 'our version, %A, which becomes the result')
     .argument('<theirs>', 'their version, %B')
-    .argument('<path>', 'the path of the level in the repository, %P, for messages')
+    .argument('<path>', 'the path of the level in the repository, %P: the gq.config.json of its folder applies')
     .option(
       '--marker-size <n>',
       'the length of conflict marks in files that are no levels, %L',
@@ -47,7 +50,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       `
 What only one side changed is taken. What both changed differently stays as we have it, and the file lists both values under
 "conflicts": it is a valid level, which gq check refuses until gq edit or a person has decided. After a clean merge the runs are
-played again. Files that are no valid levels are merged as text.
+played again, under the terms of the gq.config.json that is nearest to the level. Files that are no valid levels are merged as text.
 
 Exit code: 0 merged; 1 a person must look: a conflict, or no run completes the merged level although one did on both sides; 129
 the files could not be read or written.`,
@@ -68,8 +71,9 @@ async function drive(paths: Paths, options: Options): Promise<CommandResult> {
   const say = (text: string) => `${visibleLine(`${paths.path}: ${text}`)}\n`;
   try {
     const notes: string[] = [];
-    const merged = mergeOrSayWhy(paths, notes);
-    const result = await finishMerge(merged, paths, options);
+    const terms = termsOfFolder(dirname(resolve(paths.path)), notes);
+    const merged = mergeOrSayWhy(paths, terms);
+    const result = await finishMerge(merged, paths, options, terms);
     return { messages: [...notes, ...result.messages].map(say).join(''), exitCode: result.exitCode };
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
@@ -78,23 +82,26 @@ async function drive(paths: Paths, options: Options): Promise<CommandResult> {
 }
 
 /** Merges the files; an error of gq itself must not hide their version, so git's own merge follows it. */
-function mergeOrSayWhy({ base, ours, theirs }: Paths, notes: string[]): MergedFile {
+function mergeOrSayWhy({ base, ours, theirs }: Paths, { rules }: Terms): MergedFile {
   const [o, a, b] = [base, ours, theirs].map(readBytes);
   try {
-    return mergeFiles(o, a, b, rulesHere(notes));
+    return mergeFiles(o, a, b, rules);
   } catch (error) {
     return { kind: 'no level', why: `gq crashed, please report it: ${systemReason(error)}` };
   }
 }
 
-/** The rules of the folder. A configuration that is broken in the middle of a merge must not stop the merge of levels. */
-function rulesHere(notes: string[]): OwnRules {
+/** The terms of a folder. A configuration that is broken in the middle of a merge must not stop the merge of levels. */
+function termsOfFolder(folder: string, notes: string[]): Terms {
   try {
-    return readConfiguration({}).rules;
+    return termsFrom({}, readConfiguration({}, folder));
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    notes.push("the configuration can't be read, so the runs are played by the original game's rules");
-    return {};
+    const terms = termsFrom({}, noConfiguration());
+    notes.push(
+      `the configuration can't be read, so the runs are played by the original game's rules at ${terms.accuracy.name}, at most ${terms.maxTime} s`,
+    );
+    return terms;
   }
 }
 
@@ -103,7 +110,12 @@ interface Finished {
   readonly exitCode: 0 | 1 | 129;
 }
 
-async function finishMerge(merged: MergedFile, paths: Paths, { markerSize, onBrokenRun }: Options): Promise<Finished> {
+async function finishMerge(
+  merged: MergedFile,
+  paths: Paths,
+  { markerSize, onBrokenRun }: Options,
+  terms: Terms,
+): Promise<Finished> {
   const { base, ours, theirs, path } = paths;
   switch (merged.kind) {
     case 'one side':
@@ -124,7 +136,7 @@ async function finishMerge(merged: MergedFile, paths: Paths, { markerSize, onBro
     }
     case 'clean': {
       await writeWhole(ours, merged.text);
-      const { broken, isUnproved } = playAgain(merged.ours, merged.theirs, merged.merged);
+      const { broken, isUnproved } = playAgain(merged.ours, merged.theirs, merged.merged, terms);
       const messages = broken.map((what) => `merged, and ${what}`);
       if (!isUnproved) return { messages, exitCode: 0 };
       if (broken.length === 0) messages.push('merged, and no run completes it any more (before: one did on both sides)');

@@ -1,11 +1,10 @@
 import { availableParallelism } from 'node:os';
 import { extname } from 'node:path';
 import { type Command, Option } from 'commander';
-import { TICK_RATE } from '../../engine/index.ts';
+import { compile, type Scene } from '../../engine/index.ts';
 import { renderSvg } from '../../picture/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Goal } from '../../solver/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
 import { SOFTLOCK_EFFORT } from '../check/index.ts';
 import { type ChosenRun, chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
@@ -13,11 +12,10 @@ import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
 import { openLevel } from '../level-source.ts';
-import { maxTimeOption, seedOption, wholeNumberOption } from '../options.ts';
+import { seedOption, wholeNumberOption } from '../options.ts';
 import { loadPngRenderer } from '../png.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import {
-  type Subject,
   type View,
   viewAllRuns,
   viewExploration,
@@ -30,6 +28,7 @@ import {
 import { expectMinerals, mineralsOption } from '../search-options.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
 import { type Solved, solveLevel } from '../solve/index.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
 import { visibleLine } from '../visible.ts';
 import { writeWhole } from '../write-file.ts';
@@ -39,7 +38,7 @@ const DEFAULT_WIDTH = 1200;
 /** The default effort for a picture of a search, ticks. */
 const DEFAULT_EFFORT = 2_000_000;
 
-interface Options extends ConfigOptions, AccuracyOptions {
+interface Options extends ConfigOptions, TermsOptions {
   readonly output: string;
   readonly run?: string | false;
   readonly holds?: readonly Hold[];
@@ -53,14 +52,13 @@ interface Options extends ConfigOptions, AccuracyOptions {
   readonly minerals: Goal['minerals'];
   readonly effort: number;
   readonly seed: number;
-  readonly maxTime: number;
   readonly width: number;
   readonly theme: 'dark' | 'light';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   const given = new Set<string>();
-  addConfigOptions(addAccuracyOptions(command))
+  addConfigOptions(addTermsOptions(command))
     .description('Draw a level with one of its runs, or with what a search or a proof shows.')
     .argument('<level>', 'a level file')
     .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to standard output')
@@ -90,7 +88,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       DEFAULT_EFFORT,
     )
     .addOption(seedOption())
-    .addOption(maxTimeOption())
     .option('--width <px>', 'width of the picture', wholeNumberOption('a width in px', 100, 8192), DEFAULT_WIDTH)
     .addOption(new Option('--theme <theme>', 'colours').choices(['dark', 'light']).default('dark'))
     .addHelpText(
@@ -120,8 +117,7 @@ Examples:
 
 async function render(file: string, options: Options, command: Command): Promise<CommandResult> {
   const { output, width, theme } = options;
-  const configuration = readConfiguration(options);
-  const subject = { accuracy: chooseAccuracy(options, configuration), maxTime: options.maxTime };
+  const terms = termsFrom(options, readConfiguration(options));
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {
     throw new Failure(
@@ -131,9 +127,9 @@ async function render(file: string, options: Options, command: Command): Promise
   expectOneView(options);
   expectUsed(command, options);
   const renderPng = kind === '.png' ? await loadPngRenderer() : null;
-  const opened = openLevel(file, configuration);
+  const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
-  const view = await viewOf(file, { level: opened.level, ...subject }, options, command);
+  const view = await viewOf(file, compile(opened.level, terms), options, command);
   if ('exitCode' in view) return view;
   const { remark, ...shown } = view;
   const said = remark === undefined ? '' : `${visibleLine(remark)}\n`;
@@ -144,39 +140,39 @@ async function render(file: string, options: Options, command: Command): Promise
 }
 
 /** The view that the options select, or the result of the command if there is nothing to show. */
-async function viewOf(file: string, subject: Subject, options: Options, command: Command): Promise<View | CommandResult> {
+async function viewOf(file: string, scene: Scene, options: Options, command: Command): Promise<View | CommandResult> {
   const { run: wanted, holds, minerals, effort, seed, solve } = options;
-  const { level } = subject;
+  const { level } = scene;
   const goal: Goal = { minerals };
   expectMinerals(file, level, minerals);
   if (options.proof) {
-    return viewProof(subject, goal) ?? nothing(`${file}: no proof was found that nobody can do it: gq solve may find a run`);
+    return viewProof(scene, goal) ?? nothing(`${file}: no proof was found that nobody can do it: gq solve may find a run`);
   }
   if (options.softlocks) {
     const ticks = command.getOptionValueSource('effort') === 'default' ? SOFTLOCK_EFFORT : effort;
-    return viewSoftlocks(subject, { effort: ticks, seed });
+    return viewSoftlocks(scene, { effort: ticks, seed });
   }
-  if (options.allRuns) return level.runs.length > 0 ? viewAllRuns(subject) : nothing(`${file}: the level has no run to draw`);
+  if (options.allRuns) return level.runs.length > 0 ? viewAllRuns(scene) : nothing(`${file}: the level has no run to draw`);
   if (solve !== undefined) {
-    const solved = await solveFor(subject, goal, { count: solve, effort, seed });
+    const solved = await solveFor(scene, goal, { count: solve, effort, seed });
     return solved.runs.length > 0
-      ? viewSolved(subject, solved, solve)
+      ? viewSolved(scene, solved, solve)
       : nothing(`${file}: no run was found; search longer with gq solve ${shellPath(file)}`);
   }
   const explicit = wanted !== undefined || holds !== undefined;
   if (options.explored || options.closest) {
-    const explored = viewExploration(subject, {
+    const explored = viewExploration(scene, {
       goal,
       seed,
       effort,
       heat: options.explored === true,
       nearest: options.closest === true,
     });
-    return options.explored && explicit && wanted !== false ? { ...explored, ...viewRun(subject, chosen()) } : explored;
+    return options.explored && explicit && wanted !== false ? { ...explored, ...viewRun(scene, chosen()) } : explored;
   }
   const nothingToPlay = !explicit && level.runs.length === 0 && options.fan === undefined;
   if (wanted === false || nothingToPlay) return {};
-  return options.fan === undefined ? viewRun(subject, chosen()) : viewFan(subject, chosen(), options.fan, seed);
+  return options.fan === undefined ? viewRun(scene, chosen()) : viewFan(scene, chosen(), options.fan, seed);
 
   function chosen(): ChosenRun {
     return chooseRun(file, level, { run: wanted || undefined, holds });
@@ -186,12 +182,11 @@ async function viewOf(file: string, subject: Subject, options: Options, command:
 const nothing = (message: string): CommandResult => ({ messages: `error: ${visibleLine(message)}\n`, exitCode: 1 });
 
 function solveFor(
-  { level, accuracy, maxTime }: Subject,
+  { level, terms }: Scene,
   goal: Goal,
   { count, effort, seed }: { readonly count: number; readonly effort: number; readonly seed: number },
 ): Promise<Solved> {
-  const maxTicks = Math.round(maxTime * TICK_RATE);
-  const asked = { accuracy, goal, objective: 'robust', seed, maxTicks, count } as const;
+  const asked = { terms, goal, objective: 'robust', seed, count } as const;
   const settings = { level: { ...level, runs: [] }, ...asked, known: level.runs.map(({ holds }) => holds) };
   const limits = { budget: null, effort };
   return solveLevel(settings, { limits, jobs: availableParallelism(), onRound: () => {} });

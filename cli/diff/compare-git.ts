@@ -5,9 +5,10 @@ import { isSame, MAX_FILE_SIZE } from '../../schema/index.ts';
 import { Failure } from '../failure.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { namedPath } from '../shown-path.ts';
+import { termsSaid } from '../terms.ts';
 import type { Comparison, FileVersion, Pair, Side } from './comparison.ts';
 import { git, gitOrNull, readObjects, repositoryRoot, shallowHint, splitNul, treeOf } from './git.ts';
-import { rulesInTree } from './side-rules.ts';
+import { termsInTree } from './side-terms.ts';
 
 /** What is compared with what. */
 export interface Revisions {
@@ -68,12 +69,12 @@ export function compareInGit({ before, after }: Revisions, paths: readonly strin
 
   const tree = to ?? '';
   const sides: [Side, Side] = [
-    { label: before ?? 'HEAD', rules: rulesInTree(root, from, before ?? 'HEAD', messages) },
+    { label: before ?? 'HEAD', configured: termsInTree(root, from, before ?? 'HEAD', messages) },
     after === 'worktree'
-      ? { label: 'the working tree', rules: readConfiguration({}).rules }
-      : { label: isTree ? after : 'the index', rules: rulesInTree(root, tree, isTree ? after : 'the index', messages) },
+      ? { label: 'the working tree', configured: termsSaid(readConfiguration({})) }
+      : { label: isTree ? after : 'the index', configured: termsInTree(root, tree, isTree ? after : 'the index', messages) },
   ];
-  const differ = !isSame(sides[0].rules, sides[1].rules);
+  const differ = !isSame(sides[0].configured, sides[1].configured);
   if (paths.length > 0) expectMatches(paths, [from, ...(to === null ? [] : [to])], to === null, isLevel);
   const equal = differ ? equalFiles(from, specs, pairs, isLevel, shown) : [];
   return { before: sides[0], after: sides[1], pairs, equal, messages };

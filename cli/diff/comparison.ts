@@ -1,4 +1,10 @@
-import type { OwnRules } from '../../schema/index.ts';
+import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
+
+/** Under which terms each side is judged: those of its own configuration, unless options say otherwise. */
+export const termsOfSides = ({ before, after }: Pick<Comparison, 'before' | 'after'>, options: TermsOptions) => ({
+  before: termsFrom(options, before.configured),
+  after: termsFrom(options, after.configured),
+});
 
 /** One version of a level file. */
 export interface FileVersion {
@@ -17,8 +23,8 @@ export interface Pair {
 export interface Side {
   /** What it is: `HEAD`, `the working tree`, a path. */
   readonly label: string;
-  /** The rules of its configuration. */
-  readonly rules: OwnRules;
+  /** What its configuration says about terms. */
+  readonly configured: ConfiguredTerms;
 }
 
 /** What is to be compared. */
@@ -27,7 +33,7 @@ export interface Comparison {
   readonly after: Side;
   /** Files that differ, sorted by path. */
   readonly pairs: readonly Pair[];
-  /** Files that are equal on both sides. They are read only where the rules differ, since every level may then play differently. */
+  /** Files that are equal on both sides. They are read only where what the configurations say differs, since every level may then play differently. */
   readonly equal: readonly FileVersion[];
   /** Messages for people. */
   readonly messages: readonly string[];

@@ -1,3 +1,5 @@
+import { termsReport } from '../../check/words/index.ts';
+import type { Terms } from '../../engine/index.ts';
 import {
   assessLevel,
   type Change,
@@ -8,27 +10,28 @@ import {
   renamedStanding,
   standingInWords,
 } from '../../review/index.ts';
-import { conflictProblems, type LevelReading, type OwnRules, readLevel } from '../../schema/index.ts';
+import { conflictProblems, isSame, type LevelReading, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { nameOfFile } from '../name-of-file.ts';
 import type { FileVersion } from './comparison.ts';
-import type { DiffedLevel, DiffSettings, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
+import type { DiffedLevel, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
 
 type ValidReading = Extract<LevelReading, { readonly ok: true }>;
 
 interface Version {
   readonly file: FileVersion;
   readonly read: LevelReading;
+  readonly terms: Terms;
 }
 
 /** Compares two versions of a level file and judges both. */
-export function diffLevel({ pair, rules, settings }: DiffTask): DiffedLevel {
-  const open = (file: FileVersion | null, own: OwnRules): Version | null =>
-    file === null ? null : { file, read: readLevel(file.bytes, { byteOrderMark: 'skip', rules: own }) };
-  const [before, after] = [open(pair.before, rules.before), open(pair.after, rules.after)];
+export function diffLevel({ pair, settings: { terms, slack } }: DiffTask): DiffedLevel {
+  const open = (file: FileVersion | null, own: Terms): Version | null =>
+    file === null ? null : { file, read: readLevel(file.bytes, { byteOrderMark: 'skip', rules: own.rules }), terms: own };
+  const [before, after] = [open(pair.before, terms.before), open(pair.after, terms.after)];
   const [old, now] = [validOf(before), validOf(after)];
   const changes = old === null || now === null ? null : diffLevels(old.document.file, now.document.file);
-  const judged = judgeBoth(before, after, settings);
+  const judged = judgeBoth(before, after, slack);
   const status = statusOf(pair.before, pair.after, changes);
   return {
     status,
@@ -52,10 +55,10 @@ function statusOf(before: FileVersion | null, after: FileVersion | null, changes
 function judgeBoth(
   before: Version | null,
   after: Version | null,
-  settings: DiffSettings,
+  slack: boolean,
 ): { readonly before: JudgedVersion | null; readonly after: JudgedVersion | null } {
   const [old, now] = [validOf(before), validOf(after)];
-  const first = before === null ? null : judge(before, settings);
+  const first = before === null ? null : judge(before, slack);
   if (after === null) return { before: first, after: null };
   if (
     first === null ||
@@ -63,33 +66,50 @@ function judgeBoth(
     old === null ||
     now === null ||
     isUndecided(now) ||
+    !isUnderSame(before, after) ||
     !playAlike(old.level, now.level)
   ) {
-    return { before: first, after: judge(after, settings) };
+    return { before: first, after: judge(after, slack) };
   }
   const standing = renamedStanding(first.standing, old.level, now.level);
   return { before: first, after: { ...first, file: after.file.path, name: now.level.name, standing } };
 }
 
+/** Whether both are judged at one accuracy and within the same limits; rules are compared with the levels. */
+const isUnderSame = (before: Version | null, { terms: now }: Version): boolean =>
+  before !== null &&
+  isSame(before.terms.accuracy, now.accuracy) &&
+  before.terms.maxTime === now.maxTime &&
+  before.terms.maxWork === now.maxWork;
+
 /** Whether a merge left conflicts in it. */
 const isUndecided = ({ document }: ValidReading): boolean => (document.file.conflicts ?? []).length > 0;
 
-function judge({ file: { path: file }, read }: Version, settings: DiffSettings): JudgedVersion {
+function judge({ file: { path: file }, read, terms }: Version, slack: boolean): JudgedVersion {
+  const under = termsReport({ terms, level: read.ok ? read.level : terms });
   if (!read.ok) {
-    return { file, name: nameOfFile(file), verdict: 'invalid', problems: showProblems(read.problems, read.text), standing: null };
+    return {
+      file,
+      name: nameOfFile(file),
+      terms: under,
+      verdict: 'invalid',
+      problems: showProblems(read.problems, read.text),
+      standing: null,
+    };
   }
   const undecided = conflictProblems(read.document.file, read.document.locate);
   if (undecided.length > 0) {
     return {
       file,
       name: read.level.name,
+      terms: under,
       verdict: 'invalid',
       problems: showProblems(undecided, read.document.text),
       standing: null,
     };
   }
-  const standing = assessLevel(read.level, settings);
-  return { file, name: read.level.name, verdict: standing.verdict, problems: [], standing };
+  const standing = assessLevel(read.level, { terms, slack });
+  return { file, name: read.level.name, terms: under, verdict: standing.verdict, problems: [], standing };
 }
 
 function effectsOf(before: JudgedVersion | null, after: JudgedVersion | null, range: number): string[] {

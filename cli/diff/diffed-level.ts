@@ -1,6 +1,6 @@
-import type { Accuracy } from '../../engine/index.ts';
+import type { Terms } from '../../engine/index.ts';
 import type { Change, Standing } from '../../review/index.ts';
-import type { OwnRules, Verdict } from '../../schema/index.ts';
+import type { TermsReport, Verdict } from '../../schema/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { Pair } from './comparison.ts';
 
@@ -10,6 +10,8 @@ export interface JudgedVersion {
   readonly file: string;
   /** The name of the level; of its file if it is not valid. */
   readonly name: string;
+  /** Under which terms it was judged. */
+  readonly terms: TermsReport;
   readonly verdict: Verdict;
   /** Why it is not a valid level; empty for one that is. */
   readonly problems: readonly ShownProblem[];
@@ -35,9 +37,8 @@ export interface DiffedLevel {
 
 /** How levels are judged. */
 export interface DiffSettings {
-  readonly accuracy: Accuracy;
-  /** s of simulated time after which a run is a timeout. */
-  readonly maxTime: number;
+  /** Under which each side is judged: those of its own configuration, unless options say otherwise. */
+  readonly terms: { readonly before: Terms; readonly after: Terms };
   /** Whether to measure slack. */
   readonly slack: boolean;
 }
@@ -45,6 +46,5 @@ export interface DiffSettings {
 /** A message to a worker. */
 export interface DiffTask {
   readonly pair: Pair;
-  readonly rules: { readonly before: OwnRules; readonly after: OwnRules };
   readonly settings: DiffSettings;
 }

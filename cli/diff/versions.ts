@@ -1,7 +1,7 @@
-import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
+import { compile, type Run, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
 import type { Mark } from '../../picture/comparison/index.ts';
 import { marksOf, type StandingRun } from '../../review/index.ts';
-import { type Level, type OwnRules, readLevel } from '../../schema/index.ts';
+import { type Level, readLevel } from '../../schema/index.ts';
 import type { FileVersion, Pair } from './comparison.ts';
 import type { DiffedLevel, DiffSettings, JudgedVersion } from './diffed-level.ts';
 
@@ -20,29 +20,19 @@ export interface PlayedVersions {
 }
 
 /** Reads both versions again and plays their runs. */
-export function playVersions(
-  pair: Pair,
-  rules: { readonly before: OwnRules; readonly after: OwnRules },
-  diffed: DiffedLevel,
-  settings: DiffSettings,
-): PlayedVersions {
-  const before = play(pair.before, rules.before, diffed.before, settings);
-  const after = play(pair.after, rules.after, diffed.after, settings);
+export function playVersions(pair: Pair, diffed: DiffedLevel, { terms }: DiffSettings): PlayedVersions {
+  const before = play(pair.before, diffed.before, terms.before);
+  const after = play(pair.after, diffed.after, terms.after);
   const marks = before === null || after === null ? [] : marksOf(diffed.changes ?? [], before.level, after.level);
   return { before, after, marks };
 }
 
-function play(
-  file: FileVersion | null,
-  rules: OwnRules,
-  judged: JudgedVersion | null,
-  { accuracy, maxTime }: DiffSettings,
-): PlayedVersion | null {
+function play(file: FileVersion | null, judged: JudgedVersion | null, terms: Terms): PlayedVersion | null {
   if (file === null || judged?.standing == null) return null;
-  const read = readLevel(file.bytes, { byteOrderMark: 'skip', rules });
+  const read = readLevel(file.bytes, { byteOrderMark: 'skip', rules: terms.rules });
   if (!read.ok) return null;
   const { run } = judged.standing;
   if (run === null) return { level: read.level, run: null, judged: null };
-  const played = simulate(compile(read.level, accuracy), run.holds, { maxTime, budget: new WorkBudget() });
+  const played = simulate(compile(read.level, terms), run.holds, { budget: new WorkBudget(terms.maxWork) });
   return { level: read.level, run: played.stopped === null ? played : null, judged: run };
 }

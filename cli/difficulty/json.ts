@@ -20,8 +20,8 @@ export function difficultyJson(
 
 /** The difficulty of a level as JSON. */
 export function measuredJson(level: MeasuredLevel): DifficultyReport['levels'][number] {
-  const { file, name, runName, difficulty, comparedNames, curve, why, problems, players } = level;
-  const shared = { file, name, problems: problems.map(problemJson) };
+  const { file, name, terms, runName, difficulty, comparedNames, curve, why, problems, players } = level;
+  const shared = { file, name, terms, problems: problems.map(problemJson) };
   const played = players === null ? {} : { players: playersJson(players) };
   if (difficulty === null) return { ...shared, measured: null, why, ...played };
   const { run, comparison, robustness, sigmaAtHalf, mineralsExtra, shortcuts, grade, randomPlay, forecast } = difficulty;

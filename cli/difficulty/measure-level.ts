@@ -1,7 +1,7 @@
 import { proveGoalImpossible } from '../../check/index.ts';
 import { collectStatistics, compareWithModel, fitToPlays, type Reference } from '../../check/plays/index.ts';
-import { effortInWords } from '../../check/words/index.ts';
-import { compile, joinHolds, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { effortInWords, termsReport } from '../../check/words/index.ts';
+import { compile, joinHolds, maxTicksOf, type Scene } from '../../engine/index.ts';
 import { type Hold, type Level, readLevel } from '../../schema/index.ts';
 import { findRuns, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
@@ -32,7 +32,7 @@ export function measureLevel({ file, settings, plays }: MeasureTask): MeasuredLe
   try {
     bytes = readBytes(file);
   } catch (error) {
-    if (error instanceof Failure) return unreadable(file, error);
+    if (error instanceof Failure) return unreadable(file, error, settings.terms);
     throw error;
   }
   return measureContent(file, bytes, settings, plays);
@@ -45,30 +45,32 @@ export function measureContent(
   settings: MeasureSettings,
   plays: LevelPlays | null = null,
 ): MeasuredLevel {
-  const read = readLevel(bytes, settings);
+  const { terms } = settings;
+  const read = readLevel(bytes, terms);
   if (!read.ok) {
-    return { ...nothingOf(file), why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
+    return { ...nothingOf(file, terms), why: 'not a valid level', problems: showProblems(read.problems, read.text), code: 1 };
   }
   const measured = measure(read.level, settings);
   const players = plays === null ? null : playersOf(read.level, measured, plays, settings);
-  return { ...nothingOf(file), name: read.level.name, ...measured, players };
+  const { level } = read;
+  return { ...nothingOf(file, terms), name: level.name, terms: termsReport({ terms, level }), ...measured, players };
 }
 
 function playersOf(
   level: Level,
   { runName, difficulty }: Measured,
   { replayed, by, names }: LevelPlays,
-  { accuracy, goal, seed, maxTime, run }: MeasureSettings,
+  { terms, goal, seed, run }: MeasureSettings,
 ): Players {
   const measured = difficulty === null ? null : { holds: difficulty.run.holds, name: runName };
-  const collect = (reference?: Reference) => collectStatistics(level, replayed, { goal, by, reference });
+  const collect = (reference?: Reference) => collectStatistics(level, terms, replayed, { goal, by, reference });
   // the run that players take is mostly one of the level's own; the one that forgives most may be another way
   const own = collect(run === null || measured === null ? undefined : measured);
   const statistics = own.reference === null && measured !== null ? collect(measured) : own;
   const { reference, attempts } = statistics;
   if (reference === null || attempts === 0) return { statistics, model: null, p40: null, fit: null, names };
-  const scene = compile(level, accuracy);
-  const options = { seed, maxTicks: Math.round(maxTime * TICK_RATE) };
+  const scene = compile(level, terms);
+  const options = { seed, maxTicks: maxTicksOf(terms) };
   return {
     statistics,
     model: compareWithModel(scene, reference.holds, statistics, goal, options),
@@ -93,18 +95,16 @@ type Measured = Pick<MeasuredLevel, 'runName' | 'difficulty' | 'comparedNames' |
 const failed = (why: string): Measured => ({ runName: null, difficulty: null, comparedNames: [], curve: [], why, code: 1 });
 
 function measure(level: Level, settings: MeasureSettings): Measured {
-  const { accuracy, goal, effort, seed, inFull } = settings;
+  const { terms, goal, effort, seed, inFull } = settings;
   if (typeof goal.minerals === 'number' && goal.minerals > level.minerals.length) {
     return failed(`it has only ${level.minerals.length} of the ${goal.minerals} minerals required`);
   }
-  const scene = compile(level, accuracy);
-  const maxTicks = Math.round(settings.maxTime * TICK_RATE);
-  const chosen = chooseRuns(scene, settings, maxTicks);
+  const scene = compile(level, terms);
+  const chosen = chooseRuns(scene, settings);
   if ('why' in chosen) return failed(chosen.why);
   const difficulty = measureDifficulty(scene, null, {
     goal,
     seed,
-    maxTicks,
     runs: chosen.runs,
     effort: inFull ? effort : 0,
     asteroidEffort: inFull ? undefined : 0,
@@ -128,10 +128,10 @@ function nameOf(level: Level, holds: readonly Hold[]): string | null {
 type Chosen = { readonly runs: readonly (readonly Hold[])[] } | { readonly why: string };
 
 /** The runs to compare: the selected one alone, or the level's own that meet the goal and those that a search finds. */
-function chooseRuns(scene: Scene, settings: MeasureSettings, maxTicks: number): Chosen {
-  const { goal, run, effort, seed, accuracy, found } = settings;
+function chooseRuns(scene: Scene, settings: MeasureSettings): Chosen {
+  const { goal, run, effort, seed, found } = settings;
   const { level } = scene;
-  const isGood = (holds: readonly Hold[]): boolean => verifyRun(scene, holds, goal, maxTicks) !== null;
+  const isGood = (holds: readonly Hold[]): boolean => verifyRun(scene, holds, goal) !== null;
   if (run !== null) {
     const named = level.runs.find(({ name }) => name === run);
     if (named === undefined) return { why: `it has no run named ${JSON.stringify(run)}` };
@@ -139,10 +139,10 @@ function chooseRuns(scene: Scene, settings: MeasureSettings, maxTicks: number): 
   }
   if (found !== undefined) return found.some(isGood) ? { runs: found } : { why: 'its run does not complete it' };
   if (!level.runs.some(({ holds }) => isGood(holds))) {
-    const proof = proveGoalImpossible(level, accuracy, goal, maxTicks);
+    const proof = proveGoalImpossible(scene, goal);
     if (proof !== null) return { why: `proved impossible: ${proof.reason}` };
   }
-  const search = findRuns(scene, goal, { effort, seed, maxTicks });
+  const search = findRuns(scene, goal, { effort, seed, maxTicks: maxTicksOf(scene.terms) });
   if (search.runs.length > 0) return search;
   const near = search.closest === null ? '' : `, closest approach ${closestRunInWords(search.closest)}`;
   return { why: `no run was found after simulating ${effortInWords(search.effort)}${near}` };

@@ -1,6 +1,7 @@
 import type { FittedPlayers, ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
-import type { Accuracy } from '../../engine/index.ts';
-import type { Hold, OwnRules } from '../../schema/index.ts';
+import { termsReport } from '../../check/words/index.ts';
+import type { Terms } from '../../engine/index.ts';
+import type { Hold, TermsReport } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import type { Failure } from '../failure.ts';
 import { nameOfFile } from '../name-of-file.ts';
@@ -12,6 +13,8 @@ export interface MeasuredLevel {
   readonly file: string;
   /** The name of the level, or of the file if it is not a valid level. */
   readonly name: string;
+  /** Under which terms all this holds. */
+  readonly terms: TermsReport;
   /** The name of the measured run; null: a search found it. */
   readonly runName: string | null;
   readonly difficulty: Difficulty | null;
@@ -30,10 +33,11 @@ export interface MeasuredLevel {
 }
 
 /** Nothing is measured yet. */
-export const nothingOf = (file: string) =>
+export const nothingOf = (file: string, terms: Terms) =>
   ({
     file,
     name: nameOfFile(file),
+    terms: termsReport({ terms, level: terms }),
     runName: null,
     difficulty: null,
     comparedNames: [],
@@ -43,7 +47,11 @@ export const nothingOf = (file: string) =>
   }) as const;
 
 /** A file that can't be read. */
-export const unreadable = (file: string, { message }: Failure): MeasuredLevel => ({ ...nothingOf(file), why: message, code: 2 });
+export const unreadable = (file: string, { message }: Failure, terms: Terms): MeasuredLevel => ({
+  ...nothingOf(file, terms),
+  why: message,
+  code: 2,
+});
 
 /** What players teach about a level, beside what the model says. */
 export interface Players {
@@ -60,9 +68,7 @@ export interface Players {
 
 /** What to measure, and how. */
 export interface MeasureSettings {
-  /** The folder's rules. */
-  readonly rules: OwnRules;
-  readonly accuracy: Accuracy;
+  readonly terms: Terms;
   readonly goal: Goal;
   /** The name of the run to measure; null: the one that forgives most, of its own and those that a search finds. */
   readonly run: string | null;
@@ -71,8 +77,6 @@ export interface MeasureSettings {
   /** The effort to find runs, ticks. */
   readonly effort: number;
   readonly seed: number;
-  /** s */
-  readonly maxTime: number;
   /** Whether to do the slowest parts, too: the cost of minerals, ways round each asteroid, and single holds at every tick. */
   readonly inFull: boolean;
   /** Whether to measure success at more noises, for a picture. */

@@ -113,7 +113,7 @@ function crashed({ batch, common, replay }: Task, error: unknown): Done {
   const isRead = content instanceof Uint8Array;
   const hash = contentHash(isRead ? content : new Uint8Array());
   const isOwn = common.rule === null || shardOf(hash, common.rule) === common.shard;
-  const result = jobOf(common.job).crashed(name, error);
+  const result = jobOf(common.job).crashed(name, error, JSON.parse(Buffer.from(common.settings).toString()));
   const record: ShardRecord = { n: batch.first, file: name, sha256: hash.toString('hex'), ms: 0, result };
   return {
     hashes: entryHash(hash, name),

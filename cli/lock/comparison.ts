@@ -1,4 +1,5 @@
 import { plural } from '../../check/words/index.ts';
+import type { Terms } from '../../engine/basics/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
 import { Failure } from '../failure.ts';
 import { shellPath } from '../shown-path.ts';
@@ -25,8 +26,8 @@ export interface Compared {
   readonly file: string;
   /** Whether to agree anew. */
   readonly update: boolean;
-  /** The name of the accuracy of the check. */
-  readonly accuracy: string;
+  /** Those of the check. */
+  readonly terms: Terms;
   /** The paths that were given. */
   readonly paths: readonly string[];
   /** The level files that they name. */
@@ -37,19 +38,19 @@ export interface Compared {
  * Opens a lock to compare a check with it.
  * @throws Failure if it can't be read, is not valid, or has results at another accuracy
  */
-export function openComparison({ file, update, accuracy, paths, levels }: Compared): LockComparison {
+export function openComparison({ file, update, terms, paths, levels }: Compared): LockComparison {
   const opened = openLock(file, update);
   const isGone = goneUnder(paths);
   if (update) {
     return {
       compare: (checked) => checked,
       end: async (checked, isWhole) =>
-        isWhole ? updateLock(checked, opened, accuracy, isGone) : `${file}: not updated, because not every level was checked\n`,
+        isWhole ? updateLock(checked, opened, isGone) : `${file}: not updated, because not every level was checked\n`,
     };
   }
-  refuseOtherAccuracy(opened, levels, accuracy);
+  refuseOtherAccuracy(opened, levels, terms.accuracy.name);
   return {
-    compare: (checked) => compareLevels(checked, opened, accuracy),
+    compare: (checked) => compareLevels(checked, opened),
     end: async () => goneInWords(opened, isGone),
   };
 }

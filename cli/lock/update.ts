@@ -14,7 +14,6 @@ import { lockedFile, lockKey, type OpenedLock, writeLock } from './lock-file.ts'
 export async function updateLock(
   levels: readonly CheckedLevel[],
   { file, lock }: OpenedLock,
-  accuracy: string,
   isGone: (levelFile: string) => boolean,
 ): Promise<string> {
   const before = new Map(Object.entries(lock.levels));
@@ -28,7 +27,7 @@ export async function updateLock(
       lines.push(`  kept ${key}: it could not be checked`);
       continue;
     }
-    const entry = entryOf(level, accuracy);
+    const entry = entryOf(level);
     after.set(key, entry);
     if (old === undefined) {
       counts.added++;

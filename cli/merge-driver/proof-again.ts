@@ -1,6 +1,6 @@
 import { playRuns } from '../../check/index.ts';
 import { bodyInWords } from '../../check/words/index.ts';
-import { ACCURACIES, compile, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK, type Run, WorkBudget } from '../../engine/index.ts';
+import { compile, type Run, type Terms, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 
 /** What a merge did to the runs of a level. */
@@ -13,9 +13,8 @@ export interface ProofAgain {
 
 type Played = ReadonlyMap<string, Run>;
 
-function play(level: Level): Played {
-  const scene = compile(level, ACCURACIES.precise);
-  const runs = playRuns(scene, DEFAULT_MAX_TIME, new WorkBudget(DEFAULT_MAX_WORK));
+function play(level: Level, terms: Terms): Played {
+  const runs = playRuns(compile(level, terms), new WorkBudget(terms.maxWork));
   return new Map(level.runs.map(({ name }, i) => [name, runs[i]]));
 }
 
@@ -43,9 +42,9 @@ function beforeInWords(here: Run | undefined, there: Run | undefined): string {
   return here === undefined ? `completed at tick ${there?.tick} on their side` : `completed at tick ${here.tick} on our side`;
 }
 
-/** Plays the runs of a merged level, and compares how they end with how they ended on both sides. */
-export function playAgain(ours: Level, theirs: Level, merged: Level): ProofAgain {
-  const [here, there, now] = [ours, theirs, merged].map(play);
+/** Plays the runs of a merged level under some terms, and compares how they end with how they ended on both sides. */
+export function playAgain(ours: Level, theirs: Level, merged: Level, terms: Terms): ProofAgain {
+  const [here, there, now] = [ours, theirs, merged].map((level) => play(level, terms));
   const broken: string[] = [];
   for (const [name, run] of now) {
     const before = [here.get(name), there.get(name)];

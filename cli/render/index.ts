@@ -1,5 +1,4 @@
 export {
-  type Subject,
   type View,
   viewAllRuns,
   viewExploration,

@@ -1,8 +1,8 @@
 import { proveGoalImpossible, softlocksOf } from '../../check/index.ts';
 import { effortInWords, outcomeInWords, plural } from '../../check/words/index.ts';
-import { type Accuracy, compile, joinHolds, type Scene, simulate, TICK, TICK_RATE } from '../../engine/index.ts';
+import { joinHolds, type Scene, simulate, TICK } from '../../engine/index.ts';
 import type { RenderOptions } from '../../picture/index.ts';
-import { type Hold, type Level, objectName } from '../../schema/index.ts';
+import { type Hold, objectName } from '../../schema/index.ts';
 import {
   createRandom,
   createSearch,
@@ -23,31 +23,23 @@ export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
   readonly remark?: string;
 }
 
-/** What to draw, and how to simulate it. */
-export interface Subject {
-  readonly level: Level;
-  readonly accuracy: Accuracy;
-  /** s */
-  readonly maxTime: number;
-}
-
 /** The level and one run of it. */
-export function viewRun({ level, accuracy, maxTime }: Subject, { holds }: ChosenRun): View {
-  return { run: simulate(compile(level, accuracy), holds, { maxTime }), holds };
+export function viewRun(scene: Scene, { holds }: ChosenRun): View {
+  return { run: simulate(scene, holds), holds };
 }
 
 /** Every run of the level. */
-export function viewAllRuns({ level, accuracy, maxTime }: Subject): View {
-  const scene = compile(level, accuracy);
+export function viewAllRuns(scene: Scene): View {
+  const { level } = scene;
   const ways = level.runs.map(({ name, holds }) => {
-    const run = simulate(scene, holds, { maxTime });
+    const run = simulate(scene, holds);
     return { run, label: `${name}: ${outcomeInWords(run, level.range)}, ${plural(holds.length, 'press', 'presses')}` };
   });
   return { ways };
 }
 
 /** Really different runs that a search found. @param wanted the number that was requested */
-export function viewSolved({ level }: Subject, { runs, effort }: Solved, wanted: number): View {
+export function viewSolved({ level }: Scene, { runs, effort }: Solved, wanted: number): View {
   const ways = runs.map(({ run, holds, robustness }) => {
     const presses = plural(holds.length, 'press', 'presses');
     return {
@@ -73,19 +65,17 @@ const FAN = 80;
  * The paths of a run whose presses and releases are off by up to `ticks`: each edge alone to either side, and all of them at
  * random.
  */
-export function viewFan(subject: Subject, chosen: ChosenRun, ticks: number, seed: number): View {
-  const { level, accuracy, maxTime } = subject;
-  const scene = compile(level, accuracy);
+export function viewFan(scene: Scene, chosen: ChosenRun, ticks: number, seed: number): View {
   const random = createRandom(seed);
   const edges = joinHolds(chosen.holds).flat();
-  const play = (shifts: readonly number[]) => simulate(scene, shifted(edges, shifts), { maxTime });
+  const play = (shifts: readonly number[]) => simulate(scene, shifted(edges, shifts));
   const alone = edges.flatMap((_, edge) => [-ticks, ticks].map((by) => edges.map((_, i) => (i === edge ? by : 0))));
   const together = Array.from({ length: FAN }, () => edges.map(() => random.below(2 * ticks + 1) - ticks));
   const fan = [...alone, ...together].map(play);
   const won = fan.filter(({ outcome }) => outcome === 'completed').length;
   const ms = (1000 * ticks * TICK).toFixed(0);
   return {
-    ...viewRun(subject, chosen),
+    ...viewRun(scene, chosen),
     fan,
     note:
       `${won} of ${fan.length} attempts complete it with presses and releases up to ${plural(ticks, 'tick')} (${ms} ms) too early or ` +
@@ -112,44 +102,43 @@ export interface Exploration {
 }
 
 /** The places that a search has visited, its closest run, or both. */
-export function viewExploration(subject: Subject, { goal, seed, effort, heat, nearest }: Exploration): View {
-  const { level, accuracy, maxTime } = subject;
-  const scene = compile(level, accuracy);
-  const search = createSearch(scene, { goal, seed, maxTicks: Math.round(maxTime * TICK_RATE) });
+export function viewExploration(scene: Scene, { goal, seed, effort, heat, nearest }: Exploration): View {
+  const search = createSearch(scene, { goal, seed });
   search.advance(effort);
   const found = search.solutions.length;
   const runs = found === 0 ? 'it found no run' : `it found ${plural(found, 'run')}`;
   const note = `A search simulated ${effortInWords(search.effort)}; ${runs}.`;
   return {
-    title: level.name,
+    title: scene.level.name,
     note,
     ...(heat && { explored: search.explored }),
-    ...(nearest && nearestRun(scene, search, maxTime)),
+    ...(nearest && nearestRun(scene, search)),
   };
 }
 
-function nearestRun(scene: Scene, { solutions, closest }: Search, maxTime: number): View {
+function nearestRun(scene: Scene, { solutions, closest }: Search): View {
   const [solution] = solutions;
-  if (solution !== undefined) return { run: simulate(scene, solution.holds, { maxTime }), holds: solution.holds };
+  if (solution !== undefined) return { run: simulate(scene, solution.holds), holds: solution.holds };
   if (closest === null) return {};
   // the path is drawn up to shortly after the closest moment
-  const run = simulate(scene, closest.holds, { maxTime: Math.min(maxTime, (closest.tick + 1) * TICK) });
+  const run = simulate(scene, closest.holds, { maxTime: Math.min(scene.terms.maxTime, (closest.tick + 1) * TICK) });
   return { run, holds: closest.holds, nearest: nearestTime(closest.tick) };
 }
 
 const nearestTime = (tick: number): number => tick * TICK;
 
 /** The proof that the goal can't be reached; null if there is none. */
-export function viewProof({ level, accuracy, maxTime }: Subject, goal: Goal): View | null {
-  const proof = proveGoalImpossible(level, accuracy, goal, Math.round(maxTime * TICK_RATE));
+export function viewProof(scene: Scene, goal: Goal): View | null {
+  const { level } = scene;
+  const proof = proveGoalImpossible(scene, goal);
   if (proof === null) return null;
   const what = proof.about.kind === 'blackHole' ? 'impossible' : `${objectName('mineral', proof.about.index)} is out of reach`;
   return { title: `${level.name}: ${what}`, note: `Proved: ${proof.reason}.`, proof: proofPicture(level, proof) };
 }
 
 /** Where the level is already lost although she lives on. @param effort ticks */
-export function viewSoftlocks({ level, accuracy }: Subject, { effort, seed }: Pick<Exploration, 'effort' | 'seed'>): View {
-  const survey = createSoftlockSurvey(compile(level, accuracy), { seed });
+export function viewSoftlocks(scene: Scene, { effort, seed }: Pick<Exploration, 'effort' | 'seed'>): View {
+  const survey = createSoftlockSurvey(scene, { seed });
   survey.advance(effort);
   const { states, lasting } = softlocksOf(survey);
   const marked = <T extends { readonly standing: Standing }>(list: readonly T[]) =>
@@ -157,7 +146,7 @@ export function viewSoftlocks({ level, accuracy }: Subject, { effort, seed }: Pi
       one.standing.is === 'proved' || one.standing.is === 'not found' ? [{ ...one, known: one.standing.is }] : [],
     );
   return {
-    title: `${level.name}: where it is already lost`,
+    title: `${scene.level.name}: where it is already lost`,
     note:
       `Of ${plural(states.examined, 'state')}, ${states.open} can still reach the black hole. After ${lasting.proved} that are proved ` +
       `lost, and ${lasting.notFound} from which no run was found, she lives on for a second and more.`,

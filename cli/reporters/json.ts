@@ -26,7 +26,8 @@ export function checkJsonOf(
 }
 
 function levelJson(level: CheckedLevel, linkTo: ReportContext['linkTo']): CheckReport['levels'][number] {
-  const { file, name, verdict, report: run, problems, softlocks, ms } = level;
+  const { file, name, terms, verdict, report: run, problems, softlocks, ms } = level;
   const lost = softlocks === undefined ? {} : { softlocks };
-  return { file, name, verdict, run, problems: problems.map(problemJson), failure: failureOf(level, linkTo), ...lost, ms };
+  const failure = failureOf(level, linkTo);
+  return { file, name, terms, verdict, run, problems: problems.map(problemJson), failure, ...lost, ms };
 }

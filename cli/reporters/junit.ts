@@ -54,15 +54,21 @@ function countsOf(cases: readonly TestCase[]) {
 function suiteOf(
   folder: string,
   cases: readonly TestCase[],
-  { version, accuracy }: ReportContext,
+  { version, terms: { accuracy, maxTime, maxWork } }: ReportContext,
   excess: string | null,
 ): string {
-  const properties = Object.entries({ 'gq.version': version, 'gq.accuracy': accuracy })
+  const said = {
+    'gq.version': version,
+    'gq.accuracy': accuracy.name,
+    'gq.maxTime': String(maxTime),
+    'gq.maxWork': String(maxWork),
+  };
+  const properties = Object.entries(said)
     .map(([name, value]) => `      <property${xmlAttributes({ name, value })}/>\n`)
     .join('');
-  const said = excess === null ? '' : `    <system-err>${xmlText(excess)}\n</system-err>\n`;
+  const error = excess === null ? '' : `    <system-err>${xmlText(excess)}\n</system-err>\n`;
   const head = xmlAttributes({ name: folder, ...countsOf(cases) });
-  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}${said}  </testsuite>\n`;
+  return `  <testsuite${head}>\n    <properties>\n${properties}    </properties>\n${cases.map(({ xml }) => xml).join('')}${error}  </testsuite>\n`;
 }
 
 /** How a test case is found: its folder as the class, its file as the name. */

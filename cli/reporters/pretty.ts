@@ -1,4 +1,4 @@
-import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
+import { plural, termsInWords, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
@@ -18,7 +18,7 @@ const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
 };
 
 /** The results of `check` for people: a line for each level with its problems below, and a summary. */
-export function checkPretty(results: Results, { colors, width, linkTo, quiet = false }: ReportContext): string {
+export function checkPretty(results: Results, { colors, width, linkTo, terms, quiet = false }: ReportContext): string {
   const { levels: reports, totals } = results;
   const listed = quiet ? reports.flatMap(onlyErrors) : reports;
   const lines = alignColumns(listed.map(row), { right: [TIME_COLUMN], width });
@@ -40,7 +40,8 @@ export function checkPretty(results: Results, { colors, width, linkTo, quiet = f
   for (const { file, problems } of packs) text += showFileProblems(file, problems, colors);
   const counts = Object.entries(totals.summary).filter(([, count]) => count > 0);
   const words = counts.map(([v, count]) => paint(v as Verdict)(`${count} ${v}`)).join(', ');
-  const count = `${colors.bold(plural(totals.levels, 'level'))}${words === '' ? '' : `: ${words}`}${besides(totals, quiet)}`;
+  const under = termsInWords(terms);
+  const count = `${colors.bold(plural(totals.levels, 'level'))}${under === '' ? '' : `, ${under}`}${words === '' ? '' : `: ${words}`}${besides(totals, quiet)}`;
   text += `${quiet && listed.length === 0 && packs.every(({ problems }) => problems.length === 0) ? '' : '\n'}${count}\n${earlyEndInWords(results)}`;
   if (results.excess) text += `${colors.red(results.excess)}\n`;
   const { tight, differing, packErrors } = totals;

@@ -27,17 +27,17 @@ export async function reportCheck(
   reports: readonly Destination[],
   {
     exitCode,
-    accuracy,
+    terms,
     linkTo,
     quiet,
-  }: Pick<ReportContext, 'accuracy' | 'linkTo' | 'quiet'> & { readonly exitCode: CommandResult['exitCode'] },
+  }: Pick<ReportContext, 'terms' | 'linkTo' | 'quiet'> & { readonly exitCode: CommandResult['exitCode'] },
   levels: (() => Iterable<CheckedLevel>) | null = null,
 ): Promise<CommandResult> {
   const context: ReportContext = {
     colors: PLAIN,
     width: null,
     version: readVersion(),
-    accuracy,
+    terms,
     exitCode,
     linkTo,
     quiet,

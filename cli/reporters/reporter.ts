@@ -1,3 +1,4 @@
+import type { Terms } from '../../engine/basics/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
 import type { Colors } from '../colors.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
@@ -36,8 +37,8 @@ export interface ReportContext {
   readonly width: number | null;
   /** The version of gq. */
   readonly version: string;
-  /** The name of the accuracy at which was checked. */
-  readonly accuracy: string;
+  /** Under which was checked. */
+  readonly terms: Terms;
   readonly exitCode: number;
   /** Makes links to a page of the editor; null if none is known. */
   readonly linkTo: EditorLink | null;

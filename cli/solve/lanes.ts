@@ -1,4 +1,4 @@
-import { compile, isAccuracyName, type Scene } from '../../engine/index.ts';
+import { compile, isAccuracyName, maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { createAnytimeProof, createSolver, measureRobustness, type Robustness, type Solver } from '../../solver/index.ts';
 import { PROOF_LANE, type Round } from './lane-numbers.ts';
@@ -37,8 +37,8 @@ export const measureRun = (scene: Scene, holds: readonly Hold[], { goal, seed }:
 
 /** Opens lanes of a search in this thread. */
 export function openLanes(settings: SolveSettings, numbers: readonly number[], isStopped: () => boolean): Lanes {
-  const { level, accuracy, goal, objective, maxTicks, count, known, seed } = settings;
-  const scene = compile(level, accuracy);
+  const { level, terms, goal, objective, count, known, seed } = settings;
+  const scene = compile(level, terms);
   const lanes = numbers.map((lane) =>
     lane === PROOF_LANE
       ? proofLane(settings, isStopped)
@@ -47,7 +47,6 @@ export function openLanes(settings: SolveSettings, numbers: readonly number[], i
           createSolver(scene, {
             goal,
             objective,
-            maxTicks,
             count,
             known,
             seed,
@@ -87,9 +86,10 @@ function searchLane(lane: number, solver: Solver): Lane {
   };
 }
 
-function proofLane({ level, accuracy, goal, maxTicks }: SolveSettings, isStopped: () => boolean): Lane {
-  const proving = isAccuracyName(accuracy.name)
-    ? createAnytimeProof(level, { accuracy: accuracy.name, goal, maxTicks, isStopped })
+function proofLane({ level, terms, goal }: SolveSettings, isStopped: () => boolean): Lane {
+  const { name } = terms.accuracy;
+  const proving = isAccuracyName(name)
+    ? createAnytimeProof(level, { accuracy: name, goal, maxTicks: maxTicksOf(terms), isStopped })
     : null;
   return {
     isForProof: true,

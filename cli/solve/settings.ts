@@ -1,37 +1,30 @@
-import { TICK_RATE } from '../../engine/basics/index.ts';
-import type { Accuracy } from '../../engine/index.ts';
+import type { Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import type { Goal, Objective } from '../../solver/index.ts';
-import { type AccuracyOptions, chooseAccuracy } from '../accuracy-options.ts';
-import type { Configuration } from '../configuration.ts';
+import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
 
 /** How to solve a level. */
 export interface AskedRuns {
-  readonly accuracy: Accuracy;
+  readonly terms: Terms;
   readonly goal: Goal;
   readonly objective: Objective;
   readonly seed: number;
-  /** The longest run, ticks. */
-  readonly maxTicks: number;
   /** The wanted number of really different runs. */
   readonly count: number;
 }
 
 /** The options that say how to solve a level. */
-interface SolveOptions extends AccuracyOptions {
+interface SolveOptions extends TermsOptions {
   readonly minerals: Goal['minerals'];
   readonly objective: Objective;
   readonly seed: number;
-  /** s */
-  readonly maxTime: number;
   readonly count: number;
 }
 
 /** What the options and the configuration choose. */
-export function askedRuns(options: SolveOptions, configuration: Configuration): AskedRuns {
-  const { minerals, objective, seed, maxTime, count } = options;
-  const accuracy = chooseAccuracy(options, configuration);
-  return { accuracy, goal: { minerals }, objective, seed, maxTicks: Math.round(maxTime * TICK_RATE), count };
+export function askedRuns(options: SolveOptions, configuration: ConfiguredTerms): AskedRuns {
+  const { minerals, objective, seed, count } = options;
+  return { terms: termsFrom(options, configuration), goal: { minerals }, objective, seed, count };
 }
 
 /** What to solve, and how. */

@@ -1,5 +1,5 @@
 import { proveGoalImpossible } from '../../check/index.ts';
-import { compile, type Run, type Scene, simulate, TICK } from '../../engine/index.ts';
+import { compile, type Run, simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Closest, type Effort, type Proof, type Robustness, verifyRun } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
@@ -74,28 +74,25 @@ export const solveHere = (settings: SolveSettings, { budget, effort }: Limits): 
  * @returns null if one of them does not reach the goal
  */
 export function replayRuns(settings: SolveSettings, found: readonly (readonly Hold[])[]): readonly SolvedRun[] | null {
-  const { level, accuracy, goal, maxTicks } = settings;
-  const scene = compile(level, accuracy);
-  if (found.some((holds) => verifyRun(scene, holds, goal, maxTicks) === null)) return null;
-  return found.map((holds) => ({ holds, run: replay(scene, holds, maxTicks), robustness: measureRun(scene, holds, settings) }));
+  const { level, terms, goal } = settings;
+  const scene = compile(level, terms);
+  if (found.some((holds) => verifyRun(scene, holds, goal) === null)) return null;
+  return found.map((holds) => ({ holds, run: simulate(scene, holds), robustness: measureRun(scene, holds, settings) }));
 }
 
-const replay = (scene: Scene, holds: readonly Hold[], maxTicks: number): Run =>
-  simulate(scene, holds, { maxTime: maxTicks * TICK });
-
 async function solveBy(
-  { level, accuracy, goal, maxTicks }: SolveSettings,
+  { level, terms, goal }: SolveSettings,
   search: () => Promise<Found & { readonly measured: readonly Robustness[] }>,
 ): Promise<Solved> {
   const start = performance.now();
   const since = (): number => (performance.now() - start) / 1000;
-  const impossible = proveGoalImpossible(level, accuracy, goal, maxTicks);
+  const scene = compile(level, terms);
+  const impossible = proveGoalImpossible(scene, goal);
   if (impossible !== null) return { runs: [], effort: { runs: 0, ticks: 0 }, seconds: since(), closest: null, impossible };
   const { solutions, effort, closest, impossible: proved, measured } = await search();
-  const scene = compile(level, accuracy);
   const runs = solutions.map(({ holds }, i): SolvedRun => {
     // the report describes a replay from the start
-    const run = replay(scene, holds, maxTicks);
+    const run = simulate(scene, holds);
     if (run.outcome !== 'completed')
       throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
     return { holds, run, robustness: measured[i] };

@@ -1,3 +1,4 @@
+import { termsReport } from '../../check/words/index.ts';
 import type { SolutionReport, SolveReport } from '../../schema/index.ts';
 import type { Solution } from '../../solver/index.ts';
 import { robustnessJson } from '../report-parts/index.ts';
@@ -5,12 +6,12 @@ import type { SolveSettings } from './settings.ts';
 import type { Solved, SolvedRun } from './solve-level.ts';
 
 /** The results of `solve` as JSON has them. */
-export function solveReport({ level, accuracy, seed, count }: SolveSettings, solved: Solved): SolveReport {
+export function solveReport({ level, terms, seed, count }: SolveSettings, solved: Solved): SolveReport {
   const { runs, closest, impossible } = solved;
   const effort = { ...solved.effort, seconds: solved.seconds, seed };
   const toReport = (found: SolvedRun | undefined): SolutionReport => ({
     level: level.name,
-    accuracy: accuracy.name,
+    accuracy: terms.accuracy.name,
     found: found !== undefined,
     holds: found === undefined ? null : holdsOf(found),
     outcome: found?.run.outcome ?? null,
@@ -26,7 +27,7 @@ export function solveReport({ level, accuracy, seed, count }: SolveSettings, sol
         : { code: impossible.code, reason: impossible.reason, certificate: jsonOf(impossible.certificate) },
     hash: found?.run.hash ?? null,
   });
-  const report: SolveReport = { version: 1, ...toReport(runs[0]) };
+  const report: SolveReport = { version: 1, terms: termsReport({ terms, level }), ...toReport(runs[0]) };
   if (count > 1) report.solutions = runs.map(toReport);
   return report;
 }

@@ -1,5 +1,6 @@
 import { proveGoalImpossible } from '../../check/index.ts';
-import { compile, type Scene, simulate, TICK_RATE, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
+import { termsReport } from '../../check/words/index.ts';
+import { compile, type Scene, simulate, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import {
   type Hold,
   type Level,
@@ -31,11 +32,25 @@ class OutOfRange extends Error {}
 /** Finds the effects of changed rules on one level file. Throws only if gq itself fails. */
 export function tuneLevel({ file, settings }: TuneTask): TunedLevel {
   const name = nameOfFile(file);
-  const nothing = { file, name, run: null, values: [], intervals: [], room: null, problems: [], why: '', code: 0 } as const;
+  const { terms } = settings;
+  const under = termsReport({ terms, level: terms });
+  const nothing = {
+    file,
+    name,
+    terms: under,
+    run: null,
+    values: [],
+    intervals: [],
+    room: null,
+    problems: [],
+    why: '',
+    code: 0,
+  } as const;
   try {
-    const read = readLevel(readBytes(file), settings);
+    const read = readLevel(readBytes(file), terms);
     if (!read.ok) return { ...nothing, problems: showProblems(read.problems, read.text), why: 'not a valid level', code: 1 };
-    return { ...nothing, name: read.level.name, ...tune(read.level, settings) };
+    const { level } = read;
+    return { ...nothing, name: level.name, terms: termsReport({ terms, level }), ...tune(level, settings) };
   } catch (error) {
     if (error instanceof Failure) return { ...nothing, why: error.message, code: 2 };
     if (error instanceof OutOfRange) return { ...nothing, why: `${file}: ${error.message}`, code: 2 };
@@ -66,8 +81,7 @@ function tune(level: Level, settings: TuneSettings): Tuned {
     const rulesAt = (value: number) => ({ ...others, [rule]: value });
     const works = (value: number): boolean =>
       base !== null &&
-      ((swept === null ? undefined : known.get(value)) ??
-        completes(sceneWith(level, rulesAt(value), settings), base.holds, settings));
+      ((swept === null ? undefined : known.get(value)) ?? completes(sceneWith(level, rulesAt(value), settings), base.holds));
     const interval = intervalAround(own[rule], tried, works);
     const holds = (base ?? level.runs[0])?.holds ?? [];
     const hashes = new Set(
@@ -98,22 +112,22 @@ function valueIn(rule: RuleName, { amount, isRelative }: RuleValue, own: number)
   throw new OutOfRange(`${rule}: ${amount}x of ${own} is ${value}; expected ${least} to ${most} ${unit}`);
 }
 
-const sceneWith = (level: Level, rules: OwnRules, { accuracy }: TuneSettings): Scene =>
-  compile({ ...level, rules: { ...level.rules, ...rules } }, accuracy);
+const sceneWith = (level: Level, rules: OwnRules, { terms }: TuneSettings): Scene =>
+  compile({ ...level, rules: { ...level.rules, ...rules } }, terms);
 
-const completes = (scene: Scene, holds: readonly Hold[], { maxTime, maxWork }: TuneSettings): boolean =>
-  simulate(scene, holds, { maxTime, record: false, budget: new WorkBudget(maxWork) }).outcome === 'completed';
+const completes = (scene: Scene, holds: readonly Hold[]): boolean =>
+  simulate(scene, holds, { record: false, budget: new WorkBudget(scene.terms.maxWork) }).outcome === 'completed';
 
 function firstThatCompletes(level: Level, rules: OwnRules, settings: TuneSettings): ScriptedRun | null {
   const scene = sceneWith(level, rules, settings);
-  return level.runs.find(({ holds }) => completes(scene, holds, settings)) ?? null;
+  return level.runs.find(({ holds }) => completes(scene, holds)) ?? null;
 }
 
 /** A hash of every bit of a run; null if that takes more work than is allowed. */
 function hashOf(level: Level, rules: OwnRules, holds: readonly Hold[], settings: TuneSettings): string | null {
-  const { maxTime, maxWork } = settings;
   try {
-    return simulate(sceneWith(level, rules, settings), holds, { maxTime, budget: new WorkBudget(maxWork) }).hash;
+    const budget = new WorkBudget(settings.terms.maxWork);
+    return simulate(sceneWith(level, rules, settings), holds, { budget }).hash;
   } catch (error) {
     if (error instanceof WorkLimitReached) return null;
     throw error;
@@ -128,24 +142,23 @@ function judge(
   settings: TuneSettings,
 ): TunedValue {
   const scene = sceneWith(level, rules, settings);
-  if (base !== null && completes(scene, base.holds, settings)) return { value, state: 'kept', holds: null };
-  const other = level.runs.find((run) => run !== base && completes(scene, run.holds, settings));
+  if (base !== null && completes(scene, base.holds)) return { value, state: 'kept', holds: null };
+  const other = level.runs.find((run) => run !== base && completes(scene, run.holds));
   if (other !== undefined) return { value, state: 'other', holds: other.holds };
   if (settings.search === null) return { value, state: 'unproven', holds: null };
-  const maxTicks = Math.round(settings.maxTime * TICK_RATE);
-  if (proveGoalImpossible(scene.level, settings.accuracy, { minerals: 'any' }, maxTicks) !== null) {
+  if (proveGoalImpossible(scene, { minerals: 'any' }) !== null) {
     return { value, state: 'impossible', holds: null };
   }
-  const { best, impossible } = decide(scene, settings.search, maxTicks);
+  const { best, impossible } = decide(scene, settings.search);
   if (best !== null) return { value, state: 'other', holds: best.holds };
   return { value, state: impossible === null ? 'unproven' : 'impossible', holds: null };
 }
 
 /** Searches for a run that completes a scene, or a proof that there is none, within the limits. */
-function decide(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>, maxTicks: number): Decider {
+function decide(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>): Decider {
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
   const isStopped = (): boolean => performance.now() >= end;
-  const decider = createDecider(scene, { objective: 'first', seed, maxTicks, effort: limits.effort ?? undefined, isStopped });
+  const decider = createDecider(scene, { objective: 'first', seed, effort: limits.effort ?? undefined, isStopped });
   while (!decider.finished && !isStopped()) decider.advance(SLICE);
   return decider;
 }

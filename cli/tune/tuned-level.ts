@@ -1,18 +1,12 @@
-import type { Accuracy } from '../../engine/index.ts';
-import type { Hold, OwnRules, RuleName } from '../../schema/index.ts';
+import type { Terms } from '../../engine/index.ts';
+import type { Hold, RuleName, TermsReport } from '../../schema/index.ts';
 import type { Limits } from '../search-options.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { Change, Sweep } from './rule-options.ts';
 
 /** Which rules to change, and how to find the effects. */
 export interface TuneSettings {
-  readonly accuracy: Accuracy;
-  /** s of simulated time after which a run is a timeout */
-  readonly maxTime: number;
-  /** The largest work of a replay, in pieces of motion. */
-  readonly maxWork: number;
-  /** The folder's rules. */
-  readonly rules: OwnRules;
+  readonly terms: Terms;
   /** Changes that apply together. */
   readonly changes: readonly Change[];
   /** A sweep on top of the changes; null: none. */
@@ -58,6 +52,8 @@ export interface RuleInterval {
 export interface TunedLevel {
   readonly file: string;
   readonly name: string;
+  /** Under which terms all this holds, without the changes. */
+  readonly terms: TermsReport;
   /** The name of the examined run, the first that completes the level; null: none does. */
   readonly run: string | null;
   readonly values: readonly TunedValue[];

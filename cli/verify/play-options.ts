@@ -9,6 +9,7 @@ import { findConfigured } from '../level-paths.ts';
 import { collect, wholeNumberOption } from '../options.ts';
 import { readBytes } from '../read-bytes.ts';
 import { namedPath } from '../shown-path.ts';
+import { type TermsOptions, termsFrom } from '../terms.ts';
 import { visible } from '../visible.ts';
 import { type Catalogue, readCatalogue } from './catalogue.ts';
 import { ownEngine } from './engine-module.ts';
@@ -58,11 +59,11 @@ export interface PlayJobSettings {
 
 /** What the options and the configuration choose. */
 export async function playSettings(
-  options: PlayOptions & { readonly maxWork: number },
+  options: PlayOptions & Pick<TermsOptions, 'maxWork'>,
   configuration: Configuration,
 ): Promise<{ readonly settings: PlayJobSettings; readonly unreadable: FoundFiles['unreadable'] }> {
-  const { challengeKey: key, engines = null, maxTicks, maxWork } = options;
-  const { rules } = configuration;
+  const { challengeKey: key, engines = null, maxTicks, maxWork: most } = options;
+  const { rules, maxWork } = termsFrom({ maxWork: most }, configuration);
   if (key !== undefined) readKey(key);
   const { files, unreadable } = await findConfigured(options.levels ?? [], configuration);
   const challenge = key === undefined ? null : { key, now: options.now ?? Math.floor(Date.now() / 1000) };

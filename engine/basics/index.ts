@@ -4,5 +4,5 @@ export { ACCURACIES, type Accuracy, type AccuracyName, accuracyOf, DEFAULT_ACCUR
 export { DEFAULT_MAX_TIME, TICK, TICK_RATE } from '../constants.ts';
 export { MORE_WARNINGS } from '../more-warnings.ts';
 export { joinHolds } from '../script.ts';
-export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf } from '../terms.ts';
+export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf, unusualTerms } from '../terms.ts';
 export { DEFAULT_MAX_WORK } from '../work-budget.ts';

@@ -8,3 +8,4 @@ export { LIMITS } from '../limits.ts';
 export { entryName, objectName, touchedName } from '../names.ts';
 export { objectsIn } from '../objects-in.ts';
 export { MAX_FILE_SIZE } from '../read-json.ts';
+export { LONGEST_RUN, MOST_WORK } from '../terms-limits.ts';

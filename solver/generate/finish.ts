@@ -1,4 +1,4 @@
-import { compile, findWarnings, simulate } from '../../engine/index.ts';
+import { compile, findWarnings, type Scene, simulate, WorkBudget } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import type { Random } from '../random.ts';
 import { measureRobustness } from '../robustness/index.ts';
@@ -66,7 +66,8 @@ export function* finish(
     const level = fileOf(layout, solution, detour, spec, random, description);
     const aside = MINERALS - (verifyRun(precise, solution.holds)?.minerals.length ?? 0);
     if (aside === 0) return 'noDetour';
-    return holdsUp(level) ? { level, ...measures, aside } : 'warnings';
+    const why = whyNot(level, spec);
+    return why ?? { level, ...measures, aside };
   }
 
   // Put the minerals on several paths first, so that they have to be looked for. If no run collects them all, put them on the
@@ -83,8 +84,9 @@ export function* finish(
     if (all === undefined) continue;
     const level = fileOf(full, solution, all, spec, random, description);
     const aside = MINERALS - (verifyRun(sceneOf(full), solution.holds)?.minerals.length ?? 0);
-    if (holdsUp(level)) return { level, ...measures, aside };
-    reason = 'warnings';
+    const why = whyNot(level, spec);
+    if (why === null) return { level, ...measures, aside };
+    reason = why;
   }
   return reason;
 }
@@ -117,16 +119,20 @@ function symmetryMeasure(layout: Layout, spec: GeneratorSpec, { theme, image }: 
   return image === null ? null : { kind, share: symmetryOf(layout, image) };
 }
 
-/** Whether both runs of a finished file do what their names say at `precise` and `arcade`, and no warnings are left. */
-function holdsUp(file: LevelFile): boolean {
+/**
+ * Why a finished file is not good; null if it is. Both of its runs have to do what their names say at `precise`, at `arcade` and under
+ * the asked terms, and no warning may be left.
+ */
+function whyNot(file: LevelFile, { terms }: GeneratorSpec): Rejection | null {
   const level = resolveLevel(file);
   const [solution, all] = level.runs;
-  for (const accuracy of ['precise', 'arcade'] as const) {
-    const scene = compile(level, accuracy);
-    if (verifyRun(scene, []) !== null) return false;
-    if (verifyRun(scene, solution.holds) === null || verifyRun(scene, all.holds, ALL) === null) return false;
-  }
-  const scene = compile(level);
-  const warnings = findWarnings(level, [simulate(scene, solution.holds), simulate(scene, all.holds)]);
-  return warnings.length === 0;
+  const holdsUp = (scene: Scene): boolean =>
+    verifyRun(scene, []) === null && verifyRun(scene, solution.holds) !== null && verifyRun(scene, all.holds, ALL) !== null;
+  if (!(['precise', 'arcade'] as const).every((accuracy) => holdsUp(compile(level, accuracy)))) return 'warnings';
+  const scene = compile(level, terms);
+  if (!holdsUp(scene)) return 'outOfTerms';
+  const budget = new WorkBudget(terms.maxWork);
+  const runs = [solution, all].map(({ holds }) => simulate(scene, holds, { budget }));
+  if (runs.some(({ stopped }) => stopped !== null)) return 'outOfTerms';
+  return findWarnings(level, runs, terms).length === 0 ? null : 'warnings';
 }

@@ -47,7 +47,7 @@ export interface SymmetryMeasure {
  * Why an attempt was given up: the asteroids did not fit; no run was good enough to build a level around; no minerals were found that
  * lead elsewhere; too little of the theme or of the symmetry is there; the level is too easy
  * and nothing makes it harder; it is too hard; its best run forgives too little; no minerals were found that one run collects; a
- * warning is left.
+ * run does not hold under the asked terms; a warning is left.
  */
 export type Rejection =
   | 'noRoom'
@@ -59,6 +59,7 @@ export type Rejection =
   | 'tooHard'
   | 'unforgiving'
   | 'noMinerals'
+  | 'outOfTerms'
   | 'warnings';
 
 /** Every reason, in the order in which attempts meet them. */
@@ -72,6 +73,7 @@ export const REJECTIONS: readonly Rejection[] = [
   'tooHard',
   'unforgiving',
   'noMinerals',
+  'outOfTerms',
   'warnings',
 ];
 

@@ -1,3 +1,4 @@
+import { DEFAULT_TERMS, type Terms } from '../../engine/index.ts';
 import type { OwnRules } from '../../schema/basics/index.ts';
 import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
 import type { SymmetryKind, ThemeName } from './theme-name.ts';
@@ -47,6 +48,11 @@ export interface GeneratorOptions {
   readonly ingredients?: readonly Ingredient[];
   /** Rules of the level; by default the game's own. */
   readonly rules?: OwnRules;
+  /**
+   * The terms under which both runs of the level have to hold, besides the accuracies `precise` and `arcade`, which are always asked
+   * for; {@link DEFAULT_TERMS} by default. Their rules are not looked at.
+   */
+  readonly terms?: Terms;
   /** What the level is composed around; by default nothing in particular. */
   readonly theme?: ThemeName;
   /** The symmetry of the novae of a level with a theme; by default the theme's own. */
@@ -84,6 +90,8 @@ export interface GeneratorSpec {
   readonly ingredients: readonly Ingredient[];
   /** Rules that differ from the game's own; they are written into the level. */
   readonly rules: OwnRules;
+  /** Under which the runs have to hold. */
+  readonly terms: Terms;
   readonly theme: ThemeName | null;
   /** The symmetry that was asked for; null leaves it to the theme. */
   readonly symmetry: SymmetryKind | null;
@@ -107,6 +115,7 @@ export const GREATEST_SIDE = 4000;
  */
 export function specOf(options: GeneratorOptions): GeneratorSpec {
   const { size = 'medium', difficulty = 'medium', ingredients, rules = {}, theme = null, symmetry = null } = options;
+  const { terms = DEFAULT_TERMS } = options;
   const [width, height] = typeof size === 'string' ? SIZES[size] : [size.width, size.height];
   for (const [name, side] of Object.entries({ width, height })) {
     if (side >= LEAST_SIDE && side <= GREATEST_SIDE) continue;
@@ -137,6 +146,7 @@ export function specOf(options: GeneratorOptions): GeneratorSpec {
     onePress: 0.06 * (1 - hardness) + 0.002,
     ingredients: ingredients ?? USUAL_INGREDIENTS,
     rules,
+    terms,
     theme,
     symmetry,
     tempting: options.tempting ?? theme === 'lures',

@@ -1,8 +1,7 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { gzipSync } from 'node:zlib';
-import { type Command, InvalidArgumentError, Option } from 'commander';
-import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/basics/index.ts';
+import { type Command, InvalidArgumentError } from 'commander';
 import { checkPack, findPack, GAME, packOf, planSite, readGame, refusedOf, siteFiles, writeSite } from '../../build/index.ts';
 import { addCacheOptions, type CacheOptions, chosenCache } from '../../cache/index.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch } from '../../check/index.ts';
@@ -10,19 +9,19 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { PATHS } from '../../level-paths.ts';
-import { formatOption, jobsOption, maxTimeOption, maxWorkOption } from '../../options.ts';
+import { formatOption, jobsOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { addSearchOptions } from '../../search-options.ts';
 import { isFailing } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
+import { accuracyOption, maxTimeOption, maxWorkOption } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { type BuildResult, buildJson, buildPretty, refusedInWords } from './report.ts';
 
 interface Options extends AskedOptions, ConfigOptions, CacheOptions {
   readonly out: string;
   readonly title?: string;
-  readonly accuracy?: AccuracyName;
   readonly force?: true;
   readonly overwrite?: true;
   /** false with --no-runs */
@@ -54,12 +53,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--overwrite', 'write over files in the folder that the last build has not written')
     .option('--no-runs', 'leave out the runs of the levels, which give their solutions away')
     .option('--solve', 'search for a run where none in the file completes the level; the page shows it')
-    .addOption(
-      new Option(
-        '--accuracy <name>',
-        `how exactly the check and the page simulate (default: that of gq.config.json, else "${DEFAULT_ACCURACY}")`,
-      ).choices(Object.keys(ACCURACIES)),
-    )
+    .addOption(accuracyOption())
     .addOption(maxTimeOption())
     .addOption(maxWorkOption())
     .addOption(jobsOption(availableParallelism()))
@@ -94,7 +88,7 @@ Examples:
 
 async function build(paths: readonly string[], options: Options): Promise<CommandResult> {
   refuseLimitsWithoutSearch(options);
-  const { out, title, force = false, overwrite = false, runs, jobs, format, accuracy } = options;
+  const { out, title, force = false, overwrite = false, runs, jobs, format } = options;
   const configuration = readConfiguration(options);
   const { files, order, leftOut } = await findPack(paths, configuration);
   const game = readGame(GAME);
@@ -103,7 +97,6 @@ async function build(paths: readonly string[], options: Options): Promise<Comman
   const progress = createProgress('checked', files.length);
   const pack = await checkPack(files, configuration, {
     asked: options,
-    accuracy,
     cache: chosenCache(options, configuration.cache),
     jobs,
     onProgress: progress.update,

@@ -31,10 +31,11 @@ export function buildJson({ site, title, levels, leftOut, refused, files, gzippe
     written: refused.length === 0,
     site,
     title,
-    levels: levels.map(({ id, file, name, verdict, problems }) => ({
+    levels: levels.map(({ id, file, name, terms, verdict, problems }) => ({
       id,
       file,
       name,
+      terms,
       verdict,
       refused: refused.some((one) => one.id === id),
       problems: problems.map(problemJson),

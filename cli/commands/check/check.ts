@@ -1,6 +1,5 @@
 import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
 import type { AskedOptions, CheckedLevel, CheckSettings } from '../../check/index.ts';
 import {
@@ -26,7 +25,7 @@ import { Failure } from '../../failure.ts';
 import { unreadableFolders } from '../../files.ts';
 import type { FoundPack } from '../../found-pack.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
-import { jobsOption, maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { jobsOption, wholeNumberOption } from '../../options.ts';
 import type { CheckedPack } from '../../pack-file/index.ts';
 import { firstPack } from '../../packs/index.ts';
 import { createProgress } from '../../progress.ts';
@@ -36,13 +35,14 @@ import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../sha
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { exitCodeAfter } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
+import { addTermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { chooseFiles } from './choose-files.ts';
 import { refuseForPacks } from './refuse-for-packs.ts';
 
 const MOST_WARNINGS = 1_000_000;
 
-interface CheckOptions extends AccuracyOptions, ConfigOptions, AskedOptions, CacheOptions, ShardOptions {
+interface CheckOptions extends ConfigOptions, AskedOptions, CacheOptions, ShardOptions {
   readonly maxWarnings?: number;
   readonly quiet?: true;
   readonly format?: string;
@@ -59,7 +59,7 @@ interface CheckOptions extends AccuracyOptions, ConfigOptions, AskedOptions, Cac
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addShardOptions(addCacheOptions(addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level')))
+  addShardOptions(addCacheOptions(addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level')))
     .description('Read and validate every level, replay its runs, and report which levels can be completed.')
     .argument('[path...]', PATHS)
     .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
@@ -80,8 +80,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       wholeNumberOption('a number of warnings', 0, MOST_WARNINGS),
     )
     .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
-    .addOption(maxTimeOption())
-    .addOption(maxWorkOption())
     .addOption(reportFormatOption())
     .addOption(reporterOption())
     .addOption(editorUrlOption())
@@ -177,7 +175,7 @@ async function check(
   refuseLimitsWithoutSearch(options);
   const configuration = await configurationFor(options);
   const configured = configuration.reporters?.map(({ name, file }) => (file === null ? name : `${name}=${file}`));
-  const asked = chooseReports({ ...options, configured });
+  const reports = chooseReports({ ...options, configured });
   const named = firstPack(paths);
   if (named !== undefined) refuseForPacks(named, { ...options, lock: null });
   const {
@@ -192,40 +190,40 @@ async function check(
     { ...options, lock: options.lock || undefined, comparedLock: (options.lock ?? configuration.lock) || null },
     configuration,
   );
-  const accuracy = chooseAccuracy(options, configuration);
   // a level from standard input without a name is in no lock
   const configuredLock = input !== null && options.stdinPath === undefined ? null : configuration.lock;
   const lockFile = (options.lock ?? configuredLock) || (options.updateLock ? 'gq.lock.json' : null);
-  expectReportFiles(asked, files, { 'the lock': lockFile, 'the configuration': configuration.file });
+  expectReportFiles(reports, files, { 'the lock': lockFile, 'the configuration': configuration.file });
   const pack = input === null ? firstPack(files) : undefined;
   if (pack !== undefined) refuseForPacks(pack, { ...options, lock: lockFile });
+  const asked = settingsFor(options, configuration, files.length);
+  const { terms } = asked;
   const lock =
     lockFile === null
       ? null
       : (await import('../../lock/index.ts')).openComparison({
           file: lockFile,
           update: options.updateLock === true,
-          accuracy: accuracy.name,
+          terms,
           paths: input === null ? pathsOr(paths, configuration) : files,
           levels: files,
         });
   const compare = (levels: readonly CheckedLevel[]): readonly CheckedLevel[] => lock?.compare(levels) ?? levels;
   const settings: CheckSettings = {
-    ...settingsFor(options, configuration, files.length),
-    accuracy,
+    ...asked,
     forLock: lock !== null,
-    inFull: asked.some(({ name }) => name === 'json'),
+    inFull: reports.some(({ name }) => name === 'json'),
   };
   const linkTo = await editorLinkTo(options.editorUrl);
   const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
   if (pack !== undefined) {
     if (unreadable.length > 0) throw unreadableFolders(unreadable);
-    const reporting = { accuracy: accuracy.name, severity: configuration.severity, maxWarnings };
+    const reporting = { terms, severity: configuration.severity, maxWarnings };
     const { jobs, quiet } = options;
     // most checks have no packs
     const { reportWhole } = await import('../../fleet/index.ts');
     const asSet = { ...settings, proveMinerals: options.solve === true };
-    return reportWhole('check', asSet, files, asked, 'checked', { jobs, reporting, quiet, linkTo });
+    return reportWhole('check', asSet, files, reports, 'checked', { jobs, reporting, quiet, linkTo });
   }
   const folder = cacheFolder(chosenCache(options, configuration.cache));
   const cache = folder === null ? null : openLevelCache(folder, settings);
@@ -241,11 +239,11 @@ async function check(
   progress.clear();
   const isWhole = signal === null && unchecked.length === 0 && unreadable.length === 0;
   const messages = await lock?.end(checked, isWhole);
-  const reports = [...checked];
+  const every = [...checked];
   for (const { path, reason } of unreadable)
-    reports.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`));
+    every.push(unreadableLevel(path, `${path}: the directory can't be read: ${reason}`, terms));
   // severity, what levels allow and the lock do not change what was checked and kept
-  const levels = await judgeLevels(compare(reports), configuration);
+  const levels = await judgeLevels(compare(every), configuration);
   const packs = await checkedPacks(found, all, configuration);
   const totals = totalsOf(levels, packs);
   const results = {
@@ -261,10 +259,10 @@ async function check(
   const exitCode =
     signal !== null ? exitCodeAfter(signal) : isNothing ? exitCodeOfPacks(packs) : exitCodeFor(totals, maxWarnings);
   const hasNews = !isNothing || packs.some(({ problems }) => problems.length > 0);
-  const reported = hasNews ? asked : asked.filter(({ name }) => name !== 'pretty');
+  const reported = hasNews ? reports : reports.filter(({ name }) => name !== 'pretty');
   const report = await reportCheck(results, reported, {
     exitCode,
-    accuracy: accuracy.name,
+    terms,
     linkTo,
     quiet: options.quiet,
   });

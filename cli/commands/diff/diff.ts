@@ -2,10 +2,8 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor, PLAIN } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
-import { type Configuration, noConfiguration } from '../../configuration.ts';
 import {
   chooseComparison,
   type Diff,
@@ -13,18 +11,19 @@ import {
   diffFiles,
   type PlayedVersions,
   playVersions,
+  termsOfSides,
 } from '../../diff/index.ts';
 import { Failure } from '../../failure.ts';
-import { formatOption, jobsOption, maxTimeOption } from '../../options.ts';
+import { formatOption, jobsOption } from '../../options.ts';
 import { readBytes } from '../../read-bytes.ts';
-import { readConfiguration } from '../../read-configuration.ts';
+import { addTermsOptions, type TermsOptions } from '../../terms.ts';
 import { visible, visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { diffJson } from './json.ts';
 import { diffText } from './text.ts';
 import { textOfLevel } from './textconv.ts';
 
-interface Options extends AccuracyOptions {
+interface Options extends TermsOptions {
   readonly staged?: true;
   readonly exitCode?: true;
   readonly textconv?: string;
@@ -32,12 +31,11 @@ interface Options extends AccuracyOptions {
   readonly format: 'text' | 'json' | 'html' | 'svg';
   readonly output?: string;
   readonly theme: 'dark' | 'light';
-  readonly maxTime: number;
   readonly jobs: number;
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addAccuracyOptions(
+  addTermsOptions(
     command
       .description(
         'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
@@ -52,7 +50,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(formatOption('text', 'json', 'html', 'svg'))
     .option('-o, --output <file>', 'write to FILE and not to standard output')
     .addOption(new Option('--theme <theme>', 'colours of --format svg').choices(['dark', 'light']).default('dark'))
-    .addOption(maxTimeOption())
     .addOption(jobsOption(availableParallelism()))
     .addHelpText(
       'after',
@@ -81,27 +78,14 @@ function divided(words: readonly string[], command: Command): { words: readonly 
   return { words: words.slice(0, words.length - count), paths: words.slice(words.length - count) };
 }
 
-/**
- * What the working directory sets. Two commits can be compared whatever is in it: a comparison with the working tree itself says
- * what is wrong with its configuration.
- */
-function configurationHere(): Configuration {
-  try {
-    return readConfiguration({});
-  } catch (error) {
-    if (error instanceof Failure) return noConfiguration();
-    throw error;
-  }
-}
-
 async function diff(words: readonly string[], command: Command, options: Options): Promise<CommandResult> {
-  const { maxTime, slack, jobs, textconv } = options;
+  const { slack, jobs, textconv } = options;
   if (textconv !== undefined) {
     if (words.length > 0) throw new Failure(`--textconv takes one file and nothing else, found ${words.join(' ')}`);
     return { output: textOfLevel(readBytes(textconv)), exitCode: 0 };
   }
-  const settings = { accuracy: chooseAccuracy(options, configurationHere()), maxTime, slack };
   const comparison = await chooseComparison({ ...divided(words, command), staged: options.staged === true });
+  const settings = { terms: termsOfSides(comparison, options), slack };
   const result = await diffFiles(comparison, settings, jobs);
   const exitCode = options.exitCode && result.levels.length > 0 ? 1 : 0;
   const messages = comparison.messages.map((message) => `${visible(message)}\n`).join('');
@@ -115,8 +99,7 @@ async function diff(words: readonly string[], command: Command, options: Options
 async function written(result: Diff, settings: DiffSettings, { format, output, theme }: Options): Promise<string> {
   if (format === 'json') return diffJson(result);
   if (format === 'text') return diffText(result, output === undefined ? colorsFor(process.stdout) : PLAIN);
-  const rules = { before: result.comparison.before.rules, after: result.comparison.after.rules };
-  const play = (i: number): PlayedVersions => playVersions(result.pairs[i], rules, result.levels[i], settings);
+  const play = (i: number): PlayedVersions => playVersions(result.pairs[i], result.levels[i], settings);
   if (format === 'html') return (await import('./page/index.ts')).diffPage(result, play);
   if (result.levels.length !== 1) {
     throw new Failure(

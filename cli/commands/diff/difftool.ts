@@ -4,10 +4,9 @@ import { basename, join } from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
 import type { Command } from 'commander';
-import { ACCURACIES, DEFAULT_ACCURACY, DEFAULT_MAX_TIME } from '../../../engine/index.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
-import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions } from '../../diff/index.ts';
+import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions, termsOfSides } from '../../diff/index.ts';
 import { Failure } from '../../failure.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
@@ -16,8 +15,6 @@ import { diffText } from './text.ts';
 interface Options {
   readonly open: boolean;
 }
-
-const SETTINGS: DiffSettings = { accuracy: ACCURACIES[DEFAULT_ACCURACY], maxTime: DEFAULT_MAX_TIME, slack: true };
 
 /** Declares `gq difftool`. */
 export function declareDifftool(command: Command, finish: (result: CommandResult) => void): void {
@@ -31,6 +28,7 @@ export function declareDifftool(command: Command, finish: (result: CommandResult
     .addHelpText(
       'after',
       `
+The levels are judged under the terms of the gq.config.json that is nearest to PATH.
 The page is written to the folder for temporary files. Where there is no display, its path is printed.
 
 Exit code: 0; 2 when a file could not be read.
@@ -50,11 +48,11 @@ async function difftool(files: readonly string[], { open }: Options): Promise<Co
       return { output: `* unmerged ${visibleLine(files[0])}\n`, exitCode: 0 };
     case 2:
     case 3:
-      return show(await compare(files[0], files[1], files[2]), files[2] ?? files[1], open);
+      return show(files, open);
     case 7:
     case 9: {
       const [path, before, , , after] = files;
-      return { output: diffText(await compare(before, after, files[7] ?? path), colorsFor(process.stdout)), exitCode: 0 };
+      return { output: diffText((await compare(before, after, files[7] ?? path)).diff, colorsFor(process.stdout)), exitCode: 0 };
     }
     default:
       throw new Failure(
@@ -63,14 +61,22 @@ async function difftool(files: readonly string[], { open }: Options): Promise<Co
   }
 }
 
-const compare = (before: string, after: string, name: string | undefined): Promise<Diff> =>
-  diffFiles(compareFiles(before, after, name), SETTINGS, 1);
+/** Compares two versions under the terms of the folder. */
+async function compare(
+  before: string,
+  after: string,
+  name: string | undefined,
+): Promise<{ readonly diff: Diff; readonly settings: DiffSettings }> {
+  const comparison = compareFiles(before, after, name);
+  const settings = { terms: termsOfSides(comparison, {}), slack: true };
+  return { diff: await diffFiles(comparison, settings, 1), settings };
+}
 
-async function show(diff: Diff, name: string, open: boolean): Promise<CommandResult> {
-  const { before, after } = diff.comparison;
-  const rules = { before: before.rules, after: after.rules };
+async function show([before, after, path]: readonly string[], open: boolean): Promise<CommandResult> {
+  const { diff, settings } = await compare(before, after, path);
+  const name = path ?? after;
   const { diffPage } = await import('./page/index.ts');
-  const page = diffPage(diff, (i) => playVersions(diff.pairs[i], rules, diff.levels[i], SETTINGS));
+  const page = diffPage(diff, (i) => playVersions(diff.pairs[i], diff.levels[i], settings));
   const folder = mkdtempSync(join(tmpdir(), 'gq-diff-'));
   const file = join(folder, `${basename(name).replace(/[^\w.-]/g, '_')}.html`);
   await writeWhole(file, page);

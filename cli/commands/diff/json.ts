@@ -28,6 +28,7 @@ const levelJson = ({ status, before, after, changes, words, effects }: DiffedLev
 function versionJson({
   file,
   name,
+  terms,
   verdict,
   problems,
   standing,
@@ -36,6 +37,7 @@ function versionJson({
   return {
     file,
     name,
+    terms,
     verdict,
     problems: problems.map(problemJson),
     mineralCount: standing?.mineralCount ?? null,

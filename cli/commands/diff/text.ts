@@ -1,4 +1,5 @@
 import { plural } from '../../../check/words/index.ts';
+import { isSame } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import type { Diff, DiffedLevel, DiffStatus, JudgedVersion } from '../../diff/index.ts';
 import { visibleLine } from '../../visible.ts';
@@ -17,6 +18,16 @@ export const STATUS_WORDS: Readonly<Record<DiffStatus, string>> = {
 export const rulesInWords = ({ rules }: Pick<Diff, 'rules'>): string[] =>
   rules.map(({ rule, before, after }) => `${rule} ${before ?? 'unset'} -> ${after ?? 'unset'}`);
 
+/** What else of the terms differs between the two sides, in words. */
+export function termsChangesInWords({ terms: { before, after } }: Pick<Diff, 'terms'>): string[] {
+  const changes = [
+    ['accuracy', before.accuracy.name, after.accuracy.name],
+    ['maxTime', before.maxTime, after.maxTime],
+    ['maxWork', before.maxWork, after.maxWork],
+  ] as const;
+  return changes.flatMap(([name, old, now]) => (old === now ? [] : [`${name} ${old} -> ${now}`]));
+}
+
 /** A path, and the one that it had before. */
 export function pathInWords({ before, after }: Pick<DiffedLevel, 'before' | 'after'>): string {
   const [old, now] = [before?.file, after?.file];
@@ -33,7 +44,10 @@ export function linesOf({ status, words, before, after }: DiffedLevel): string[]
     version?.verdict === 'invalid' ? [`${when}: ${problemOf(version)}`] : [],
   );
   if (status === 'layout') return ['only the layout changed'];
-  if (status === 'rules') return ['the file is the same; the rules of its folder changed'];
+  if (status === 'rules') {
+    const isOfRules = !isSame(before?.terms.rules, after?.terms.rules);
+    return [`the file is the same; the ${isOfRules ? 'rules' : 'terms'} of its folder changed`];
+  }
   return [...words, ...problems];
 }
 
@@ -73,13 +87,17 @@ export function diffText(diff: Diff, colors: Colors): string {
   if (rules.length > 0) {
     text += `${colors.bold('gq.config.json')}  rules changed, which changes how every level plays: ${rules.join(', ')}\n\n`;
   }
+  const others = termsChangesInWords(diff);
+  if (others.length > 0) {
+    text += `${colors.bold('gq.config.json')}  terms changed, under which every level is judged: ${others.join(', ')}\n\n`;
+  }
   for (const level of levels) text += `${levelText(level, colors)}\n`;
   const sides = `${comparison.before.label} -> ${comparison.after.label}`;
   if (levels.length === 0) return `${text}${visibleLine(sides)}: no level changed\n`;
-  const others = same > 0 ? `; ${plural(same, 'other level')} ${same === 1 ? 'plays' : 'play'} as before` : '';
+  const rest = same > 0 ? `; ${plural(same, 'other level')} ${same === 1 ? 'plays' : 'play'} as before` : '';
   const [lost] = turnsInWords(levels);
   const turns = turnsInWords(levels).map((turn) => (turn === lost && turn.includes('no longer') ? colors.red(turn) : turn));
-  return `${text}${visibleLine(sides)}: ${countsInWords(levels)}${turns.length > 0 ? `; ${turns.join(', ')}` : ''}${others}\n`;
+  return `${text}${visibleLine(sides)}: ${countsInWords(levels)}${turns.length > 0 ? `; ${turns.join(', ')}` : ''}${rest}\n`;
 }
 
 const MARKS: Readonly<Record<DiffStatus, string>> = {

@@ -4,7 +4,6 @@ import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { type AccuracyOptions, addAccuracyOptions } from '../../accuracy-options.ts';
 import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
@@ -25,19 +24,20 @@ import { Failure } from '../../failure.ts';
 import { unreadableFolders } from '../../files.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
-import { collect, formatOption, jobsOption, maxTimeOption, seedOption, wholeNumberOption } from '../../options.ts';
+import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../../options.ts';
 import { firstPack } from '../../packs/index.ts';
 import { createProgress, createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { mineralsOption, USUAL_EFFORT } from '../../search-options.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { namedPath } from '../../shown-path.ts';
+import { addTermsOptions, type TermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { visibleLine } from '../../visible.ts';
 import { writeWhole } from '../../write-file.ts';
 import { drawPlayers } from './draw-players.ts';
 
-interface Options extends ConfigOptions, AccuracyOptions, ShardOptions {
+interface Options extends ConfigOptions, TermsOptions, ShardOptions {
   readonly run?: string;
   readonly minerals: Goal['minerals'];
   readonly effort: number;
@@ -46,13 +46,12 @@ interface Options extends ConfigOptions, AccuracyOptions, ShardOptions {
   readonly picture?: string;
   readonly svg?: string;
   readonly theme: Ground;
-  readonly maxTime: number;
   readonly jobs: number;
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addShardOptions(addConfigOptions(addAccuracyOptions(command)))
+  addShardOptions(addConfigOptions(addTermsOptions(command)))
     .description('Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
     .argument('[path...]', PATHS)
     .option(
@@ -82,7 +81,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
         .choices(['auto', 'light', 'dark'])
         .default('auto'),
     )
-    .addOption(maxTimeOption())
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
@@ -128,7 +126,6 @@ async function measure(paths: readonly string[], options: Options, command: Comm
   ]);
   const configuration = readConfiguration(options);
   const asked = measureSettings(options, configuration);
-  const { accuracy } = asked;
   const { files, packs, unreadable } = await findConfigured(paths, configuration);
   if (picture !== undefined && files.length !== 1) {
     throw new Failure(`--picture draws one level: expected the path of one level file, found ${files.length}`);
@@ -154,11 +151,11 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     messages.push(drawing === null ? `${visibleLine(file)} was not written: ${why}\n` : `wrote ${visibleLine(file)}\n`);
   };
   if (svg !== undefined) {
-    const drawing = pictureOf(levels, accuracy.name);
+    const drawing = pictureOf(levels, asked.terms.accuracy.name);
     await draw(svg, drawing && drawDifficulty(drawing, theme), 'no level was measured');
   }
   if (picture !== undefined) {
-    const drawing = drawPlayers(levels[0], accuracy, settings.rules, theme === 'light' ? 'light' : 'dark');
+    const drawing = drawPlayers(levels[0], settings.terms, theme === 'light' ? 'light' : 'dark');
     await draw(picture, drawing, 'no play of the level counts');
   }
   const curves = curvesOf(packs, levels);
@@ -180,12 +177,12 @@ function refuseForPacks(pack: string, { plays, picture, svg }: Options): void {
 async function readPlays(
   paths: readonly string[],
   files: readonly string[],
-  { rules, goal }: MeasureSettings,
+  { terms, goal }: MeasureSettings,
   jobs: number,
 ): Promise<CollectedPlays> {
   const status = createStatusLine();
   try {
-    return await collectPlays(paths, files, { rules, goal }, jobs, (done) => status.show(`simulated ${done} plays`));
+    return await collectPlays(paths, files, { terms, goal }, jobs, (done) => status.show(`simulated ${done} plays`));
   } finally {
     status.clear();
   }

@@ -1,27 +1,25 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { proposalInWords } from '../../../check/words/index.ts';
-import { TICK_RATE } from '../../../engine/basics/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { type OpenedFile, openLevel } from '../../level-source.ts';
-import { formatOption, maxTimeOption, wholeNumberOption } from '../../options.ts';
+import { formatOption, wholeNumberOption } from '../../options.ts';
 import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { expectWritable, replaceLevel } from '../../replace-level.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
 import { uncut } from '../../signals.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import { visibleLine } from '../../visible.ts';
 import { type Fixed, type FixSettings, fixLevel } from './fixed.ts';
 import { fixReport } from './json.ts';
 import { fixPretty } from './pretty.ts';
 
-interface Options extends ConfigOptions, AccuracyOptions, SearchOptions {
+interface Options extends ConfigOptions, TermsOptions, SearchOptions {
   readonly count: number;
-  readonly maxTime: number;
   readonly write?: number | true;
   readonly format: 'pretty' | 'json';
 }
@@ -30,7 +28,7 @@ const MOST_PROPOSALS = 20;
 const proposalNumber = wholeNumberOption('the number of a proposal', 1, MOST_PROPOSALS);
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addConfigOptions(addAccuracyOptions(command)))
+  addSearchOptions(addConfigOptions(addTermsOptions(command)))
     .description('Find the smallest change that makes a level completable: of the level, or only of a run.')
     .argument('<level>', 'a level file')
     .option(
@@ -40,7 +38,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       3,
     )
     .option('--write [n]', 'write proposal N, by default the first, to the level file', proposalNumber)
-    .addOption(maxTimeOption())
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
@@ -61,20 +58,17 @@ Examples:
 }
 
 async function fix(file: string, options: Options): Promise<CommandResult> {
-  const configuration = readConfiguration(options);
   const settings: FixSettings = {
-    accuracy: chooseAccuracy(options, configuration),
-    maxTicks: Math.round(options.maxTime * TICK_RATE),
+    terms: termsFrom(options, readConfiguration(options)),
     count: options.count,
     seed: options.seed,
     limits: limitsOf(options),
-    rules: configuration.rules,
   };
   const wanted = options.write === true ? 1 : (options.write ?? null);
   if (wanted !== null && wanted > options.count) {
     throw new Failure(`--write ${wanted}: there are at most ${options.count} proposals: give --count ${wanted} as well`);
   }
-  const opened = openLevel(file, configuration);
+  const opened = openLevel(file, settings.terms);
   if (!('level' in opened)) return opened;
   if (wanted !== null) expectWritable(file);
   const fixed = seek(opened, settings);

@@ -1,6 +1,6 @@
 import { type LevelVerdict, proveGoalImpossible, repairedFile, verdictOf } from '../../../check/index.ts';
-import { type Accuracy, compile, type Run, simulate, TICK } from '../../../engine/index.ts';
-import { formatLevel, type LevelFile, type OwnRules, readLevel } from '../../../schema/index.ts';
+import { compile, type Run, simulate, type Terms } from '../../../engine/index.ts';
+import { formatLevel, type LevelFile, readLevel } from '../../../schema/index.ts';
 import { createRepair, type Effort, type Proof, type Proposal } from '../../../solver/index.ts';
 import type { OpenedFile } from '../../level-source.ts';
 import type { Limits } from '../../search-options.ts';
@@ -8,14 +8,10 @@ import { DEFAULT_NAME, freeName } from '../../solve/index.ts';
 
 /** What to look for. */
 export interface FixSettings {
-  readonly accuracy: Accuracy;
-  /** The longest run, ticks. */
-  readonly maxTicks: number;
+  readonly terms: Terms;
   readonly count: number;
   readonly seed: number;
   readonly limits: Limits;
-  /** Rules of the level's folder. */
-  readonly rules: OwnRules;
 }
 
 /** A proposal with the file that it leads to, and the run that completes the level of that file. */
@@ -48,12 +44,12 @@ const SLICE = 20_000;
  */
 export function fixLevel(opened: OpenedFile, settings: FixSettings, onSlice: (found: number, ticks: number) => void): Fixed {
   const { level } = opened;
-  const { accuracy, maxTicks, count, seed, limits } = settings;
+  const { terms, count, seed, limits } = settings;
   const start = performance.now();
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : start + 1000 * limits.budget;
   const most = limits.effort ?? Number.POSITIVE_INFINITY;
-  const impossible = proveGoalImpossible(level, accuracy, { minerals: 'any' }, maxTicks);
-  const repair = createRepair(level, accuracy, { count, seed, maxTicks, proof: impossible });
+  const impossible = proveGoalImpossible(compile(level, terms), { minerals: 'any' });
+  const repair = createRepair(level, terms, { count, seed, proof: impossible });
   while (!repair.finished && repair.effort.ticks < most && (performance.now() < end || repair.effort.ticks === 0)) {
     repair.advance(Math.min(SLICE, most - repair.effort.ticks));
     onSlice(repair.proposals.length, repair.effort.ticks);
@@ -76,15 +72,15 @@ export function fixLevel(opened: OpenedFile, settings: FixSettings, onSlice: (fo
 }
 
 /** Makes the file of a proposal, reads it again as it would be written, and replays the run in it. */
-function fixedFile({ document, level }: OpenedFile, proposal: Proposal, { accuracy, maxTicks, rules }: FixSettings): FixedFile {
+function fixedFile({ document, level }: OpenedFile, proposal: Proposal, { terms }: FixSettings): FixedFile {
   const name = freeName(
     DEFAULT_NAME,
     level.runs.map((run) => run.name),
   );
   const file = repairedFile(document.file, proposal, name);
-  const read = readLevel(formatLevel(file), { rules });
+  const read = readLevel(formatLevel(file), terms);
   if (!read.ok) throw new Error(`a proposal makes the file invalid: ${read.problems[0].message}`);
-  const run = simulate(compile(read.level, accuracy), proposal.run.holds, { maxTime: maxTicks * TICK });
+  const run = simulate(compile(read.level, terms), proposal.run.holds);
   if (run.outcome !== 'completed') throw new Error(`a proposal does not make the level completable: ${JSON.stringify(proposal)}`);
   return { proposal, file, run };
 }

@@ -1,15 +1,16 @@
-import { proposalInWords } from '../../../check/words/index.ts';
+import { proposalInWords, termsReport } from '../../../check/words/index.ts';
 import { type FixReport, type Level, listOf } from '../../../schema/index.ts';
 import { changeEdits, type ObjectRef } from '../../../solver/index.ts';
 import type { Fixed, FixedFile, FixSettings } from './fixed.ts';
 
 /** What `gq fix` prints as JSON. @param written the number of the proposal that is in the file now */
-export function fixReport(level: Level, { accuracy, seed }: FixSettings, fixed: Fixed, written: number | null): FixReport {
+export function fixReport(level: Level, { terms, seed }: FixSettings, fixed: Fixed, written: number | null): FixReport {
   const { verdict, completing, impossible, fixes, effort, seconds, isFinished } = fixed;
   return {
     version: 1,
     level: level.name,
-    accuracy: accuracy.name,
+    accuracy: terms.accuracy.name,
+    terms: termsReport({ terms, level }),
     verdict,
     completedBy: completing === null ? null : level.runs[completing].name,
     impossible: impossible === null ? null : { code: impossible.code, reason: impossible.reason },

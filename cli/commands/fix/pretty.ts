@@ -1,4 +1,5 @@
 import {
+  accuracyInWords,
   effortInWords,
   outcomeInWords,
   plural,
@@ -12,9 +13,9 @@ import { visible, visibleLine } from '../../visible.ts';
 import type { Fixed, FixSettings } from './fixed.ts';
 
 /** What `gq fix` prints for people. */
-export function fixPretty(level: Level, { accuracy, seed }: FixSettings, fixed: Fixed, colors: Colors): string {
+export function fixPretty(level: Level, { terms, seed }: FixSettings, fixed: Fixed, colors: Colors): string {
   const { verdict, completing, impossible, fixes, effort, seconds, isFinished } = fixed;
-  const head = `${colors.bold(visibleLine(level.name))}, ${accuracy.name}: ${verdict}`;
+  const head = `${colors.bold(visibleLine(level.name))}, ${accuracyInWords(terms)}: ${verdict}`;
   if (completing !== null) {
     return `${head}\nnothing to fix: run ${JSON.stringify(visibleLine(level.runs[completing].name))} completes the level\n`;
   }

@@ -1,6 +1,8 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, InvalidArgumentError, Option } from 'commander';
+import { termsReport } from '../../../check/words/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
 import {
   type GeneratorOptions,
@@ -26,13 +28,14 @@ import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption }
 import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { uncut } from '../../signals.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import { visibleLine } from '../../visible.ts';
 import { generateJson, generatePretty } from './report.ts';
 
 /** The default effort for each level, ticks: takes minutes. */
 const DEFAULT_EFFORT = 500_000_000;
 
-interface Options extends ConfigOptions {
+interface Options extends ConfigOptions, TermsOptions {
   readonly out?: string;
   readonly pack?: string;
   readonly count: number;
@@ -49,7 +52,7 @@ interface Options extends ConfigOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(command)
+  addConfigOptions(addTermsOptions(command))
     .description(
       'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
     )
@@ -95,7 +98,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if a
+A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if both of its runs hold under the asked terms, too; if a
 run "all-minerals" collects every mineral; and if drifting does not complete it and hardly any single press does. The level of a
 seed is the same on every machine and for any --jobs. Levels are made from the seeds S, S + 1, ..., and a file is named after its
 level and its seed. In a pack, a level
@@ -131,14 +134,15 @@ async function generate(options: Options): Promise<CommandResult> {
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
   if (theme === 'mixed' && pack === undefined)
     throw new Failure(`--theme mixed: expected --pack <dir> as well; for single levels, one of ${THEME_NAMES.join(', ')}`);
-  const { rules } = readConfiguration(options);
+  const terms = termsFrom(options, readConfiguration(options));
+  const { rules } = terms;
   await uncut(() => makeDirectory(out));
   if (pack !== undefined) {
     const rest = { ...(ingredients && { ingredients }), ...(symmetry && { symmetry }), ...(tempting && { tempting }) };
     const grades = PACK_GRADES[typeof difficulty === 'number' ? 'medium' : difficulty];
     const [first, last] = typeof difficulty === 'number' ? ([Math.min(grades[0], difficulty), difficulty] as const) : grades;
     return generatePack(
-      { count, seed, size, rules, theme: theme ?? 'none', grades: [first, last], ...rest },
+      { count, seed, size, rules, terms, theme: theme ?? 'none', grades: [first, last], ...rest },
       { out, effort, jobs },
       options.format,
     );
@@ -149,6 +153,7 @@ async function generate(options: Options): Promise<CommandResult> {
       size,
       difficulty,
       rules,
+      terms,
       ...(ingredients && { ingredients }),
       ...(theme && theme !== 'mixed' && { theme }),
       ...(symmetry && { symmetry }),
@@ -171,16 +176,15 @@ async function generate(options: Options): Promise<CommandResult> {
   }
   done.sort((a, b) => a.seed - b.seed);
   made.sort((a, b) => a.seed - b.seed);
-  return say(done, made, count, {}, options.format);
+  return say(done, made, { asked: count, terms, format: options.format });
 }
 
 /** The report on levels, and the exit code. */
 function say(
   done: GenerateReport['levels'],
   made: readonly MadeLevel[],
-  asked: number,
-  moreReasons: GenerateReport['reasons'],
-  format: Options['format'],
+  { asked, terms, format }: { readonly asked: number; readonly terms: Terms; readonly format: Options['format'] },
+  moreReasons: GenerateReport['reasons'] = {},
   pack: KeptPack | null = null,
 ): CommandResult {
   const alike = Object.values(moreReasons).reduce((sum, n) => sum + n, 0);
@@ -188,6 +192,7 @@ function say(
     version: 1,
     asked,
     levels: done,
+    terms: termsReport({ terms, level: terms }),
     rejected: alike + done.reduce((sum, { attempts, status }) => sum + attempts - (status === 'nothing' ? 0 : 1), 0),
     reasons: { ...reasonsOf(made), ...moreReasons },
     variety: variety(made),
@@ -211,7 +216,7 @@ const PACK_GRADES = { easy: [1.7, 3], medium: [2, 5], hard: [3.5, 6.5] } as cons
 
 /** Makes a pack. Levels are written in their order, each as soon as those before it are there. */
 async function generatePack(
-  pack: PackOptions,
+  pack: PackOptions & { readonly terms: Terms },
   { out, effort, jobs }: { readonly out: string; readonly effort: number; readonly jobs: number },
   format: Options['format'],
 ): Promise<CommandResult> {
@@ -226,7 +231,7 @@ async function generatePack(
     const levels = done.flatMap(({ file, status }) => (file === null || status === 'in the way' ? [] : [file]));
     // an order of nothing would only be in the way of the next one
     const order = levels.length === 0 ? null : await uncut(() => keepPack(out, levels));
-    return say(done, made, pack.count, alike > 0 ? { alike } : {}, format, order);
+    return say(done, made, { asked: pack.count, terms: pack.terms, format }, alike > 0 ? { alike } : {}, order);
   } finally {
     progress.clear();
   }

@@ -62,6 +62,7 @@ const WORDS: Readonly<Record<Rejection | 'alike', string>> = {
   tooEasy: 'too easy',
   tooHard: 'too hard',
   unforgiving: 'not robust',
+  outOfTerms: 'not within the terms',
   noMinerals: 'whose minerals no run collects',
   warnings: 'with warnings',
   alike: 'too close to an earlier level of the pack',

@@ -1,27 +1,26 @@
 import process from 'node:process';
 import type { Command } from 'commander';
+import { termsReport } from '../../../check/words/index.ts';
 import { compile, simulate, type Work } from '../../../engine/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { countObjects, type Inspection } from '../../inspection.ts';
 import { openLevel, warningsOf } from '../../level-source.ts';
-import { formatOption, maxTimeOption } from '../../options.ts';
+import { formatOption } from '../../options.ts';
 import { readConfiguration } from '../../read-configuration.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import { inspectJson } from './json.ts';
 import { inspectPretty } from './pretty.ts';
 
-interface InspectOptions extends ConfigOptions, AccuracyOptions {
-  readonly maxTime: number;
+interface InspectOptions extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(addAccuracyOptions(command))
+  addConfigOptions(addTermsOptions(command))
     .description('Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.')
     .argument('<level>', 'a level file')
-    .addOption(maxTimeOption())
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
       'after',
@@ -38,21 +37,21 @@ Examples:
 }
 
 function inspect(file: string, options: InspectOptions): CommandResult {
-  const configuration = readConfiguration(options);
-  const accuracy = chooseAccuracy(options, configuration);
-  const opened = openLevel(file, configuration);
+  const terms = termsFrom(options, readConfiguration(options));
+  const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
   const { level } = opened;
-  const scene = compile(level, accuracy);
-  const runs = level.runs.map((script) => simulate(scene, script.holds, { maxTime: options.maxTime }));
+  const scene = compile(level, terms);
+  const runs = level.runs.map((script) => simulate(scene, script.holds));
   const inspection: Inspection = {
     file,
     level: level.name,
+    terms: termsReport(scene),
     effects: scene.effects,
     counts: countObjects(level),
     modes: runs[0]?.modes ?? [],
     work: runs[0]?.work ?? NO_WORK,
-    problems: warningsOf(opened, runs),
+    problems: warningsOf(opened, runs, terms),
   };
   const output =
     options.format === 'json'

@@ -3,10 +3,11 @@ import type { Inspection } from '../../inspection.ts';
 import { problemJson } from '../../report-parts/index.ts';
 
 /** The results of `inspect` as JSON. */
-export function inspectJson({ level, effects, counts, modes, work, problems }: Inspection): string {
+export function inspectJson({ level, terms, effects, counts, modes, work, problems }: Inspection): string {
   const report: InspectReport = {
     version: 1,
     level,
+    terms,
     effects: { simulated: [...effects.simulated], notCalledFor: [...effects.notCalledFor] },
     counts,
     modes: [...modes],

@@ -1,6 +1,5 @@
 import type { Command } from 'commander';
 import type { Goal, Objective } from '../../../solver/index.ts';
-import { type AccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch, settingsFor } from '../../check/index.ts';
 import type { ConfigOptions } from '../../config-file.ts';
 import type { Configuration } from '../../configuration.ts';
@@ -14,7 +13,7 @@ import { refuseUnused } from '../../unused-options.ts';
 import { type PlayOptions, planned, playSettings, unusableLevels } from '../../verify/index.ts';
 
 /** Options of the commands that shards run. */
-export interface PlanOptions extends AccuracyOptions, ConfigOptions, AskedOptions, PlayOptions {
+export interface PlanOptions extends ConfigOptions, AskedOptions, PlayOptions {
   readonly maxWarnings?: number;
   readonly brief?: true;
   readonly minerals: Goal['minerals'];
@@ -41,24 +40,14 @@ export const ORDERS: Readonly<Record<JobName, MakeOrder>> = {
   verify: verifyOrder,
 };
 
-const ACCURACY = ['--accuracy', '--integrator', '--rate', '--tolerance', '--contact'];
+const TERMS = ['--accuracy', '--integrator', '--rate', '--tolerance', '--contact', '--max-time', '--max-work'];
 const SEARCH = ['--budget', '--effort', '--seed'];
 
 /** The options that are for some of the commands only. */
 const OPTIONS_OF: Readonly<Record<JobName, readonly string[]>> = {
-  check: [
-    ...ACCURACY,
-    ...SEARCH,
-    '--solve',
-    '--require-slack',
-    '--no-require-slack',
-    '--max-warnings',
-    '--brief',
-    '--max-time',
-    '--max-work',
-  ],
-  solve: [...ACCURACY, ...SEARCH, '--minerals', '--objective', '--count', '--max-time'],
-  difficulty: [...ACCURACY, ...SEARCH, '--run', '--minerals', '--max-time'],
+  check: [...TERMS, ...SEARCH, '--solve', '--require-slack', '--no-require-slack', '--max-warnings', '--brief'],
+  solve: [...TERMS, ...SEARCH, '--minerals', '--objective', '--count'],
+  difficulty: [...TERMS, ...SEARCH, '--run', '--minerals'],
   verify: ['--levels', '--engines', '--challenge-key', '--now', '--max-ticks', '--max-work'],
 };
 
@@ -81,25 +70,20 @@ function checkOrder(options: PlanOptions, configuration: Configuration, command:
   refuseLimitsWithoutSearch(options);
   refuseTime(options);
   refuseUnused(command, [{ option: '--seed', isUsed: options.solve === true, needs: '--solve' }]);
-  const accuracy = chooseAccuracy(options, configuration);
   const effort = options.solve ? (options.effort ?? USUAL_EFFORT) : undefined;
   const { severity } = configuration;
+  // what is tried must not depend on how many levels there are
+  const settings = settingsFor({ ...options, effort }, configuration, Number.POSITIVE_INFINITY);
   return {
-    // what is tried must not depend on how many levels there are
-    settings: {
-      ...settingsFor({ ...options, effort }, configuration, Number.POSITIVE_INFINITY),
-      accuracy,
-      inFull: !options.brief,
-    },
-    report: { accuracy: accuracy.name, severity, maxWarnings: options.maxWarnings ?? configuration.maxWarnings },
+    settings: { ...settings, inFull: !options.brief },
+    report: { terms: settings.terms, severity, maxWarnings: options.maxWarnings ?? configuration.maxWarnings },
   };
 }
 
 function solveOrder(options: PlanOptions, configuration: Configuration): JobOrder {
   refuseTime(options);
   const { seed, effort = USUAL_EFFORT } = options;
-  const { rules } = configuration;
-  return { settings: { ...askedRuns(options, configuration), rules, limits: limitsOf({ effort, seed }) }, report: {} };
+  return { settings: { ...askedRuns(options, configuration), limits: limitsOf({ effort, seed }) }, report: {} };
 }
 
 function difficultyOrder(options: PlanOptions, configuration: Configuration): JobOrder {

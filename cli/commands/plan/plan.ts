@@ -1,19 +1,19 @@
 import type { Command } from 'commander';
 import { Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
-import { addAccuracyOptions } from '../../accuracy-options.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { statOrError } from '../../files.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
-import { maxTimeOption, maxWorkOption, wholeNumberOption } from '../../options.ts';
+import { wholeNumberOption } from '../../options.ts';
 import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { readRegularFile } from '../../regular-file.ts';
 import { addSearchOptions, mineralsOption, objectiveOption } from '../../search-options.ts';
 import { namedPath, shellPath } from '../../shown-path.ts';
+import { addTermsOptions } from '../../terms.ts';
 import { addPlayOptions } from '../../verify/index.ts';
 import { writeWhole } from '../../write-file.ts';
 import { ORDERS, type PlanOptions, refuseOfOthers } from './orders.ts';
@@ -27,7 +27,7 @@ interface Options extends PlanOptions {
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level')
+  addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level')
     .description('Split a large set of levels or plays into shards that any number of machines can do.')
     .argument(
       '[path...]',
@@ -54,9 +54,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(prefixed('solve, difficulty', mineralsOption()))
     .addOption(prefixed('solve', objectiveOption()))
     .option('--count <n>', 'solve: how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
-    .option('--run <name>', 'difficulty: the run to measure (default: the first that completes a level, or one that is found)')
-    .addOption(prefixed('all but verify', maxTimeOption()))
-    .addOption(prefixed('check, verify', maxWorkOption()));
+    .option('--run <name>', 'difficulty: the run to measure (default: the first that completes a level, or one that is found)');
   addPlayOptions(command, 'verify: ')
     .addHelpText(
       'after',

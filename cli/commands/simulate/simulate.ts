@@ -1,8 +1,8 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { compile, simulate } from '../../../engine/index.ts';
+import { termsReport } from '../../../check/words/index.ts';
+import { compile } from '../../../engine/index.ts';
 import type { Hold, Level, SimulateReport } from '../../../schema/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { chooseRun } from '../../chosen-run.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
@@ -10,24 +10,24 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { parseHolds } from '../../holds-option.ts';
 import { openLevel } from '../../level-source.ts';
-import { formatOption, maxTimeOption, numberOption } from '../../options.ts';
+import { formatOption, numberOption } from '../../options.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { reportRun } from '../../run-report.ts';
+import { reportRun, withinWorkOf } from '../../run-report.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import { simulatePretty } from './pretty.ts';
 
 const MAX_SAMPLES = 1_000_000;
 
-interface SimulateOptions extends ConfigOptions, AccuracyOptions {
+interface SimulateOptions extends ConfigOptions, TermsOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
-  readonly maxTime: number;
   readonly sample?: number;
   readonly recoil?: 'on' | 'off';
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(addAccuracyOptions(command))
+  addConfigOptions(addTermsOptions(command))
     .description('Play one run of a level and report everything that happens.')
     .argument('<level>', 'a level file')
     .option('--run <name>', 'the run to play (default: the first)')
@@ -36,7 +36,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       'play these holds instead, in ticks of 1/60 s, [press, release): 12-96,130-188; none: she drifts',
       parseHolds,
     )
-    .addOption(maxTimeOption())
     .option('--sample <hz>', 'report her state HZ times a second', numberOption('samples a second', 0, 10_000))
     .addOption(
       new Option('--recoil <on|off>', 'turn recoil on or off for this run (default: as the level has it)').choices(['on', 'off']),
@@ -57,23 +56,26 @@ Examples:
 }
 
 function play(file: string, options: SimulateOptions): CommandResult {
-  const { sample, maxTime } = options;
-  const configuration = readConfiguration(options);
-  const accuracy = chooseAccuracy(options, configuration);
+  const { sample } = options;
+  const terms = termsFrom(options, readConfiguration(options));
+  const { maxTime } = terms;
   if (sample !== undefined && sample * maxTime > MAX_SAMPLES) {
     throw new Failure(
       `--sample ${sample} over --max-time ${maxTime} can give more than ${MAX_SAMPLES} samples: lower one of the two`,
     );
   }
-  const opened = openLevel(file, configuration);
+  const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
   const level: Level = options.recoil === undefined ? opened.level : { ...opened.level, recoil: options.recoil === 'on' };
   const { name, holds } = chooseRun(file, level, options);
-  const run = simulate(compile(level, accuracy), holds, { maxTime });
-  const report = reportRun(level, accuracy.name, holds, run, sample ?? null);
+  const scene = compile(level, terms);
+  const { run, report } = withinWorkOf(scene, holds, (played) => ({
+    run: played,
+    report: reportRun(level, terms.accuracy.name, holds, played, sample ?? null),
+  }));
   const output =
     options.format === 'json'
-      ? `${JSON.stringify({ version: 1, ...report } satisfies SimulateReport)}\n`
+      ? `${JSON.stringify({ version: 1, ...report, terms: termsReport(scene) } satisfies SimulateReport)}\n`
       : simulatePretty(level, name, run, report, colorsFor(process.stdout));
   return { output, exitCode: 0 };
 }

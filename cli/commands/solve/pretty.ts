@@ -1,4 +1,4 @@
-import { countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../../check/words/index.ts';
+import { accuracyInWords, countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../../check/words/index.ts';
 import type { Colors } from '../../colors.ts';
 import { closestRunInWords, robustnessLines } from '../../report-parts/index.ts';
 import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
@@ -6,9 +6,9 @@ import { visible, visibleLine } from '../../visible.ts';
 
 /** The results of `solve` for people. */
 export function solvePretty(settings: SolveSettings, solved: Solved, colors: Colors): string {
-  const { level, accuracy } = settings;
+  const { level, terms } = settings;
   const { runs, effort, impossible, closest } = solved;
-  const head = `${colors.bold(visibleLine(level.name))}, ${accuracy.name}`;
+  const head = `${colors.bold(visibleLine(level.name))}, ${accuracyInWords(terms)}`;
   if (impossible !== null) {
     return (
       `${head}\n${colors.red('proved impossible')}: ${visible(impossible.reason)}\n\n` +

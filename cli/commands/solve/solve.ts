@@ -3,7 +3,6 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal, Objective } from '../../../solver/index.ts';
-import { type AccuracyOptions, addAccuracyOptions } from '../../accuracy-options.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
@@ -12,7 +11,7 @@ import { statOrError, unreadableFolders } from '../../files.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
 import { findConfigured } from '../../level-paths.ts';
 import { type OpenedFile, openLevel } from '../../level-source.ts';
-import { formatOption, jobsOption, maxTimeOption, wholeNumberOption } from '../../options.ts';
+import { formatOption, jobsOption, wholeNumberOption } from '../../options.ts';
 import { entryName, packFormat } from '../../packs/index.ts';
 import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
@@ -37,22 +36,22 @@ import {
   solveLevel,
   solveReport,
 } from '../../solve/index.ts';
+import { addTermsOptions, type TermsOptions } from '../../terms.ts';
 import { visibleLine } from '../../visible.ts';
 import { solvePretty } from './pretty.ts';
 
-interface Options extends ConfigOptions, AccuracyOptions, SearchOptions, ShardOptions {
+interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptions {
   readonly minerals: Goal['minerals'];
   readonly objective: Objective;
   readonly count: number;
   readonly jobs: number;
-  readonly maxTime: number;
   readonly write?: true;
   readonly run?: string;
   readonly format: 'pretty' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addShardOptions(addSearchOptions(addConfigOptions(addAccuracyOptions(command)), ' for each level'))
+  addShardOptions(addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level'))
     .description(
       'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
     )
@@ -62,7 +61,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--count <n>', 'how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
     .option('--write', 'add the runs to the level file, after those it has')
     .option('--run <name>', 'with --write: the name of the run (default: "solution", or the next free name)')
-    .addOption(maxTimeOption())
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('pretty', 'json'))
     .addHelpText(
@@ -107,7 +105,7 @@ async function solveMany(paths: readonly string[], options: Options): Promise<Co
   const given = options.write ? '--write' : options.run !== undefined ? '--run' : null;
   if (given !== null) throw new Failure(`${given} is for a single level file: leave it out, or solve the levels one at a time`);
   const configuration = readConfiguration(options);
-  const settings = { ...askedRuns(options, configuration), rules: configuration.rules, limits: limitsOf(options) };
+  const settings = { ...askedRuns(options, configuration), limits: limitsOf(options) };
   const { files, unreadable } = await findConfigured(paths, configuration);
   if (unreadable.length > 0) throw unreadableFolders(unreadable);
   return reportWhole('solve', settings, files, [{ name: options.format, file: null }], 'solved', { jobs: options.jobs });

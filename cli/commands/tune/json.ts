@@ -3,15 +3,16 @@ import { amountsOf, type TunedLevel, type TuneSettings } from '../../tune/index.
 import { independentRules } from './independent-rules.ts';
 
 /** The results of `tune` as JSON. */
-export function tuneJson(levels: readonly TunedLevel[], { accuracy, changes, sweep }: TuneSettings): string {
+export function tuneJson(levels: readonly TunedLevel[], { terms, changes, sweep }: TuneSettings): string {
   const report: TuneReport = {
     version: 1,
-    accuracy: accuracy.name,
+    accuracy: terms.accuracy.name,
     changes: changes.map((change) => ({ ...change })),
     sweep: sweep === null ? null : { rule: sweep.rule, isRelative: sweep.isRelative, amounts: amountsOf(sweep) },
-    levels: levels.map(({ file, name, run, room, values, intervals, why }) => ({
+    levels: levels.map(({ file, name, terms: own, run, room, values, intervals, why }) => ({
       file,
       name,
+      terms: own,
       run,
       room,
       values: values.map(({ value, state, holds }) => ({

@@ -1,4 +1,4 @@
-import { plural } from '../../../check/words/index.ts';
+import { accuracyInWords, plural } from '../../../check/words/index.ts';
 import { RULES } from '../../../schema/index.ts';
 import type { Colors } from '../../colors.ts';
 import type { Change, RuleInterval, Sweep, TunedLevel, TunedState, TuneSettings } from '../../tune/index.ts';
@@ -98,7 +98,7 @@ function list(levels: readonly TunedLevel[], narrow: number | null): string[] {
 /** The results of `tune` for people: at most 80 characters in a line, or as many as a narrower terminal has. */
 export function tuneText(
   levels: readonly TunedLevel[],
-  { accuracy, changes, sweep }: TuneSettings,
+  { terms, changes, sweep }: TuneSettings,
   colors: Colors,
   width: number | null = null,
 ): string {
@@ -111,7 +111,7 @@ export function tuneText(
     .map((state) => `${SIGNS[state]} ${WORDS[state]}`)
     .join(narrow === null ? '  ' : '\n');
   const lines = [
-    colors.bold(`${title}, accuracy ${accuracy.name}`),
+    colors.bold(`${title}, accuracy ${accuracyInWords(terms)}`),
     ...(sweep === null ? list(looked, narrow) : [...matrix(looked, sweep, colors, narrow), colors.dim(signs)]),
     `${kept} of ${plural(looked.length, 'level')} ${kept === 1 ? 'keeps its' : 'keep their'} run${sweep === null ? '' : ' at every value'}`,
   ];

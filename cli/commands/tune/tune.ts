@@ -1,18 +1,19 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
+import { accuracyInWords } from '../../../check/words/index.ts';
 import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
-import { type AccuracyOptions, addAccuracyOptions, chooseAccuracy } from '../../accuracy-options.ts';
 import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
 import { findConfigured, PATHS } from '../../level-paths.ts';
-import { formatOption, jobsOption, maxTimeOption, maxWorkOption } from '../../options.ts';
+import { formatOption, jobsOption } from '../../options.ts';
 import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import {
   amountsOf,
   type Change,
@@ -29,20 +30,18 @@ import { writeWhole } from '../../write-file.ts';
 import { tuneJson } from './json.ts';
 import { tuneText } from './text.ts';
 
-interface Options extends ConfigOptions, AccuracyOptions, SearchOptions {
+interface Options extends ConfigOptions, TermsOptions, SearchOptions {
   readonly set?: readonly Change[];
   readonly sweep?: Sweep;
   readonly solve?: true;
   readonly svg?: string;
   readonly theme: Ground;
-  readonly maxTime: number;
-  readonly maxWork: number;
   readonly jobs: number;
   readonly format: 'text' | 'json';
 }
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  const described = addConfigOptions(addAccuracyOptions(command))
+  const described = addConfigOptions(addTermsOptions(command))
     .description(
       "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
     )
@@ -61,8 +60,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
         .choices(['auto', 'light', 'dark'])
         .default('auto'),
     )
-    .addOption(maxTimeOption())
-    .addOption(maxWorkOption())
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('text', 'json'))
     .addHelpText(
@@ -101,10 +98,7 @@ async function tune(paths: readonly string[], options: Options, command: Command
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
   const configuration = readConfiguration(options);
   const settings: TuneSettings = {
-    accuracy: chooseAccuracy(options, configuration),
-    maxTime: options.maxTime,
-    maxWork: options.maxWork,
-    rules: configuration.rules,
+    terms: termsFrom(options, configuration),
     changes,
     sweep,
     search: options.solve ? { limits: limitsOf(options), seed: options.seed } : null,
@@ -135,12 +129,14 @@ async function tune(paths: readonly string[], options: Options, command: Command
   return { output, messages: messages.join(''), exitCode };
 }
 
-function pictureOf(levels: readonly TunedLevel[], { sweep, changes, accuracy }: TuneSettings) {
+function pictureOf(levels: readonly TunedLevel[], { sweep, changes, terms }: TuneSettings) {
   const said = changes.map(({ rule, amount, isRelative }) => `${rule} ${amount}${isRelative ? 'x' : ''}`).join(', ');
   const amounts = sweep === null ? [] : amountsOf(sweep);
   return {
     title: sweep === null ? `Levels with ${said}` : `Levels while ${sweep.rule} changes`,
-    subtitle: [accuracy.name, ...(sweep !== null && said !== '' ? [`with ${said}`] : []), 'the most fragile first'].join(', '),
+    subtitle: [accuracyInWords(terms), ...(sweep !== null && said !== '' ? [`with ${said}`] : []), 'the most fragile first'].join(
+      ', ',
+    ),
     marks: amounts.map((amount) => `${Number(amount.toPrecision(4))}${sweep?.isRelative ? 'x' : ''}`),
     rows: levels.filter(({ code }) => code === 0).map(({ name, values }) => ({ name, states: values.map(({ state }) => state) })),
   };

@@ -10,7 +10,7 @@ import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure, systemReason } from '../../failure.ts';
 import { once, statOrError, unreadableFolders, walk } from '../../files.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
-import { jobsOption, maxWorkOption } from '../../options.ts';
+import { jobsOption } from '../../options.ts';
 import { firstPack } from '../../packs/index.ts';
 import { print } from '../../print.ts';
 import { readConfiguration } from '../../read-configuration.ts';
@@ -20,6 +20,7 @@ import { namedPath } from '../../shown-path.ts';
 import { siblingHint } from '../../sibling-hint.ts';
 import { hearSignals } from '../../signals.ts';
 import { STDIN } from '../../stdin.ts';
+import { maxWorkOption, type TermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import {
   addPlayOptions,
@@ -48,8 +49,7 @@ const PLAY_FILE = /\.gqr$/;
 /** So many stale plays of files are tried on the levels that there are. */
 const CANDIDATES = 20;
 
-interface Options extends ConfigOptions, PlayOptions, ShardOptions {
-  readonly maxWork: number;
+interface Options extends ConfigOptions, PlayOptions, ShardOptions, Pick<TermsOptions, 'maxWork'> {
   readonly jobs: number;
   readonly format?: 'pretty' | 'json';
 }

@@ -1,8 +1,9 @@
 import { createReadStream } from 'node:fs';
 import process from 'node:process';
 import type { Attempt, PlayedBy, RefusedPlay } from '../../../check/plays/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import { levelHash, type PlayVerdict } from '../../../game/index.ts';
-import { type OwnRules, readLevel } from '../../../schema/index.ts';
+import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { Failure, systemReason } from '../../failure.ts';
 import { runInPool } from '../../pool.ts';
@@ -62,7 +63,7 @@ interface Named {
  * Reads plays and simulates each once, in worker threads.
  * @param paths files and directories with plays
  * @param levelFiles the level files that plays may be of
- * @param settings the folder's rules, and what an attempt has to achieve
+ * @param settings under which terms the levels are read, and what an attempt has to achieve
  * @param jobs the largest number of threads
  * @param onProgress called now and then with the number of plays that are done
  * @throws Failure if there is no play
@@ -70,17 +71,17 @@ interface Named {
 export async function collectPlays(
   paths: readonly string[],
   levelFiles: readonly string[],
-  settings: { readonly rules: OwnRules; readonly goal: Goal },
+  settings: { readonly terms: Terms; readonly goal: Goal },
   jobs: number,
   onProgress: (done: number) => void,
 ): Promise<CollectedPlays> {
   const { files, ignored, unreadable } = findPlays(paths);
-  const collection = new Collection(playedLevels(levelFiles, settings.rules), [...unreadable]);
+  const collection = new Collection(playedLevels(levelFiles, settings.terms), [...unreadable]);
   for await (const named of inPortions(files, collection)) {
     const tasks: PlayTask[] = [];
     for (let i = 0; i < named.length; i += TOGETHER) {
       const sources = named.slice(i, i + TOGETHER).map(({ source }) => source);
-      tasks.push({ sources, levels: collection.known, rules: settings.rules, goal: settings.goal });
+      tasks.push({ sources, levels: collection.known, terms: settings.terms, goal: settings.goal });
     }
     const before = collection.found;
     const findings = await runInPool<PlayTask, PlayFinding[]>(new URL('./worker.js', import.meta.url), tasks, jobs, (done) =>
@@ -95,10 +96,10 @@ export async function collectPlays(
 }
 
 /** The levels that plays may be of. Files that are not valid levels are reported where they are measured. */
-function playedLevels(files: readonly string[], rules: OwnRules): PlayedLevel[] {
+function playedLevels(files: readonly string[], terms: Terms): PlayedLevel[] {
   return files.flatMap((file): PlayedLevel[] => {
     try {
-      const read = readLevel(readBytes(file), { rules });
+      const read = readLevel(readBytes(file), terms);
       return read.ok ? [{ hash: levelHash(read.level), file }] : [];
     } catch (error) {
       if (error instanceof Failure) return [];

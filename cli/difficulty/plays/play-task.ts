@@ -1,6 +1,6 @@
 import type { Attempt, RefusedPlay } from '../../../check/plays/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import type { PlayVerdict } from '../../../game/index.ts';
-import type { OwnRules } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 
 /** A play that a worker reads: the path of its file, or its line; null for a line that is too long. */
@@ -16,7 +16,7 @@ export interface PlayedLevel {
 export interface PlayTask {
   readonly sources: readonly PlaySource[];
   readonly levels: readonly PlayedLevel[];
-  readonly rules: OwnRules;
+  readonly terms: Terms;
   readonly goal: Goal;
 }
 

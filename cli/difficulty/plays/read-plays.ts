@@ -1,6 +1,7 @@
 import { createPlayReplayer, type PlayReplayer } from '../../../check/plays/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import { decodePlay, PLAY_LIMITS, whyNotReplayed } from '../../../game/play/index.ts';
-import { type OwnRules, readLevel } from '../../../schema/index.ts';
+import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { Failure, systemReason } from '../../failure.ts';
 import { readBytes } from '../../read-bytes.ts';
@@ -12,7 +13,7 @@ import type { PlayedLevel, PlayFinding, PlaySource, PlayTask } from './play-task
 const ready = new Map<string, PlayReplayer>();
 
 /** Reads plays and simulates each once. Throws only if gq itself fails. */
-export function readPlays({ sources, levels, rules, goal }: PlayTask): PlayFinding[] {
+export function readPlays({ sources, levels, terms, goal }: PlayTask): PlayFinding[] {
   const known = new Map(levels.map((level) => [level.hash, level]));
   return sources.map((source) => {
     const bytes = bytesOf(source);
@@ -26,7 +27,7 @@ export function readPlays({ sources, levels, rules, goal }: PlayTask): PlayFindi
     if (why !== null) return { id, subject, kind: 'refused', ...why };
     const level = known.get(play.level);
     if (level === undefined) return { id, subject, kind: 'elsewhere', hash: play.level };
-    return { id, subject, kind: 'played', hash: play.level, replayed: replayerOf(level, rules, goal).replay(play, 0) };
+    return { id, subject, kind: 'played', hash: play.level, replayed: replayerOf(level, terms, goal).replay(play, 0) };
   });
 }
 
@@ -52,11 +53,11 @@ function bytesOf(source: PlaySource): Read | PlayFinding {
   return { id, subject: line.subject, bytes: line.bytes };
 }
 
-function replayerOf({ hash, file }: PlayedLevel, rules: OwnRules, goal: Goal): PlayReplayer {
+function replayerOf({ hash, file }: PlayedLevel, terms: Terms, goal: Goal): PlayReplayer {
   const key = JSON.stringify([hash, goal]);
   const known = ready.get(key);
   if (known !== undefined) return known;
-  const read = readLevel(readBytes(file), { rules });
+  const read = readLevel(readBytes(file), terms);
   if (!read.ok) throw new Failure(`${file} has changed meanwhile: run gq again`);
   const replayer = createPlayReplayer(read.level, goal);
   ready.set(key, replayer);

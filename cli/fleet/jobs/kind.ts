@@ -25,8 +25,8 @@ export interface JobKind {
    * @throws Failure if it is not as the settings say
    */
   expectInputs?(settings: Json): Promise<void>;
-  /** What is recorded for an entry on which a thread has died. */
-  crashed(name: string, error: unknown): Json;
+  /** What is recorded for an entry on which a thread has died. @param settings as the plan has them */
+  crashed(name: string, error: unknown, settings: Json): Json;
   /** Loads what a thread does. @param settings as the plan has them */
   openWork(settings: Json): Promise<Work>;
   /**

@@ -7,7 +7,7 @@ import { renderSvg } from '../../../../picture/index.ts';
 import { type Hold, type Level, rulesOf, type Verdict } from '../../../../schema/index.ts';
 import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../../diff/index.ts';
 import { visibleLine } from '../../../visible.ts';
-import { countsInWords, linesOf, pathInWords, rulesInWords, turnsInWords } from '../text.ts';
+import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from '../text.ts';
 import { PLAYER } from './player.ts';
 import { STYLE } from './style.ts';
 
@@ -52,11 +52,15 @@ export function diffPage(diff: Diff, play: (index: number) => PlayedVersions): s
     return sectionOf(level, i, versions, players);
   });
   const rules = rulesInWords(diff);
+  const terms = termsChangesInWords(diff);
   const said = [
     `<p>${levels.length === 0 ? 'No level changed.' : html(countsInWords(levels))}</p>`,
     ...turnsInWords(levels).map((turn) => `<p class="${turn.includes('no longer') ? 'bad' : 'good'}">${html(turn)}</p>`),
     ...(rules.length > 0
       ? [`<p>The rules in gq.config.json changed, which changes how every level plays: ${html(rules.join(', '))}</p>`]
+      : []),
+    ...(terms.length > 0
+      ? [`<p>The terms in gq.config.json changed, under which every level is judged: ${html(terms.join(', '))}</p>`]
       : []),
     ...(same > 0 ? [`<p>${same} more with the same file play as before.</p>`] : []),
     ...(levels.length > MOST_PICTURES ? [`<p>The first ${MOST_PICTURES} levels have pictures.</p>`] : []),

@@ -9,7 +9,7 @@ export const checkJob: JobKind = {
   formats: REPORTER_NAMES,
   isLong: ({ search, requireSlack }) => search !== null || requireSlack !== null,
   isClaim: ({ verdict }) => verdict === 'completable',
-  crashed: (name, error) => recordOf(crashedLevel(name, error)),
+  crashed: (name, error, settings) => recordOf(crashedLevel(name, error, (settings as unknown as CheckSettings).terms)),
   openWork: async (settings) => (await import('./work.ts')).openCheck(settings as unknown as CheckSettings),
   async report(records, reporting, destinations, options) {
     const { reportCheckOf } = await import('./report.ts');

@@ -1,3 +1,4 @@
+import type { Terms } from '../../../../engine/basics/index.ts';
 import { type SeverityMap, VERDICTS } from '../../../../schema/index.ts';
 import { type CheckedLevel, exitCodeFor, isGood, judgeOf, tooManyWarnings, totalsOf } from '../../../check/index.ts';
 import type { CommandResult } from '../../../command.ts';
@@ -10,7 +11,7 @@ import { levelOf } from './record.ts';
 
 /** What the report of a check depends on besides the results. */
 export interface CheckReporting {
-  readonly accuracy: string;
+  readonly terms: Terms;
   readonly severity: SeverityMap;
   readonly maxWarnings: number | null;
 }
@@ -22,7 +23,7 @@ export interface CheckReporting {
  */
 export async function reportCheckOf(
   records: () => Iterable<ShardRecord>,
-  { accuracy, severity, maxWarnings }: CheckReporting,
+  { terms, severity, maxWarnings }: CheckReporting,
   destinations: readonly Destination[],
   { withTimes, quiet, linkTo = null }: ReportOptions,
 ): Promise<CommandResult> {
@@ -49,5 +50,5 @@ export async function reportCheckOf(
     interrupted: false,
     excess: tooManyWarnings(totals, maxWarnings),
   };
-  return reportCheck(results, destinations, { exitCode: exitCodeFor(totals, maxWarnings), accuracy, quiet, linkTo }, levels);
+  return reportCheck(results, destinations, { exitCode: exitCodeFor(totals, maxWarnings), terms, quiet, linkTo }, levels);
 }

@@ -7,7 +7,7 @@ import { recordOf } from './record.ts';
 export async function openCheck(settings: CheckSettings): Promise<Work> {
   const checkLevel = await levelChecker();
   const check = ({ name, content }: Entry, asked: CheckSettings): CheckedLevel =>
-    content instanceof Uint8Array ? checkLevel(name, asked, content) : unreadableLevel(name, content.message);
+    content instanceof Uint8Array ? checkLevel(name, asked, content) : unreadableLevel(name, content.message, asked.terms);
   return {
     work: (entry) => recordOf(check(entry, settings)),
     replay(entry, result) {

@@ -5,7 +5,7 @@ import { levelOf, recordOf } from './record.ts';
 /** Measures how hard levels are. */
 export const openDifficulty = (settings: MeasureSettings): Work => ({
   work: ({ name, content }) =>
-    recordOf(content instanceof Uint8Array ? measureContent(name, content, settings) : unreadable(name, content)),
+    recordOf(content instanceof Uint8Array ? measureContent(name, content, settings) : unreadable(name, content, settings.terms)),
   replay({ name, content }, result) {
     if (!(content instanceof Uint8Array)) return 'a file that can no longer be read';
     // a search is not repeated: the run that it has found is measured again

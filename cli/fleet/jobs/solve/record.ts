@@ -1,11 +1,10 @@
-import type { OwnRules, SolveReport, SolveSetReport } from '../../../../schema/index.ts';
+import type { SolveReport, SolveSetReport } from '../../../../schema/index.ts';
 import type { Limits } from '../../../search-options.ts';
 import type { ShownProblem } from '../../../shown-problem.ts';
 import type { AskedRuns } from '../../../solve/index.ts';
 
 /** How each level of a set is solved. */
 export interface SolveJobSettings extends AskedRuns {
-  readonly rules: OwnRules;
   readonly limits: Limits;
 }
 

@@ -17,7 +17,7 @@ export function openSolve(settings: SolveJobSettings): Work {
 
 async function solveEntry({ name, content }: Entry, settings: SolveJobSettings): Promise<SolveRecord> {
   if (!(content instanceof Uint8Array)) return { ...untried(name, 'invalid', content.message), unreadable: true };
-  const read = readLevel(content, { rules: settings.rules });
+  const read = readLevel(content, settings.terms);
   if (!read.ok) {
     return { ...untried(nameOfFile(name), 'invalid', 'not a valid level'), problems: showProblems(read.problems, read.text) };
   }
@@ -44,7 +44,7 @@ function whyTooFewMinerals({ minerals }: Level, { goal }: SolveJobSettings): str
 
 /** A search is not repeated: the runs that it has found are replayed and measured. */
 function whyNotAsRecorded({ content }: Entry, settings: SolveJobSettings, record: SolveRecord): string | null {
-  const read = content instanceof Uint8Array ? readLevel(content, { rules: settings.rules }) : null;
+  const read = content instanceof Uint8Array ? readLevel(content, settings.terms) : null;
   if (!read?.ok) return 'not a valid level';
   const { solved } = record;
   if (solved === null) return 'not solved';
