@@ -1,21 +1,22 @@
-import { DEFAULT_ACCURACY, DEFAULT_MAX_TIME, DEFAULT_MAX_WORK } from '../../engine/index.ts';
-import { type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
+import { DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { type ConfigFile, type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
 import { type ConfigOptions, chosenConfig } from '../config-file.ts';
 import { Failure } from '../failure.ts';
 import { readBytes } from '../read-bytes.ts';
+import { termsFrom } from '../terms.ts';
 
 /** Returns the terms that the configuration sets now. */
 export type TermsOnDisk = () => FolderTerms;
 
+/** What the page is told of terms that a file sets. */
+function told(file: string | null, { accuracy, maxTime, maxWork, rules = {} }: ConfigFile): FolderTerms {
+  const configured = { accuracy: accuracy ?? null, maxTime: maxTime ?? null, maxWork: maxWork ?? null, rules };
+  const terms = termsFrom({}, configured);
+  return { ...terms, file, accuracy: accuracy ?? DEFAULT_ACCURACY, problems: [] };
+}
+
 /** The terms of a folder without a configuration. */
-export const NO_CONFIG: FolderTerms = {
-  file: null,
-  accuracy: DEFAULT_ACCURACY,
-  maxTime: DEFAULT_MAX_TIME,
-  maxWork: DEFAULT_MAX_WORK,
-  rules: {},
-  problems: [],
-};
+export const NO_CONFIG: FolderTerms = told(null, {});
 
 /**
  * Reads the terms from the configuration of a folder again at every call. While it is invalid, the last valid terms apply.
@@ -36,15 +37,7 @@ function readTerms(file: string, before: FolderTerms): FolderTerms {
     const read = readConfig(readBytes(file));
     // what is wrong elsewhere does not concern the rules
     if (!read.ok) return { ...before, file, rules: read.rules ?? before.rules, problems: read.problems };
-    const { accuracy, maxTime, maxWork, rules } = NO_CONFIG;
-    return {
-      file,
-      accuracy: read.config.accuracy ?? accuracy,
-      maxTime: read.config.maxTime ?? maxTime,
-      maxWork: read.config.maxWork ?? maxWork,
-      rules: read.config.rules ?? rules,
-      problems: [],
-    };
+    return told(file, read.config);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     return { ...before, file, problems: [unreadable(error.message)] };

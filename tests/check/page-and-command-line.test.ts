@@ -181,7 +181,7 @@ describe('the page and gq check agree', () => {
       const [allowedMore] = applies(level.name)
         ? await onTheCommandLine([level], 'precise', ['--max-work', String(maxWork)])
         : [];
-      compare(level, 'precise', allowedMore ?? said[i]);
+      compare(level, termsOf('precise'), allowedMore ?? said[i]);
     }
   });
 

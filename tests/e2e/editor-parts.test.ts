@@ -20,6 +20,7 @@ import { createJournal, openIndexedDbStore } from '${root}/editor/journal/index.
 import { claimLevel } from '${root}/editor/files/writer-lock.ts';
 import { pageTimers } from '${root}/editor/files/index.ts';
 import { createWorkers, spawnPageWorker } from '${root}/editor/workers/index.ts';
+import { DEFAULT_TERMS } from '${root}/engine/index.ts';
 import { resolveLevel } from '${root}/schema/index.ts';
 
 const FILE = { version: 1, name: 'base', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 }, asteroids: [{ id: 'aa', x: 150, y: 60, radius: 16 }] };

@@ -5,7 +5,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { compile, joinHolds, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 
 /** One job that was asked for and is not done. */

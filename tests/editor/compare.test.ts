@@ -25,7 +25,7 @@ import { createProofStore, type ProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { compile, createSimulation, playScript, STATE_SIZE, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';
 

@@ -6,7 +6,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { Fixing, JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { ACCURACIES, compile, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { createRepair, proveImpossible } from '../../solver/index.ts';
 

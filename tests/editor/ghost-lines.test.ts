@@ -4,7 +4,7 @@ import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
 import { poseAt } from '../../editor/canvas/run-pose.ts';
 import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { compile, TICK, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { plainLevel } from '../engine/plain-level.ts';

@@ -13,7 +13,7 @@ import {
 } from '../../editor/workers/index.ts';
 import { leeway } from '../../editor/workers/jobs/leeway.ts';
 import { latticeFor, movedLevel, Survey } from '../../editor/workers/leeway/index.ts';
-import { compile, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { type LevelFile, LIMITS, resolveLevel, withIds } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 import { SWING } from './swing-level.ts';

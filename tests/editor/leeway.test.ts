@@ -1,4 +1,3 @@
-import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { describe, expect, it } from 'vitest';
 import {
   createEditedLevel,
@@ -17,6 +16,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import { type JobEnd, type Leeway, MOST_REACH, type Reach, type Requests, type Workers } from '../../editor/workers/index.ts';
+import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { breathe } from './stage.ts';
 import { SWING } from './swing-level.ts';

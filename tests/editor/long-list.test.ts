@@ -1,5 +1,5 @@
-import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { expect, it } from 'vitest';
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { createWorkspace, type LevelStorage, pageTimers } from '../../editor/files/index.ts';
 import type { Journal } from '../../editor/journal/index.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';

@@ -12,7 +12,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Losing, Loss, Losses, LostMoment, Requests, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { compile, simulate, TICK, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 

@@ -27,7 +27,7 @@ import {
   withGroups,
 } from '../../editor/document/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { ACCURACIES, compile, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { formatLevel, type LevelFile, readLevel, resolveLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

@@ -1,4 +1,3 @@
-import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
 import type { AliveState } from '../../editor/alive/alive-state.ts';
@@ -9,6 +8,7 @@ import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { outcomeOf } from './alive-stage.ts';
 

@@ -23,7 +23,7 @@ import { tightestOf } from '../../editor/panels/figures/index.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
-import { compile, type Run, simulate, TICK, DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, type Run, simulate, TICK, termsOf } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { findSlack } from '../../solver/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

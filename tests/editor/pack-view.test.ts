@@ -1,4 +1,3 @@
-import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import fc from 'fast-check';
@@ -17,6 +16,7 @@ import { spotAfter } from '../../editor/panels/pack/focus-step.ts';
 import { type Card, modelOf, type ShownGrade } from '../../editor/panels/pack/pack-model.ts';
 import type { LevelFacts } from '../../editor/workers/index.ts';
 import { thumbnail } from '../../editor/workers/jobs/thumbnail.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatPack, type LevelEntry, type ListResponse, type PackFile, readLevel } from '../../schema/index.ts';
 import { makeFolder } from '../server/running.ts';
 

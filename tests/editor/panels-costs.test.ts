@@ -6,7 +6,7 @@ import { savingOf } from '../../editor/panels/effects/time-effects.ts';
 import { costOf, withoutEffect } from '../../editor/panels/effects/without.ts';
 import { timeInTurns } from '../../editor/panels/figures/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { compile, EFFECTS, simulate, DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, EFFECTS, simulate, termsOf } from '../../engine/index.ts';
 import { METHODS } from '../../engine/work-precision/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 
@@ -131,7 +131,9 @@ describe('timing in turns', () => {
 
 describe('the named settings', () => {
   it('are compared with precise, whose own error is 0', () => {
-    const results = new Map<string, NamedResult>([...compareNamed(LEVEL, DEFAULT_TERMS, HOLDS)].map((result) => [result.name, result]));
+    const results = new Map<string, NamedResult>(
+      [...compareNamed(LEVEL, DEFAULT_TERMS, HOLDS)].map((result) => [result.name, result]),
+    );
     expect([...results.keys()].sort()).toEqual([...NAMES].sort());
     expect(results.get('precise')).toMatchObject({ difference: 0, sameVerdict: true });
     for (const [name, { end, difference, sameVerdict }] of results) {

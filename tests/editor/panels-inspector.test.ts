@@ -8,7 +8,7 @@ import { valueOfObjects } from '../../editor/panels/inspector/field-values.ts';
 import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspector/fields.ts';
 import { nearestPass, pullsOf, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { compile, simulate, TICK, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import {
   fieldsOf as fieldsOfKind,
   isRequired,

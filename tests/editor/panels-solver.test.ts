@@ -16,7 +16,7 @@ import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Requests, Solving, Workers } from '../../editor/workers/index.ts';
-import { compile, STATE_SIZE, simulate, TICK, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 import { measureRobustness, proveImpossible, proveMineralsUnreachable, type Solution, verifyRun } from '../../solver/index.ts';
 import { breathe, TurnedClock } from './stage.ts';

@@ -17,7 +17,7 @@ import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../ed
 import { createShelf, type OpenedPlay, type Shelf } from '../../editor/shelf/shelf.ts';
 import { path } from '../../editor/workers/jobs/path.ts';
 import { plays as verifyPlays } from '../../editor/workers/jobs/plays.ts';
-import { compile, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { decodePlay, levelHash, PLAY_LIMITS, playToText } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { recordedPlay } from './recorded-play.ts';

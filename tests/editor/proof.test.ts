@@ -16,9 +16,12 @@ import {
   compile,
   createSimulation,
   DEFAULT_BOX,
+  DEFAULT_TERMS,
   joinHolds,
   STATE_SIZE,
-  simulate, DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
+  simulate,
+  termsOf,
+} from '../../engine/index.ts';
 import { type LevelFile, readLevel } from '../../schema/index.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from '../engine/arbitrary-level.ts';
 

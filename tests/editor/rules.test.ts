@@ -7,7 +7,7 @@ import { NO_FOLDER_TERMS, withKeptTerms } from '../../editor/files/folder-terms.
 import { positionOf, SLIDER_END, stepOf, valueAt } from '../../editor/panels/inspector/rule-scale.ts';
 import { originOf, ruleLabel, ruleValues } from '../../editor/panels/inspector/rule-values.ts';
 import { createProofStore, createProver } from '../../editor/proof/index.ts';
-import { compile, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
   type FolderTerms,

@@ -1,4 +1,3 @@
-import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,6 +8,7 @@ import { applyPatches, createEditedLevel, diffFiles } from '../../editor/documen
 import { createProver } from '../../editor/proof/index.ts';
 import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
   enteringFolder,

@@ -1,4 +1,3 @@
-import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -8,6 +7,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import { gripAt } from '../../editor/timeline/grip.ts';
 import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { readLevel } from '../../schema/index.ts';
 

@@ -13,7 +13,7 @@ import {
 import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
 import { createRunner } from '../../editor/workers/runner.ts';
 import { createPacer } from '../../editor/workers/work.ts';
-import { compile, joinHolds, simulate, DEFAULT_TERMS } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { assessLevel, effectsInWords, standingInWords } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
 import { findSlack, verifyRun } from '../../solver/index.ts';
@@ -110,7 +110,9 @@ describe('jobs', () => {
   });
 
   it('measure difficulty with a given run, or with one from a search', () => {
-    expect(doJob('difficulty', { level, terms: DEFAULT_TERMS, holds, goal: ANY, budget: 100 }).result?.presses).toBe(holds.length);
+    expect(doJob('difficulty', { level, terms: DEFAULT_TERMS, holds, goal: ANY, budget: 100 }).result?.presses).toBe(
+      holds.length,
+    );
     // starts from the level's own runs, as there is no time for a search without them
     const little = { terms: DEFAULT_TERMS, holds: null, goal: ANY, budget: 2 } as const;
     expect(doJob('difficulty', { level, ...little }).result).not.toBeNull();

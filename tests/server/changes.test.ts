@@ -1,7 +1,7 @@
-import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { changesBetween } from '../../cli/edit/changes.ts';
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
 
 const entry = (id: string, content: number): LevelEntry => ({
