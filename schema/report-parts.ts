@@ -21,8 +21,8 @@ export const playVerdict = z.enum(['ok', 'claim-differs', 'stale-level', 'unknow
 export const terms = z
   .strictObject({
     accuracy: z.string().describe('How exactly it is simulated: the name of an accuracy, or of a custom setting.'),
-    maxTime: z.number().describe('Simulated time after which a run is a timeout, s.'),
-    maxWork: z.int().describe('The most work that the level may cost, pieces of motion.'),
+    maxTime: z.number().min(0).describe('Simulated time after which a run is a timeout, s.'),
+    maxWork: z.int().min(1).describe('The most work that the level may cost, pieces of motion.'),
     rules: rulesSchema.describe(
       "The rules that have another value than in the original game: the level's own, and those of its folder.",
     ),

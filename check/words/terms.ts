@@ -1,5 +1,5 @@
 import { type Terms, unusualTerms } from '../../engine/basics/index.ts';
-import { DEFAULT_RULES, type OwnRules, RULE_NAMES } from '../../schema/basics/index.ts';
+import { type OwnRules, ownRules } from '../../schema/basics/index.ts';
 import type { TermsReport } from '../../schema/index.ts';
 
 /**
@@ -14,12 +14,11 @@ export function termsReport({
   readonly terms: Terms;
   readonly level: { readonly rules?: OwnRules | undefined };
 }): TermsReport {
-  const own = RULE_NAMES.filter((name) => rules[name] !== undefined && rules[name] !== DEFAULT_RULES[name]);
   return {
     accuracy: accuracy.name,
     maxTime,
     maxWork,
-    rules: Object.fromEntries(own.map((name) => [name, rules[name]])),
+    rules: ownRules(rules, {}).rules ?? {},
   };
 }
 

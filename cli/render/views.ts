@@ -1,6 +1,6 @@
 import { proveGoalImpossible, softlocksOf } from '../../check/index.ts';
 import { effortInWords, outcomeInWords, plural } from '../../check/words/index.ts';
-import { joinHolds, type Scene, simulate, TICK } from '../../engine/index.ts';
+import { joinHolds, type Run, type Scene, simulate, TICK } from '../../engine/index.ts';
 import type { RenderOptions } from '../../picture/index.ts';
 import { type Hold, objectName } from '../../schema/index.ts';
 import {
@@ -15,6 +15,7 @@ import {
 } from '../../solver/index.ts';
 import type { ChosenRun } from '../chosen-run.ts';
 import { percent } from '../report-parts/index.ts';
+import { withinWorkOf } from '../run-report.ts';
 import type { Solved } from '../solve/index.ts';
 
 /** What a picture shows, apart from its size and colours. */
@@ -23,16 +24,23 @@ export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
   readonly remark?: string;
 }
 
+/** A run to draw. @throws Failure if it costs more work than the level may */
+function played(scene: Scene, holds: readonly Hold[]): Run {
+  withinWorkOf(scene, holds, () => null);
+  // a picture reads the whole way, which is no work on the level
+  return simulate(scene, holds);
+}
+
 /** The level and one run of it. */
 export function viewRun(scene: Scene, { holds }: ChosenRun): View {
-  return { run: simulate(scene, holds), holds };
+  return { run: played(scene, holds), holds };
 }
 
 /** Every run of the level. */
 export function viewAllRuns(scene: Scene): View {
   const { level } = scene;
   const ways = level.runs.map(({ name, holds }) => {
-    const run = simulate(scene, holds);
+    const run = played(scene, holds);
     return { run, label: `${name}: ${outcomeInWords(run, level.range)}, ${plural(holds.length, 'press', 'presses')}` };
   });
   return { ways };

@@ -7,7 +7,7 @@ import { crashedLevel, unreadableLevel } from '../../cli/check/refused-level.ts'
 import { shellPath } from '../../cli/shown-path.ts';
 import { explanationOf } from '../../editor/panels/problems/explanations.ts';
 import { PAGE_HINTS } from '../../editor/proof/hints.ts';
-import { ACCURACIES, DEFAULT_MAX_TIME, WARNING_CODES } from '../../engine/index.ts';
+import { ACCURACIES, DEFAULT_MAX_TIME, DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';
 import { CODES, resolveLevel } from '../../schema/index.ts';
 import { type Proof, proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';
 import { gq } from '../cli/gq.ts';
@@ -111,8 +111,8 @@ describe('every code that a check can report', () => {
 
   it('codes of files that are no levels are explained, too', () => {
     const explained = all.map(({ code }) => code);
-    const [unreadable] = unreadableLevel('a.level.json', 'no such file').problems;
-    const [crashed] = crashedLevel('a.level.json', new Error('bug')).problems;
+    const [unreadable] = unreadableLevel('a.level.json', 'no such file', DEFAULT_TERMS).problems;
+    const [crashed] = crashedLevel('a.level.json', new Error('bug'), DEFAULT_TERMS).problems;
     expect([unreadable.code, crashed.code]).toEqual(['unreadable-file', 'crashed']);
     for (const { code } of [unreadable, crashed]) expect(explained).toContain(code);
     // Nothing else is explained than what is listed above.

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { ticksToAgree } from '../../check/index.ts';
 import { entryChange, isAgreed, resultChange } from '../../check/lock/index.ts';
-import { ACCURACIES, compile } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { type Hold, type LockEntry, resolveLevel } from '../../schema/index.ts';
 import { certify } from '../../solver/index.ts';
 
@@ -92,7 +92,7 @@ describe('certified ticks for a lock', () => {
   it('are those that certify finds, up to 10, or a lower bound where there are too many combinations', () => {
     const of = (holds: readonly Hold[]) => ({
       most: certify(scene, holds, { minerals: 'any' }, { limit: 10 }).ticks,
-      agreed: ticksToAgree(scene, holds, 3600, 400_000),
+      agreed: ticksToAgree(scene, holds),
     });
     for (const holds of [[[0, 600]], [[3, 100]], [[0, 70]]] as Hold[][]) expect(of(holds).agreed).toBe(of(holds).most);
     const { most, agreed } = of([
@@ -104,7 +104,9 @@ describe('certified ticks for a lock', () => {
   });
 
   it('are none when the work does not suffice, and the same for all limits that suffice', () => {
-    const found = [1, 3, 100, 3000, 100_000, 200_000].map((work) => ticksToAgree(scene, [[3, 100]], 3600, work));
+    const found = [1, 3, 100, 3000, 100_000, 200_000].map((work) =>
+      ticksToAgree(compile(level, { ...DEFAULT_TERMS, maxWork: 2 * work }), [[3, 100]]),
+    );
     expect(found[0]).toBeNull();
     const measured = found.filter((ticks) => ticks !== null);
     expect(measured.length).toBeGreaterThan(1);

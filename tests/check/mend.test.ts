@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createMend, type Mend } from '../../check/index.ts';
 import { mendedInWords, takenBack, unitsOf } from '../../check/mend/index.ts';
-import { compile, joinHolds, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { formatLevel, type LevelFile, readLevel, resolveLevel, withIds } from '../../schema/index.ts';
 import { findSlack } from '../../solver/index.ts';
 import { arbitraryFile } from '../editor/arbitrary-file.ts';
@@ -25,7 +25,7 @@ function finish(mend: Mend): Mend {
 }
 
 const mendOf = (before: LevelFile, after: LevelFile, run = 'solution'): Mend =>
-  createMend({ before, after, rules: NO_RULES, accuracy: 'precise', run, newRun: 'found' });
+  createMend({ before, after, terms: DEFAULT_TERMS, run, newRun: 'found' });
 
 /** She falls through an asteroid into the black hole behind it; beside her way is a nova. */
 const FALL: LevelFile = {

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type Attempt, collectStatistics, compareWithModel, statisticsOf } from '../../check/plays/index.ts';
 import { decreasing, explainingNoise } from '../../check/plays/model.ts';
 import { chooseReference } from '../../check/plays/reference.ts';
-import { compile } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/robustness/index.ts';
 import { isHunt } from '../is-hunt.ts';
@@ -17,7 +17,7 @@ function play(slug: string, sigma: number, count: number, seed: number) {
   const [{ holds, name }] = level.runs;
   const record = playedBy(level, 'fast');
   const plays = noisy(holds, sigma, count, seed).map((own) => record(own));
-  const statistics = statisticsOf(level, plays, { reference: { holds, name } });
+  const statistics = statisticsOf(level, DEFAULT_TERMS, plays, { reference: { holds, name } });
   return { statistics, model: compareWithModel(compile(level, 'fast'), holds, statistics, ANY, { samples: 300 }) };
 }
 
@@ -54,7 +54,7 @@ describe('the noise that explains the success of players', () => {
       const delay = random.below(2) === 0 ? 0 : 20 + random.below(60);
       return record(holds.map(([press, release], i) => (i === late ? [press + delay, release + delay] : [press, release])));
     });
-    const statistics = statisticsOf(level, plays, { reference: { holds, name } });
+    const statistics = statisticsOf(level, DEFAULT_TERMS, plays, { reference: { holds, name } });
     expect(statistics.share).toBeLessThan(0.9);
     const { edges } = compareWithModel(compile(level, 'fast'), holds, statistics, ANY, { samples: 300 });
     const failing = statistics.edges.flatMap(({ failed }, i) => (failed > 10 ? [i] : []));
@@ -72,9 +72,15 @@ describe('the noise that explains the success of players', () => {
     const whole = [{ sigma: 0, p: 1, low: 1, high: 1, samples: 1 }, ...curve];
     for (const successes of [60, 90, 120]) {
       const share = { attempts: 150, successes, share: successes / 150, ...wilsonInterval(successes, 150) };
-      const { noise } = compareWithModel(scene, holds, { ...share, edges: statisticsOf(scene.level, []).edges }, ANY, {
-        samples: 300,
-      });
+      const { noise } = compareWithModel(
+        scene,
+        holds,
+        { ...share, edges: statisticsOf(scene.level, DEFAULT_TERMS, []).edges },
+        ANY,
+        {
+          samples: 300,
+        },
+      );
       expect(noise).toEqual(explainingNoise(whole, share));
     }
   });
@@ -100,7 +106,7 @@ describe('the noise that explains the success of players', () => {
     const [{ holds, name }] = level.runs;
     const record = playedBy(level, 'fast');
     const plays = noisy(holds, 80, 20, 1).map((own) => record(own));
-    const statistics = statisticsOf(level, plays, { reference: { holds, name } });
+    const statistics = statisticsOf(level, DEFAULT_TERMS, plays, { reference: { holds, name } });
     const { noise, edges } = compareWithModel(compile(level, 'fast'), holds, statistics, ANY, { samples: 20, maxTicks: 60 });
     expect(noise).toMatchObject({ ms: 0, high: 0 });
     expect(edges.some(({ share }) => share === 1)).toBe(true);
@@ -153,6 +159,7 @@ describe('clusters', () => {
         for (let i = 0; i < 3; i++) failures.push(failure(0, 40 * i, -500, 7));
         const { clusters } = collectStatistics(
           level,
+          DEFAULT_TERMS,
           failures.map((own, play) => ({ ...own, play })),
         );
         expect(clusters.map(({ count, cause }) => [count, cause.index]).sort()).toEqual(
@@ -174,6 +181,7 @@ describe('clusters', () => {
     const found = (...failures: Attempt[]) =>
       collectStatistics(
         level,
+        DEFAULT_TERMS,
         failures.map((own, play) => ({ ...own, play })),
       ).clusters.map(({ count }) => count);
     expect(found(...here(3, 0, 0), ...here(3, 0, 1))).toEqual([]);
@@ -183,7 +191,7 @@ describe('clusters', () => {
   });
 
   it('and causes are of one object each', () => {
-    const { causes } = collectStatistics(level, [failure(0, 0, 0, 1), failure(1, 0, 0, 2), failure(2, 0, 0, 2)]);
+    const { causes } = collectStatistics(level, DEFAULT_TERMS, [failure(0, 0, 0, 1), failure(1, 0, 0, 2), failure(2, 0, 0, 2)]);
     expect(causes).toMatchObject([
       { cause: { kind: 'nova', index: 2 }, count: 2 },
       { cause: { kind: 'nova', index: 1 }, count: 1 },
@@ -192,14 +200,14 @@ describe('clusters', () => {
 
   it('have a middle and a spread', () => {
     const cross = [failure(0, 103, 50, 0), failure(1, 97, 50, 0), failure(2, 100, 53, 0), failure(3, 100, 47, 0)];
-    expect(collectStatistics(level, cross).clusters).toMatchObject([{ x: 100, y: 50, spread: 3, share: 1 }]);
+    expect(collectStatistics(level, DEFAULT_TERMS, cross).clusters).toMatchObject([{ x: 100, y: 50, spread: 3, share: 1 }]);
   });
 
   it('a failure more changes only the cluster that it is in, and shares', () => {
     const some = [0, 1, 2, 3, 4, 5].map((i) => failure(i, 10 * i, 0, 0));
     const other = [6, 7, 8, 9].map((i) => failure(i, 900 + i, 0, 1));
-    const before = collectStatistics(level, [...some, ...other]).clusters;
-    const after = collectStatistics(level, [...some, ...other, failure(10, 905, 1, 1)]).clusters;
+    const before = collectStatistics(level, DEFAULT_TERMS, [...some, ...other]).clusters;
+    const after = collectStatistics(level, DEFAULT_TERMS, [...some, ...other, failure(10, 905, 1, 1)]).clusters;
     expect(before.map(({ count }) => count)).toEqual([6, 4]);
     expect(after.map(({ count }) => count)).toEqual([6, 5]);
     expect({ ...after[0], share: 0 }).toEqual({ ...before[0], share: 0 });
@@ -214,7 +222,7 @@ describe('presses and releases', () => {
     };
     const attempts = [own([103, 198], true, 0), own([105, 200], true, 1), own([90], false, 2), own([110, 230], false, 3)];
     const reference = { holds: [[100, 200]], name: null } as const;
-    const { edges } = collectStatistics(shippedLevel('07-nova-lane'), attempts, { reference });
+    const { edges } = collectStatistics(shippedLevel('07-nova-lane'), DEFAULT_TERMS, attempts, { reference });
     expect(edges).toMatchObject([
       { type: 'start', hold: 0, tick: 0, reached: 4, failed: 0, share: 0, succeeding: null, failing: null },
       {
@@ -269,7 +277,7 @@ describe('shares', () => {
     const attempts = (successes: number, all: number) =>
       Array.from({ length: all }, (_, i) => ({ ...failure(i, 0, 0, 0), ...(i < successes ? { cause: null } : {}) }));
     for (const [successes, all, low, high] of published) {
-      const own = collectStatistics(shippedLevel('07-nova-lane'), attempts(successes, all));
+      const own = collectStatistics(shippedLevel('07-nova-lane'), DEFAULT_TERMS, attempts(successes, all));
       expect([own.low.toFixed(4), own.high.toFixed(4)]).toEqual([low.toFixed(4), high.toFixed(4)]);
     }
   });
@@ -279,9 +287,14 @@ describe('shares', () => {
     const outcomes = ['0x', '0o', '1o', '1x', '1o', '2x', '2x', '2x', '?o'];
     const attempts = outcomes.map((text, i) => ({ ...failure(i, 0, 0, 0), ...(text[1] === 'o' ? { cause: null } : {}) }));
     const by = outcomes.map((text, i) => (text[0] === '?' ? null : { player: text[0], order: i }));
-    const { byAttempt, players, playersWhoSucceed } = collectStatistics(shippedLevel('07-nova-lane'), attempts.toReversed(), {
-      by,
-    });
+    const { byAttempt, players, playersWhoSucceed } = collectStatistics(
+      shippedLevel('07-nova-lane'),
+      DEFAULT_TERMS,
+      attempts.toReversed(),
+      {
+        by,
+      },
+    );
     expect(byAttempt.map(({ attempts: all, successes, first }) => [all, successes, first])).toEqual([
       [3, 1, 1],
       [3, 1, 1],

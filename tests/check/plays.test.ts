@@ -4,6 +4,7 @@ import { alignEdges } from '../../check/plays/alignment.ts';
 import { dbscan, type Point } from '../../check/plays/dbscan.ts';
 import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
 import { Tally } from '../../check/plays/quartiles.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
@@ -127,7 +128,7 @@ describe('statisticsOf', () => {
   const some = noisy(RUN.holds, 250, 120, 1).map((holds) => play(holds));
 
   it('counts what happened, and every play once', () => {
-    const result = statisticsOf(SWING, some);
+    const result = statisticsOf(SWING, DEFAULT_TERMS, some);
     const completed = some.filter(({ claim }) => claim.outcome === 'completed').length;
     expect(result).toMatchObject({ attempts: 120, successes: completed, players: 1, playersWhoSucceed: 1, refused: [] });
     const failures = 120 - completed;
@@ -160,7 +161,7 @@ describe('statisticsOf', () => {
     if (!rest.ok) throw new Error('not a valid level');
     const record = playedBy(rest.level);
     const plays = [record([]), record([], 30), record([], 90), record([], 0), record([[9, 600]]), record([[0, 600]])];
-    const found = statisticsOf(rest.level, plays);
+    const found = statisticsOf(rest.level, DEFAULT_TERMS, plays);
     expect(found).toMatchObject({ attempts: 6, successes: 2, minerals: [0, 2, 0], refused: [] });
     expect(found.causes).toEqual([
       { cause: { kind: 'left', index: null }, count: 3, share: 0.75 },
@@ -174,14 +175,14 @@ describe('statisticsOf', () => {
     expect(found.reference?.name).toBe('own');
     // one way, however often the button is pressed
     expect(
-      statisticsOf(rest.level, [
+      statisticsOf(rest.level, DEFAULT_TERMS, [
         record([
           [0, 3],
           [6, 600],
         ]),
       ]).routes.map(({ asteroids }) => asteroids),
     ).toEqual([[0]]);
-    const demanding = (minerals: number) => statisticsOf(rest.level, plays, { goal: { minerals } });
+    const demanding = (minerals: number) => statisticsOf(rest.level, DEFAULT_TERMS, plays, { goal: { minerals } });
     expect(demanding(1).successes).toBe(2);
     expect(demanding(2).causes.map(({ cause, count }) => [cause.kind, count])).toEqual([
       ['left', 3],
@@ -196,7 +197,7 @@ describe('statisticsOf', () => {
     );
     if (!inside.ok) throw new Error('not a valid level');
     const record = playedBy(inside.level);
-    const { all, refused } = statisticsOf(inside.level, [record([], 0), record([])]);
+    const { all, refused } = statisticsOf(inside.level, DEFAULT_TERMS, [record([], 0), record([])]);
     expect(refused).toEqual([]);
     expect(all.map(({ outcome }) => outcome)).toEqual(['left', 'completed']);
   });
@@ -211,7 +212,7 @@ describe('statisticsOf', () => {
       { ...own, level: '0'.repeat(64) },
       { ...own, engine: '0'.repeat(16) },
     ];
-    const result = statisticsOf(SWING, [...lies, own]);
+    const result = statisticsOf(SWING, DEFAULT_TERMS, [...lies, own]);
     expect(result.attempts).toBe(1);
     expect(result.refused.map(({ play: index, verdict }) => [index, verdict])).toEqual([
       [0, 'claim-differs'],
@@ -230,11 +231,12 @@ describe('statisticsOf', () => {
       clusters: clusters.map(({ plays, ...cluster }) => cluster),
       routes: routes.map(({ play: quickest, ...route }) => route),
     });
-    const once = bare(statisticsOf(SWING, some, { by }));
+    const once = bare(statisticsOf(SWING, DEFAULT_TERMS, some, { by }));
     fc.assert(
       fc.property(fc.shuffledSubarray([...some.keys()], { minLength: some.length }), (order) => {
         const shuffled = statisticsOf(
           SWING,
+          DEFAULT_TERMS,
           order.map((i) => some[i]),
           { by: order.map((i) => by[i]) },
         );
@@ -245,7 +247,7 @@ describe('statisticsOf', () => {
   });
 
   it('has nothing to say without plays', () => {
-    expect(statisticsOf(SWING, [])).toMatchObject({
+    expect(statisticsOf(SWING, DEFAULT_TERMS, [])).toMatchObject({
       attempts: 0,
       share: 0,
       low: 0,
@@ -258,7 +260,7 @@ describe('statisticsOf', () => {
 
   it('a player who never presses fails at the start', () => {
     const none: readonly Hold[] = [];
-    const { edges } = statisticsOf(SWING, [play(none), play(none, 30)]);
+    const { edges } = statisticsOf(SWING, DEFAULT_TERMS, [play(none), play(none, 30)]);
     expect(edges[0]).toMatchObject({ type: 'start', reached: 2, failed: 2, share: 1 });
     const [[press, release]] = RUN.holds;
     expect(edges.map(({ type, hold, tick }) => [type, hold, tick])).toEqual([

@@ -16,16 +16,18 @@ import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped } from './levels.ts';
 
 const SETTINGS: Required<CheckSettings> = {
-  accuracy: { name: 'rk4 60 Hz, frame', integrator: 'rk4', rate: 60, tolerance: null, contact: 'frame' },
-  maxTime: 20,
+  terms: {
+    accuracy: { name: 'rk4 60 Hz, frame', integrator: 'rk4', rate: 60, tolerance: null, contact: 'frame' },
+    maxTime: 20,
+    maxWork: 100_000,
+    rules: Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])),
+  },
   inFull: true,
   forLock: true,
   proveMinerals: true,
   search: { limits: { budget: null, effort: 2000 }, seed: 1 },
   softlocks: 20_000,
   requireSlack: 1,
-  maxWork: 100_000,
-  rules: Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])),
 };
 
 const noRun = fallThrough({ runs: [] });
@@ -80,14 +82,13 @@ const PLAIN: CheckSettings = {
   forLock: false,
   search: null,
   requireSlack: null,
-  rules: {},
-  maxWork: DEFAULT_MAX_WORK,
+  terms: { ...SETTINGS.terms, maxWork: DEFAULT_MAX_WORK, rules: {} },
 };
 
 describe('a report from the cache', () => {
   it.each([
     ['plain', PLAIN],
-    ['with everything', { ...SETTINGS, rules: {} }],
+    ['with everything', { ...SETTINGS, terms: { ...SETTINGS.terms, rules: {} } }],
   ])('is the one without a cache, and the one that was kept to the last digit: %s', async (_, settings) => {
     const folder = newFolder();
     const without = await check(settings, null);
@@ -176,7 +177,11 @@ describe('a report from the cache', () => {
   it('of a search that the clock has ended is not kept', async () => {
     const keeps = async (name: string, limits: { budget: number | null; effort: number | null }) => {
       const [folder, file] = [newFolder(), join(directory, name)];
-      const settings: CheckSettings = { ...PLAIN, accuracy: accuracyOf(SETTINGS.accuracy), search: { limits, seed: 0 } };
+      const settings: CheckSettings = {
+        ...PLAIN,
+        terms: { ...PLAIN.terms, accuracy: accuracyOf(SETTINGS.terms.accuracy) },
+        search: { limits, seed: 0 },
+      };
       await check(settings, folder, [file]);
       return opened(folder, settings)!.recall([file]).has(file);
     };

@@ -165,7 +165,7 @@ describe('gq diff in a repository', () => {
     expect(await diff()).toMatchObject({ code: 2, stderr: expect.stringContaining('gq.config.json:1:') });
     run(root, 'commit', '-qam', 'broken');
     const broken = await diff('HEAD~', 'HEAD');
-    expect(broken.stderr).toContain('warning: gq.config.json in HEAD is not valid, and its rules are left out: line 1:');
+    expect(broken.stderr).toContain('warning: gq.config.json in HEAD is not valid, and is left out: line 1:');
     run(root, 'reset', '-q', '--hard', 'HEAD~2');
   });
 

@@ -5,12 +5,12 @@ import { afterAll, expect, it } from 'vitest';
 import { checkLevel } from '../../cli/check/check-level.ts';
 import { checkJson } from '../../cli/reporters/json.ts';
 import { checkPretty } from '../../cli/reporters/pretty.ts';
-import { ACCURACIES } from '../../engine/index.ts';
+import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';
 import { checkReportSchema } from '../../schema/index.ts';
 import { fallThrough, makeFiles } from './gq.ts';
 import { CONTEXT, resultsOf } from './reporters/context.ts';
 
-const SETTINGS = { maxTime: 60, inFull: true, proveMinerals: true, search: null, requireSlack: null } as const;
+const SETTINGS = { terms: DEFAULT_TERMS, inFull: true, proveMinerals: true, search: null, requireSlack: null } as const;
 
 const base = fallThrough({
   recoil: true,
@@ -73,7 +73,7 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
     fc.assert(
       fc.property(fc.array(mutation, { minLength: 1, maxLength: 3 }), (mutations) => {
         writeFileSync(file, mutations.reduce(mutate, base));
-        const checked = checkLevel(file, { ...SETTINGS, accuracy });
+        const checked = checkLevel(file, { ...SETTINGS, terms: { ...SETTINGS.terms, accuracy } });
         expect(checked.verdict).not.toBe('crashed');
         seen.add(checked.verdict);
         // a number that is not finite becomes null in JSON, which the schema refuses
@@ -92,7 +92,7 @@ it('any bytes get a verdict', () => {
   fc.assert(
     fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
       writeFileSync(file, bytes);
-      expect(checkLevel(file, { ...SETTINGS, accuracy: ACCURACIES.precise }).verdict).toBe('invalid');
+      expect(checkLevel(file, SETTINGS).verdict).toBe('invalid');
     }),
     { numRuns: 200 },
   );

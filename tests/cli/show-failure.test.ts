@@ -10,6 +10,7 @@ import { gq, MAIN } from './gq.ts';
 const level = (changes: Partial<CheckedLevel>): CheckedLevel => ({
   file: 'levels/07.level.json',
   name: 'Slingshot',
+  terms: { accuracy: 'precise', maxTime: 60, maxWork: 400_000, rules: {} },
   verdict: 'broken',
   run: { name: 'solution', outcome: 'collided', time: 6.88, tick: 412, minerals: [], clearance: null },
   found: null,

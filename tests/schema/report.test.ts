@@ -31,13 +31,16 @@ const run: RunReport = {
   hash: '9f3c2a',
 };
 
+const terms = { accuracy: 'precise', maxTime: 120, maxWork: 400_000, rules: { pull: 42 } };
+
 const report: CheckReport = {
   version: 1,
   levels: [
-    { file: 'a.level.json', name: 'A', verdict: 'broken', run, problems: [], failure: null, ms: 1.5 },
+    { file: 'a.level.json', name: 'A', terms, verdict: 'broken', run, problems: [], failure: null, ms: 1.5 },
     {
       file: 'b.level.json',
       name: 'b.level.json',
+      terms,
       verdict: 'invalid',
       run: null,
       problems: [{ code: 'empty-file', severity: 'error', message: 'the file is empty', line: 1, column: 1, pointer: '' }],
@@ -92,6 +95,7 @@ const leastRun = {
   samples: [Array(6).fill(-7)],
   hash: '',
 };
+const leastTerms = { accuracy: '', maxTime: 0, maxWork: 1, rules: {} };
 const found = { holds: [[-7, -7]], time: 0, tick: 0, minerals: [0] };
 const solution = {
   ...{ level: '', accuracy: '', found: false, holds: null, outcome: null, time: 0, tick: 0, minerals: [{ index: 0, time: 0 }] },
@@ -135,6 +139,7 @@ const problem = { code: '', severity: 'error', message: '', line: 1, column: 1, 
 const checked = {
   file: '',
   name: '',
+  terms: leastTerms,
   verdict: 'invalid',
   run: leastRun,
   problems: [problem],
@@ -162,11 +167,11 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
   ['a run', runReportSchema, leastRun],
   ['check', checkReportSchema, { ...version, levels: [checked], summary: { invalid: 0 }, ...early }],
   ['robustness', robustnessReportSchema, robustness],
-  ['solve', solveReportSchema, { ...version, ...solution, solutions: [solution] }],
+  ['solve', solveReportSchema, { ...version, terms: leastTerms, ...solution, solutions: [solution] }],
   [
     'difficulty',
     difficultyReportSchema,
-    { ...version, levels: [{ file: '', name: '', problems: [problem], measured, why: null }] },
+    { ...version, levels: [{ file: '', name: '', terms: leastTerms, problems: [problem], measured, why: null }] },
   ],
   [
     'generate',
@@ -175,6 +180,7 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
       ...version,
       asked: 1,
       levels: [generated],
+      terms: leastTerms,
       rejected: 0,
       reasons: { noRun: 0 },
       variety: { mean: 0, closest: { distance: 0, seeds: [-2, -1] } },

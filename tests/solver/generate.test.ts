@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, createSimulation, findWarnings, playScript, simulate } from '../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_TERMS, findWarnings, playScript, simulate } from '../../engine/index.ts';
 import {
   type Circle,
   DEFAULT_RULES,
@@ -183,6 +183,13 @@ describe('a generator', () => {
     expect(formatLevel(generate(PLAIN, 50_000).level)).toBe(formatLevel(generated(PLAIN).level));
     const texts = WISHES.map(({ digest: _, ...options }) => formatLevel(generated(options).level));
     expect(new Set(texts).size).toBe(texts.length);
+  });
+
+  it('keeps no level whose runs do not hold under the asked terms', () => {
+    const generator = createGenerator({ ...PLAIN, terms: { ...DEFAULT_TERMS, maxTime: 1 } });
+    while (generator.effort.rejected.outOfTerms === 0 && generator.effort.ticks < MOST) generator.advance(5_000_000);
+    expect(generator.effort.rejected.outOfTerms).toBe(1);
+    expect(generator.result).toBeNull();
   });
 
   it('refuses impossible options', () => {

@@ -1,7 +1,8 @@
 import process from 'node:process';
 import type { Command } from 'commander';
+import { playRuns, withinWork } from '../../../check/index.ts';
 import { termsReport } from '../../../check/words/index.ts';
-import { compile, simulate, type Work } from '../../../engine/index.ts';
+import { compile, type Work, WorkBudget } from '../../../engine/index.ts';
 import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
@@ -25,7 +26,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addHelpText(
       'after',
       `
-Work and modes are those of the level's first run.
+Work and modes are those of the level's first run, as far as --max-work lets it go.
 
 Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 
@@ -42,7 +43,9 @@ function inspect(file: string, options: InspectOptions): CommandResult {
   if (!('level' in opened)) return opened;
   const { level } = opened;
   const scene = compile(level, terms);
-  const runs = level.runs.map((script) => simulate(scene, script.holds));
+  const budget = new WorkBudget(terms.maxWork);
+  const runs = playRuns(scene, budget);
+  const played = runs.filter(({ stopped }) => stopped === null);
   const inspection: Inspection = {
     file,
     level: level.name,
@@ -51,7 +54,7 @@ function inspect(file: string, options: InspectOptions): CommandResult {
     counts: countObjects(level),
     modes: runs[0]?.modes ?? [],
     work: runs[0]?.work ?? NO_WORK,
-    problems: warningsOf(opened, runs, terms),
+    problems: withinWork(budget, () => warningsOf(opened, played, terms)) ?? warningsOf(opened, [], terms),
   };
   const output =
     options.format === 'json'

@@ -1,6 +1,7 @@
 import type { CheckedLevel } from '../../../cli/check/checked-level.ts';
 import { totalsOf } from '../../../cli/check/index.ts';
 import { PLAIN } from '../../../cli/colors.ts';
+import { DEFAULT_TERMS } from '../../../engine/index.ts';
 import type { ReportContext, Results } from '../../../cli/reporters/reporter.ts';
 import type { ShownProblem } from '../../../cli/shown-problem.ts';
 
@@ -9,7 +10,7 @@ export const CONTEXT: ReportContext = {
   colors: PLAIN,
   width: null,
   version: '1.2.3',
-  accuracy: 'precise',
+  terms: DEFAULT_TERMS,
   exitCode: 1,
   linkTo: null,
   places: { directory: '/project', workspaces: [], root: '/project' },
@@ -29,6 +30,7 @@ export const resultsOf = (levels: readonly CheckedLevel[], rest: Partial<Results
 export const checkedLevel = (changes: Partial<CheckedLevel> = {}): CheckedLevel => ({
   file: 'levels/a.level.json',
   name: 'A',
+  terms: { accuracy: 'precise', maxTime: 60, maxWork: 400_000, rules: {} },
   verdict: 'completable',
   run: { name: 'solution', outcome: 'completed', time: 2, tick: 120, minerals: [], clearance: null },
   found: null,
