@@ -7,36 +7,14 @@ import { JOBS } from '../../editor/workers/jobs/index.ts';
 import type { Start } from '../../editor/workers/work.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate, type Terms } from '../../engine/index.ts';
 import { formatLevel, type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
-
-/** She swings past a nova: at `precise` just clear of it, at `arcade` into it; with a stronger gun, or little work, not to the end. */
-const SWING: LevelFile = {
-  version: 1,
-  name: 'Graze',
-  astronaut: { x: 0, y: 0, vx: 70 },
-  blackHole: { x: 330, y: -40, radius: 50 },
-  range: 380,
-  asteroids: [{ id: 'a1', x: 160, y: -70, radius: 18 }],
-  novae: [{ id: 'n1', x: 130, y: 13.75, radius: 9 }],
-  runs: [{ name: 'run', holds: [[0, 140]] }],
-};
-
-/** She drifts into the black hole, which takes 84 s: the gun pulls at nothing, since the only asteroid is hot. */
-const DRIFT: LevelFile = {
-  version: 1,
-  name: 'Slow',
-  astronaut: { x: 0, y: 0, vx: 2 },
-  blackHole: { x: 220, y: 0, radius: 40 },
-  range: 400,
-  asteroids: [{ id: 'a1', x: 100, y: -160, radius: 16, hot: true }],
-  runs: [{ name: 'run', holds: [[1, 3]] }],
-};
+import { GRAZE, SLOW } from './terms-levels.ts';
 
 /** The terms of a test, and the level whose answer they change. */
 const TERMS = {
-  accuracy: { file: SWING, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, accuracy: ACCURACIES.arcade } },
-  maxTime: { file: DRIFT, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, maxTime: 120 } },
-  maxWork: { file: SWING, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, maxWork: 3 } },
-  rules: { file: SWING, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, rules: { pull: 60 } } },
+  accuracy: { file: GRAZE, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, accuracy: ACCURACIES.arcade } },
+  maxTime: { file: SLOW, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, maxTime: 120 } },
+  maxWork: { file: GRAZE, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, maxWork: 3 } },
+  rules: { file: GRAZE, usual: DEFAULT_TERMS, other: { ...DEFAULT_TERMS, rules: { pull: 60 } } },
 } satisfies Readonly<Record<keyof Terms, { readonly file: LevelFile; readonly usual: Terms; readonly other: Terms }>>;
 
 const levelOf = (file: LevelFile, terms: Terms) => resolveLevel(file, terms.rules);
@@ -226,8 +204,8 @@ const finders = (Object.keys(JOBS) as JobKind[]).flatMap((kind) => (TABLE[kind].
 it.each(finders)('%s finds runs that take as long under the terms it is asked under', (kind) => {
   const asked = TABLE[kind] as Asked<JobKind>;
   for (const terms of [DEFAULT_TERMS, { ...DEFAULT_TERMS, accuracy: ACCURACIES.fast }]) {
-    const level = levelOf(SWING, terms);
-    const runs = asked.found?.(answer(kind, asked, SWING, terms) as never) ?? [];
+    const level = levelOf(GRAZE, terms);
+    const runs = asked.found?.(answer(kind, asked, GRAZE, terms) as never) ?? [];
     expect(runs).not.toEqual([]);
     for (const { holds, time } of runs) {
       expect(simulate(compile(level, terms), holds)).toMatchObject({ outcome: 'completed', time });
@@ -248,7 +226,6 @@ it('proofs hold under the terms they are asked under', () => {
     [DEFAULT_TERMS, ...others].map((terms) => proveGoalImpossible(compile(levelOf(trap, terms), terms), ANY)),
   );
   expect(proved.map((proof) => proof === null)).toEqual([false, true, false]);
-  expect(proved[2]).not.toEqual(proved[0]);
 });
 
 it('asks every kind of job', () => {
