@@ -71,7 +71,16 @@ describe('gq accuracy', () => {
     const measured = measureWorkPrecision(SWING, holds, { maxTime: 1, now: () => readings++, budget: 50 });
     const cheapest = cheapestGoodEnough(measured.methods);
     const terms = { accuracy: 'precise', maxTime: 1, maxWork: 400_000, rules: {} };
-    const report = { file: 'swing.level.json', terms, level: SWING.name, run: 'run "swing"', holds, measured, cheapest, asked: null };
+    const report = {
+      file: 'swing.level.json',
+      terms,
+      level: SWING.name,
+      run: 'run "swing"',
+      holds,
+      measured,
+      cheapest,
+      asked: null,
+    };
     const text = accuracyPretty(report, PLAIN);
     expect(text).toContain('Swing, run "swing": timeout at 1.000000 s');
     expect(text).toContain('taylor 1e-9 px = precise');

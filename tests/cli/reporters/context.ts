@@ -1,9 +1,9 @@
 import type { CheckedLevel } from '../../../cli/check/checked-level.ts';
 import { totalsOf } from '../../../cli/check/index.ts';
 import { PLAIN } from '../../../cli/colors.ts';
-import { DEFAULT_TERMS } from '../../../engine/index.ts';
 import type { ReportContext, Results } from '../../../cli/reporters/reporter.ts';
 import type { ShownProblem } from '../../../cli/shown-problem.ts';
+import { DEFAULT_TERMS } from '../../../engine/index.ts';
 
 /** What reporters are given where a test does not care. */
 export const CONTEXT: ReportContext = {
