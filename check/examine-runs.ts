@@ -8,10 +8,11 @@ import { withinWork } from './within-work.ts';
  * Simulates all runs of a level.
  * @param scene the compiled level
  * @param budget limits the work of all runs together; a run that exceeds it is stopped
- * @returns the simulated runs in the order of the level's list; only the first has a recording
+ * @param runs instead of those that the scene was compiled with
+ * @returns the simulated runs in the order of the list; only the first has a recording
  */
-export const playRuns = (scene: Scene, budget: WorkBudget): Run[] =>
-  scene.level.runs.map(({ holds }, index) => simulate(scene, holds, { budget, record: index === 0 }));
+export const playRuns = (scene: Scene, budget: WorkBudget, runs: Level['runs'] = scene.level.runs): Run[] =>
+  runs.map(({ holds }, index) => simulate(scene, holds, { budget, record: index === 0 }));
 
 /** How the runs were simulated, and what examining them may cost. */
 export interface ExamineOptions {

@@ -4,6 +4,7 @@
  *
  * @module
  */
+export { type Brief, brief, briefInSteps } from './brief.ts';
 export { ticksToAgree } from './certified-ticks.ts';
 export { type ExamineOptions, examineRuns, playRuns } from './examine-runs.ts';
 export {

@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { ACCURACY_NAMES } from './config.ts';
 import { VERDICTS } from './report.ts';
 import { rulesSchema } from './rules-schema.ts';
 
@@ -111,16 +112,19 @@ export const packOnDiskSchema = z.strictObject({
 export type PackOnDisk = z.infer<typeof packOnDiskSchema>;
 
 /**
- * The zod schema of the folder's rules, which apply to levels without their own: `rules` of the `gq.config.json` that `gq
- * check` would use, too.
+ * The zod schema of the terms under which `gq check` judges the levels of the folder: those of the `gq.config.json` that it would
+ * use, and the defaults for what that leaves out.
  */
-export const folderRulesSchema = z.strictObject({
+export const folderTermsSchema = z.strictObject({
   file: z.string().nullable().describe('The configuration, as a person names it; null: there is none.'),
-  own: rulesSchema.describe("Those that are not the game's own."),
-  problems: z.array(problem).describe('Why the configuration is not valid: `own` is then what it set when it was.'),
+  accuracy: z.enum(ACCURACY_NAMES).describe('How exactly levels are simulated.'),
+  maxTime: z.number().positive().describe('The longest a run may last, s of simulated time.'),
+  maxWork: z.int().min(1).describe('The work that one level may cost, pieces of motion.'),
+  rules: rulesSchema.describe("The rules of levels without their own: those that are not the game's."),
+  problems: z.array(problem).describe('Why the configuration is not valid: the terms are then those of when it was.'),
 });
-/** The folder's rules, which apply to levels without their own. */
-export type FolderRules = z.infer<typeof folderRulesSchema>;
+/** The terms under which `gq check` judges the levels of the folder. */
+export type FolderTerms = z.infer<typeof folderTermsSchema>;
 
 /** The zod schema of the response to `GET LEVELS`. */
 export const listResponseSchema = z.strictObject({
@@ -136,7 +140,7 @@ export const listResponseSchema = z.strictObject({
     .array(levelEntrySchema)
     .describe('By path, numbers by their value: the order of play, where no pack.json says another one.'),
   pack: packOnDiskSchema.optional().describe('The pack.json of the folder; left out if there is none.'),
-  rules: folderRulesSchema,
+  terms: folderTermsSchema,
   troubles: z.array(z.string()).describe('What is wrong with the folder as a whole, for people; mostly nothing.'),
   unread: z.int().min(0).describe('Levels that are still to come, as events `read`; 0: these are all.'),
 });
@@ -301,7 +305,7 @@ export const editEventSchema = z.discriminatedUnion('type', [
     .describe('More of a list that came without them, since they are many, or are only now read.'),
   z.strictObject({ type: z.literal('changed'), entry: levelEntrySchema, by }).describe('New, or with another content.'),
   z.strictObject({ type: z.literal('removed'), id, by }),
-  z.strictObject({ type: z.literal('rules'), rules: folderRulesSchema }).describe('The configuration has changed.'),
+  z.strictObject({ type: z.literal('terms'), terms: folderTermsSchema }).describe('The configuration has changed.'),
   z.strictObject({ type: z.literal('renamed'), from: id, entry: levelEntrySchema, by }),
   z
     .strictObject({ type: z.literal('pack'), pack: packOnDiskSchema.nullable(), by })

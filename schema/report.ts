@@ -172,6 +172,7 @@ const impossible = z.strictObject({
 const solution = z.strictObject({
   level: z.string(),
   accuracy: z.string(),
+  terms,
   found: z.boolean(),
   holds: runReportSchema.shape.holds.nullable().describe('null: no run was found'),
   outcome: runReportSchema.shape.outcome.nullable(),
@@ -190,7 +191,6 @@ const solution = z.strictObject({
 /** The zod schema of what `gq solve` prints as JSON: the best run, and with `--count` the others. */
 export const solveReportSchema = z.strictObject({
   version,
-  terms,
   ...solution.shape,
   solutions: z.array(solution).optional().describe('With --count above 1: all of them, best first.'),
 });

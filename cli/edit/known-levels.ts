@@ -1,14 +1,14 @@
 import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
-import type { EditEvent, FolderRules, LevelEntry, ListResponse, PackOnDisk } from '../../schema/index.ts';
+import type { EditEvent, FolderTerms, LevelEntry, ListResponse, PackOnDisk } from '../../schema/index.ts';
 import { systemReason } from '../failure.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { changesBetween } from './changes.ts';
 import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';
 import { readPackOnDisk } from './pack-on-disk.ts';
 import type { EntryReader } from './read-entry.ts';
-import { NO_CONFIG, type RulesOnDisk } from './rules-on-disk.ts';
 import { SortedEntries } from './sorted-entries.ts';
+import { NO_CONFIG, type TermsOnDisk } from './terms-on-disk.ts';
 
 /** The state of a folder as reported to all listeners, kept up to date with the disk. */
 export interface KnownLevels {
@@ -19,8 +19,8 @@ export interface KnownLevels {
    * of the folder, the list so far
    */
   refresh(): Promise<ListResponse>;
-  /** Reads the configuration again and announces the rules if they have changed. */
-  refreshRules(): void;
+  /** Reads the configuration again and announces the terms if they have changed. */
+  refreshTerms(): void;
   /** Reads `pack.json` again and announces it if it has changed. @param by the client that changed it; null: another program */
   refreshPack(by: string | null): void;
   /** Reads only these files again and announces their changes. @param by the client that made them; null: another program */
@@ -48,14 +48,14 @@ const FEW = 20;
 /**
  * Reads a folder and follows its changes.
  * @param shown the folder as the user named it
- * @param rulesNow reads the rules of the folder's configuration; by default there are none
+ * @param termsNow reads the terms of the folder's configuration; by default there is none
  */
 export const createKnownLevels = (
   root: string,
   shown: string,
   reader: EntryReader,
-  rulesNow: RulesOnDisk = () => NO_CONFIG,
-): KnownLevels => new FolderReports(root, shown, reader, rulesNow);
+  termsNow: TermsOnDisk = () => NO_CONFIG,
+): KnownLevels => new FolderReports(root, shown, reader, termsNow);
 
 class FolderReports implements KnownLevels {
   private readonly listeners = new Set<(event: EditEvent) => void>();
@@ -63,7 +63,7 @@ class FolderReports implements KnownLevels {
   private readonly folder: ListResponse['folder'];
   private readonly levels: SortedEntries;
   private folders: readonly string[];
-  private rules: FolderRules;
+  private terms: FolderTerms;
   private pack: PackOnDisk | null;
   /** The folders that could not be read the last time. */
   private lookTroubles: readonly string[];
@@ -80,14 +80,14 @@ class FolderReports implements KnownLevels {
     private readonly root: string,
     private readonly shown: string,
     private readonly reader: EntryReader,
-    private readonly rulesNow: RulesOnDisk,
+    private readonly termsNow: TermsOnDisk,
   ) {
     const id = createHash('sha256').update(root).digest('hex').slice(0, 16);
     this.folder = { id, path: shown, $schema: schemaReference(root) };
     const { files: found, folders, troubles } = findLevels(root);
     const files = [...found.values()];
     this.folders = folders;
-    this.rules = rulesNow();
+    this.terms = termsNow();
     this.pack = readPackOnDisk(root, shown);
     this.lookTroubles = troubles;
     this.levels = new SortedEntries(files.slice(0, READ_AT_ONCE).map((file) => reader.entry(file)));
@@ -99,13 +99,13 @@ class FolderReports implements KnownLevels {
   }
 
   list(): ListResponse {
-    const { folder, folders, levels, pack, rules, troubles, lookTroubles, unread } = this;
+    const { folder, folders, levels, pack, terms, troubles, lookTroubles, unread } = this;
     return {
       folder,
       folders: [...folders],
       levels: [...levels.all],
       ...(pack !== null && { pack }),
-      rules,
+      terms,
       troubles: [...troubles, ...lookTroubles],
       unread,
     };
@@ -113,7 +113,7 @@ class FolderReports implements KnownLevels {
 
   // a call during a refresh gets the next refresh, which begins after the call
   async refresh(): Promise<ListResponse> {
-    this.refreshRules();
+    this.refreshTerms();
     this.refreshPack(null);
     this.next ??= this.current.then(() => {
       this.next = null;
@@ -126,11 +126,11 @@ class FolderReports implements KnownLevels {
     return this.list();
   }
 
-  refreshRules(): void {
-    const rules = this.rulesNow();
-    if (JSON.stringify(rules) === JSON.stringify(this.rules)) return;
-    this.rules = rules;
-    this.report({ type: 'rules', rules });
+  refreshTerms(): void {
+    const terms = this.termsNow();
+    if (JSON.stringify(terms) === JSON.stringify(this.terms)) return;
+    this.terms = terms;
+    this.report({ type: 'terms', terms });
   }
 
   refreshPack(by: string | null): void {

@@ -30,7 +30,7 @@ import {
   unknownLevel,
 } from './refusals.ts';
 import { namesInOrder } from './reorder.ts';
-import type { RulesOnDisk } from './rules-on-disk.ts';
+import type { TermsOnDisk } from './terms-on-disk.ts';
 import { findTrash, moveToTrash } from './trash.ts';
 
 /**
@@ -64,10 +64,10 @@ const ABANDONED_AFTER = 60_000;
 /**
  * @param root the folder's real path
  * @param shown the folder as the user named it
- * @param rulesNow reads the rules of the folder's configuration; by default there are none
+ * @param termsNow reads the terms of the folder's configuration; by default there is none
  */
-export const openLevelFolder = (root: string, shown: string, rulesNow?: RulesOnDisk): LevelFolder =>
-  new FolderOnDisk(root, shown, rulesNow);
+export const openLevelFolder = (root: string, shown: string, termsNow?: TermsOnDisk): LevelFolder =>
+  new FolderOnDisk(root, shown, termsNow);
 
 class FolderOnDisk implements LevelFolder {
   readonly known: KnownLevels;
@@ -77,10 +77,10 @@ class FolderOnDisk implements LevelFolder {
   constructor(
     private readonly root: string,
     private readonly shown: string,
-    rulesNow?: RulesOnDisk,
+    termsNow?: TermsOnDisk,
   ) {
     this.reader = createEntryReader((id) => this.nameOf(id));
-    this.known = createKnownLevels(root, shown, this.reader, rulesNow);
+    this.known = createKnownLevels(root, shown, this.reader, termsNow);
     this.collect();
     // once more later, for files that were too young now; the process does not wait for this timer
     this.again = setTimeout(() => this.collect(), 2 * ABANDONED_AFTER).unref();

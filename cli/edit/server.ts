@@ -16,7 +16,7 @@ import { keepPort, lastPort } from './last-port.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { readPage } from './page-files.ts';
 import { createPublish } from './publish.ts';
-import { rulesOnDisk } from './rules-on-disk.ts';
+import { termsOnDisk } from './terms-on-disk.ts';
 import { watchFolder } from './watch.ts';
 import { watchConfig } from './watch-config.ts';
 
@@ -69,7 +69,7 @@ export async function startServer({
 }: EditServerOptions): Promise<EditServer> {
   const root = realFolder(folder);
   const files = readPage(page);
-  const levels = openLevelFolder(root, folder, rulesOnDisk(configFrom, config));
+  const levels = openLevelFolder(root, folder, termsOnDisk(configFrom, config));
   const { id } = levels.known.list().folder;
   // `--port 0` has a memory of its own: it reuses the last port that was chosen for `--port 0`
   const memory = port === 0 ? `${id}-any` : id;

@@ -7,7 +7,7 @@ import type { KnownLevels } from './known-levels.ts';
 const PATIENCE = 60;
 
 /**
- * Reads the rules of the configuration again when it may have changed: it may appear or vanish in any folder of the search. A
+ * Reads the terms of the configuration again when it may have changed: it may appear or vanish in any folder of the search. A
  * change that goes unnoticed shows at the next load of the list.
  * @param folder the search for the configuration starts here and goes upwards
  * @param config a file to watch instead, or false for none
@@ -15,7 +15,7 @@ const PATIENCE = 60;
  */
 export function watchConfig(
   folder: string,
-  known: Pick<KnownLevels, 'refreshRules'>,
+  known: Pick<KnownLevels, 'refreshTerms'>,
   config?: ConfigOptions['config'],
 ): () => void {
   if (config === false) return () => {};
@@ -24,7 +24,7 @@ export function watchConfig(
   let timer: NodeJS.Timeout | null = null;
   const look = (): void => {
     timer = null;
-    known.refreshRules();
+    known.refreshTerms();
   };
   const watchers = (isNamed ? [dirname(config)] : configFolders(folder)).flatMap((at): FSWatcher[] => {
     try {

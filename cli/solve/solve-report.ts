@@ -8,10 +8,12 @@ import type { Solved, SolvedRun } from './solve-level.ts';
 /** The results of `solve` as JSON has them. */
 export function solveReport({ level, terms, seed, count }: SolveSettings, solved: Solved): SolveReport {
   const { runs, closest, impossible } = solved;
+  const under = termsReport({ terms, level });
   const effort = { ...solved.effort, seconds: solved.seconds, seed };
   const toReport = (found: SolvedRun | undefined): SolutionReport => ({
     level: level.name,
     accuracy: terms.accuracy.name,
+    terms: under,
     found: found !== undefined,
     holds: found === undefined ? null : holdsOf(found),
     outcome: found?.run.outcome ?? null,
@@ -27,7 +29,7 @@ export function solveReport({ level, terms, seed, count }: SolveSettings, solved
         : { code: impossible.code, reason: impossible.reason, certificate: jsonOf(impossible.certificate) },
     hash: found?.run.hash ?? null,
   });
-  const report: SolveReport = { version: 1, terms: termsReport({ terms, level }), ...toReport(runs[0]) };
+  const report: SolveReport = { version: 1, ...toReport(runs[0]) };
   if (count > 1) report.solutions = runs.map(toReport);
   return report;
 }

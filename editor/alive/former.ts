@@ -29,10 +29,10 @@ export function formerOf(proof: LiveProof): Former | null {
 }
 
 /** The runs of a level besides one that complete it. @param proof says how it is simulated */
-export function othersOf(file: LevelFile, shown: string | null, { rules, accuracy }: LiveProof): Former[] {
+export function othersOf(file: LevelFile, shown: string | null, { terms }: LiveProof): Former[] {
   const others = (file.runs ?? []).filter(({ name }) => name !== shown);
   if (others.length === 0) return [];
-  const scene = compile(resolveLevel(file, rules), accuracy);
+  const scene = compile(resolveLevel(file, terms.rules), terms);
   return others.flatMap(({ name, holds }) => {
     const joined = joinHolds(holds);
     const end = replayed(scene, joined);

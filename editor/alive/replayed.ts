@@ -1,4 +1,4 @@
-import { createSimulation, DEFAULT_MAX_TICKS, playScript, type Scene, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
+import { createSimulation, maxTicksOf, playScript, type Scene, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { MOST_WORK } from '../proof/index.ts';
 
@@ -17,7 +17,7 @@ export interface Completion {
 export function replayed(scene: Scene, holds: readonly Hold[]): Completion | null {
   try {
     const simulation = createSimulation(scene, new WorkBudget(MOST_WORK));
-    playScript(simulation, holds, DEFAULT_MAX_TICKS);
+    playScript(simulation, holds, maxTicksOf(scene.terms));
     const { ending } = simulation;
     if (ending?.outcome !== 'completed') return null;
     const minerals = Array.from({ length: scene.minerals.count }, (_, i) => i).filter((i) => simulation.isCollected(i));

@@ -43,9 +43,9 @@ export function createHoldSeeker(proof: ProofStore, workers: Pick<Workers, 'star
       job?.cancel();
       const now = proof.proof();
       about = now;
-      const { level, accuracy } = now;
+      const { level, terms } = now;
       const minerals = indicesOf(now.file, former.minerals);
-      const request = { level, accuracy, holds: former.holds, minerals, warm, within: WITHIN, formerEnd: former.tick };
+      const request = { level, terms, holds: former.holds, minerals, warm, within: WITHIN, formerEnd: former.tick };
       const mine = workers.start('retime', { ...request, effort, certifies }, (found) => {
         if (job === mine) hear({ ...found, about: now, isLast: false });
       });

@@ -1,9 +1,9 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { type AccuracyName, DEFAULT_ACCURACY } from '../../engine/index.ts';
+import type { AccuracyName } from '../../engine/index.ts';
 import { rendererOf } from '../canvas/index.ts';
 import { keyLabel } from '../commands/index.ts';
-import { IS_MAC, useEditor, useSession } from '../context/index.ts';
+import { IS_MAC, useEditor, usePageTerms, useSession } from '../context/index.ts';
 import type { Settings } from '../settings/index.ts';
 import { Button, Dialog, NumberField } from '../ui/index.ts';
 
@@ -13,6 +13,9 @@ const ACCURACY_HINTS: Readonly<Record<AccuracyName, string>> = {
   standard: 'standard: Runge-Kutta, 60 Hz',
   precise: 'precise: to a billionth of a px',
 };
+
+/** The choice of no accuracy but that of the folder. */
+const AS_CHECKED = 'as checked';
 
 interface ChoiceProps<T extends string> {
   readonly label: string;
@@ -87,6 +90,7 @@ export function SettingsDialog() {
   const { session, settings: store } = useEditor();
   const open = useSession((state) => state.overlay === 'settings');
   const settings = useStore(store);
+  const { folder } = usePageTerms();
   const [listening, setListening] = useState(false);
   const set = (change: Partial<Settings>) => store.setState(change);
   return (
@@ -120,11 +124,12 @@ export function SettingsDialog() {
         <RendererSetting />
         <Choice
           label="Accuracy"
-          value={settings.accuracy}
-          options={Object.entries(ACCURACY_HINTS).map(
-            ([name, hint]) => [name as AccuracyName, name === DEFAULT_ACCURACY ? `${hint} (default)` : hint] as const,
-          )}
-          onChange={(accuracy) => set({ accuracy })}
+          value={settings.otherAccuracy ?? AS_CHECKED}
+          options={[
+            [AS_CHECKED, `as gq check here: ${folder.accuracy.name}`],
+            ...Object.entries(ACCURACY_HINTS).map(([name, hint]) => [name as AccuracyName, hint] as const),
+          ]}
+          onChange={(name) => set({ otherAccuracy: name === AS_CHECKED ? null : name })}
         />
         <div className="setting">
           <NumberField label="Grid" value={settings.grid} min={1} max={256} whole unit="px" onChange={(grid) => set({ grid })} />

@@ -1,10 +1,11 @@
 import { useStore } from 'zustand';
-import { useDocument, useEditor, useProof, useSession } from '../context/index.ts';
+import { useDocument, useEditor, usePageTerms, useProof, useSession } from '../context/index.ts';
 import { objectsOf } from '../document/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
 import { useThrottledProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
 import { endInWords, type LiveProof } from '../proof/index.ts';
+import { AccuracySign } from './AccuracySign.tsx';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
@@ -21,7 +22,7 @@ export function StatusBar() {
   const objects = useDocument(({ file }) => objectsOf(file).size);
   const zoom = useSession((state) => state.zoom);
   const grid = useStore(settings, (state) => (state.snapToGrid ? `grid ${state.grid}` : 'grid off'));
-  const accuracy = useProof((proof) => proof.accuracy);
+  const { shown, folder } = usePageTerms();
   const problems = useProblemCount();
   const ends = useProof(endInWords);
   return (
@@ -30,9 +31,10 @@ export function StatusBar() {
       <span>{problems === 0 ? 'no problems' : plural(problems, 'problem')}</span>
       <span>{grid}</span>
       <span>{Math.round(zoom * 100)} %</span>
-      <span>
-        {accuracy}: <ProofTime /> ms
+      <span title={`gq check judges this folder at ${folder.accuracy.name}`}>
+        {shown.accuracy.name}: <ProofTime /> ms
       </span>
+      <AccuracySign />
       <OtherAccuracy />
       <span>{ends}</span>
     </footer>

@@ -2,11 +2,13 @@ import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../check/index.ts';
 import { VERDICT_MEANS } from '../../check/words/index.ts';
-import { useDocument, useLevel, useProof } from '../context/index.ts';
+import { useDocument, useLevel, usePageTerms, useProof } from '../context/index.ts';
 import { plural } from '../panels/figures/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
 import { endInWords } from '../proof/index.ts';
+import { isOtherAccuracy, termsInWords } from '../terms/index.ts';
 import { Hint } from '../ui/index.ts';
+import { AccuracySign } from './AccuracySign.tsx';
 
 const LOOKS = {
   completable: { Icon: CircleCheck, text: 'completable' },
@@ -52,7 +54,9 @@ const provenInWords = (run: string | null): string =>
 const meaningOf = (verdict: Exclude<LevelVerdict, 'completable'>, reason: string | null): string =>
   reason === null ? VERDICT_MEANS[verdict] : `${VERDICT_MEANS[verdict]}: ${reason}`;
 
-/** The verdict that `gq check` would give for what is on the screen, live. */
+/**
+ * The verdict that `gq check` would give for what is on the screen, live. At another accuracy than that of the folder, it says so.
+ */
 export function VerdictBadge() {
   const { verdict, reason, limit } = useVerdict(useLevel());
   const provenBy = useProof((proof) => proof.provenBy);
@@ -61,18 +65,21 @@ export function VerdictBadge() {
   const shown = useProof((proof) => proof.run.name);
   const ends = useProof(endInWords);
   const isUndecided = useDocument(({ file }) => (file.conflicts ?? []).length > 0);
+  const terms = usePageTerms();
+  const under = isOtherAccuracy(terms) ? `, ${termsInWords(terms)}` : '';
   const { Icon, text } = isUndecided ? UNDECIDED : LOOKS[verdict];
   const why = isUndecided
     ? 'A merge left conflicts in it'
     : (limit ?? (verdict === 'completable' ? provenInWords(provenBy) : meaningOf(verdict, reason)));
   return (
     <>
-      <Hint text={`${why}. Shown: ${shown === null ? 'no run, she drifts' : `"${shown}"`}, ${ends}`}>
-        <output className={`badge badge--${isUndecided ? 'broken' : verdict}`} aria-label={`Verdict: ${text}`}>
+      <Hint text={`${why}${under}. Shown: ${shown === null ? 'no run, she drifts' : `"${shown}"`}, ${ends}`}>
+        <output className={`badge badge--${isUndecided ? 'broken' : verdict}`} aria-label={`Verdict: ${text}${under}`}>
           <Icon size={15} aria-hidden />
           {text}
         </output>
       </Hint>
+      <AccuracySign isShort />
       <Slack />
       {minerals > 0 && (
         <output className="topbar__forgives numbers" aria-label={`Minerals taken: ${taken} of ${minerals}`}>

@@ -9,7 +9,6 @@ import {
   createOpeningMarks,
   createWorkspace,
   errorInWords,
-  folderRulesIn,
   type LevelStorage,
   type Link,
   type OpenedLevel,
@@ -25,6 +24,7 @@ import { attemptGhosts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
 import { createSettings } from '../settings/index.ts';
+import { createPageTerms } from '../terms/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
 
@@ -39,11 +39,10 @@ function pageStorage(name: 'localStorage' | 'sessionStorage'): Storage | null {
 
 /** Makes everything that belongs to an open level. @returns the level and the function that closes it */
 function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; close: () => void } {
-  const { session, settings } = editor;
+  const { session, settings, terms } = editor;
   const document = opened.level;
   const selection = createSelection(document);
-  const proof = createProofStore(document, settings.getState().accuracy, {
-    rules: folderRulesIn(editor.workspace.store.getState()).own,
+  const proof = createProofStore(document, terms.getState().shown, {
     checked: !editor.unchecked.has(opened.id()),
     afterRest,
   });
@@ -52,14 +51,9 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   const stops = [
     session.subscribe((now, before) => {
       if (now.run !== before.run) proof.showRun(now.run);
-      if (now.accuracy !== before.accuracy) proof.setAccuracy(now.accuracy);
     }),
-    settings.subscribe(({ accuracy }) => {
-      if (accuracy !== session.getState().accuracy) session.setState({ accuracy });
-    }),
-    editor.workspace.store.subscribe((now, before) => {
-      const { own } = folderRulesIn(now);
-      if (own !== folderRulesIn(before).own) proof.setFolderRules(own);
+    terms.subscribe((now, before) => {
+      if (now.shown !== before.shown) proof.setTerms(now.shown);
     }),
     attempts.store.subscribe((all) => {
       const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
@@ -75,7 +69,6 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     lookAt: null,
     renaming: null,
     openNote: null,
-    accuracy: settings.getState().accuracy,
   });
   const level: OpenLevel = {
     opened,
@@ -193,7 +186,8 @@ export async function createEditor(): Promise<Editor> {
   });
   const editor: Editor = {
     settings,
-    session: createSession(settings.getState().accuracy),
+    terms: createPageTerms(workspace, settings),
+    session: createSession(),
     commands: createCommands(),
     notices,
     workspace,

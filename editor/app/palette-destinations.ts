@@ -2,7 +2,7 @@ import { RULES } from '../../schema/index.ts';
 import { comparedOf, compareOrTell, isCompared } from '../compare/index.ts';
 import type { Editor } from '../context/index.ts';
 import { nameOf, titled } from '../document/index.ts';
-import { folderRulesIn } from '../files/index.ts';
+import { folderTermsIn } from '../files/index.ts';
 import { ruleLabel, ruleValues } from '../panels/inspector/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { objectRows } from '../panels/outliner/index.ts';
@@ -52,7 +52,7 @@ function levels(editor: Editor): Destination[] {
 function rules(editor: Editor): Destination[] {
   const file = editor.open.getState()?.document.file();
   if (file === undefined) return [];
-  return ruleValues(file, folderRulesIn(editor.workspace.store.getState())).map(({ name, value }) => ({
+  return ruleValues(file, folderTermsIn(editor.workspace.store.getState())).map(({ name, value }) => ({
     key: `rule ${name}`,
     group: 'Rule',
     title: titled(ruleLabel(name)),

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { type AccuracyName, joinHolds, type Scene } from '../../engine/index.ts';
+import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import { keptWith } from '../kept/index.ts';
@@ -22,7 +22,6 @@ export interface ComparedRun {
 /** What is known of a run in one scene. */
 export interface Trajectory {
   readonly scene: Scene;
-  readonly accuracy: AccuracyName;
   /** Its effective holds, joined by commas. */
   readonly holds: string;
   /** null: the simulation was given up */
@@ -66,15 +65,8 @@ export const chosenOf = ({ runs, chosen }: Comparing): ComparedRun | null =>
   runs.find(({ source }) => sourceKey(source) === chosen) ?? runs[0] ?? null;
 
 /** Whether a trajectory is that of the level as it is now. */
-export const isFresh = (
-  trajectory: Trajectory | undefined,
-  now: Pick<LiveProof, 'scene' | 'accuracy'>,
-  holds: readonly Hold[],
-): boolean =>
-  trajectory !== undefined &&
-  trajectory.scene === now.scene &&
-  trajectory.accuracy === now.accuracy &&
-  trajectory.holds === holds.join();
+export const isFresh = (trajectory: Trajectory | undefined, now: Pick<LiveProof, 'scene'>, holds: readonly Hold[]): boolean =>
+  trajectory !== undefined && trajectory.scene === now.scene && trajectory.holds === holds.join();
 
 export const isCompared = ({ runs }: Comparing, source: Source): boolean =>
   runs.some((one) => sourceKey(one.source) === sourceKey(source));

@@ -49,8 +49,8 @@ export function raceOf({ session, settings }: Pick<Editor, 'session' | 'settings
   const all = (): readonly Racer[] => {
     const comparing = store.getState();
     if (comparing.runs.length === 0) return NOBODY;
-    const { scene, accuracy } = level.proof.proof();
-    const parts = [scene, accuracy, level.document.file().runs, level.attempts.store.getState()];
+    const { scene } = level.proof.proof();
+    const parts = [scene, level.document.file().runs, level.attempts.store.getState()];
     if (made?.comparing !== comparing || parts.some((part, i) => part !== made?.parts[i])) {
       made = { comparing, parts, racers: racersOf(comparing, level) };
     }

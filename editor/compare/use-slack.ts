@@ -23,8 +23,8 @@ export function useSlack(holds: readonly Hold[] | null): readonly EdgeSlack[] | 
     if (holds === null || key === null) return;
     let cancel = () => {};
     const forget = afterRest(SETTLE, () => {
-      const { level, accuracy } = proof.proof();
-      const job = workers.start('slack', { level: { ...level, runs: [] }, accuracy, holds, goal: { minerals: 'any' } });
+      const { level, terms } = proof.proof();
+      const job = workers.start('slack', { level: { ...level, runs: [] }, terms, holds, goal: { minerals: 'any' } });
       cancel = job.cancel;
       void job.end.then((end) => {
         if (end.kind === 'done') setKnown({ of: key, scene, slack: end.result });

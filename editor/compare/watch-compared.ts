@@ -96,16 +96,16 @@ export function watchCompared({ level, workers, after }: WatchParts): () => void
     if (wanted === null) return;
     const key = sourceKey(wanted.source);
     asked.set(key, ++requests);
-    const { scene, accuracy } = now;
+    const { scene, terms } = now;
     const { holds } = wanted;
-    const mine = workers.start('trajectory', { level: { ...now.level, runs: [] }, accuracy, holds });
+    const mine = workers.start('trajectory', { level: { ...now.level, runs: [] }, terms, holds });
     running = mine;
     void mine.end.then((end) => {
       if (running !== mine) return;
       running = null;
       if (end.kind === 'cancelled') return;
       const found = end.kind === 'done' ? end.result : null;
-      const trajectories = new Map(store.getState().trajectories).set(key, { scene, accuracy, holds: holds.join(), found });
+      const trajectories = new Map(store.getState().trajectories).set(key, { scene, holds: holds.join(), found });
       store.setState({ trajectories });
       look();
     });

@@ -1,10 +1,11 @@
 import { createContext, useContext } from 'react';
 import { useStore } from 'zustand';
-import type { FolderRules } from '../../schema/index.ts';
+import type { FolderTerms } from '../../schema/index.ts';
 import type { DocumentState, ObjectKey } from '../document/index.ts';
-import { folderRulesIn } from '../files/index.ts';
+import { folderTermsIn } from '../files/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import type { Session } from '../session/index.ts';
+import type { PageTerms } from '../terms/index.ts';
 import type { Editor, OpenLevel } from './editor.ts';
 
 export const EditorContext = createContext<Editor | null>(null);
@@ -29,8 +30,11 @@ export function useSession<T>(pick: (session: Session) => T): T {
   return useStore(useEditor().session, pick);
 }
 
-/** The rules of the folder's configuration; re-renders when they change. */
-export const useFolderRules = (): FolderRules => useStore(useEditor().workspace.store, folderRulesIn);
+/** Under which terms levels are judged and shown; re-renders when they change. */
+export const usePageTerms = (): PageTerms => useStore(useEditor().terms);
+
+/** What the folder's configuration sets; re-renders when it changes. */
+export const useFolderTerms = (): FolderTerms => useStore(useEditor().workspace.store, folderTermsIn);
 
 /** Part of the document; re-renders when it changes. */
 export function useDocument<T>(pick: (state: DocumentState) => T): T {

@@ -9,6 +9,7 @@ import type { Notices } from '../notices/index.ts';
 import type { ProofStore } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
+import type { TermsStore } from '../terms/index.ts';
 import type { VersionKeeper } from '../versions/index.ts';
 import type { Workers } from '../workers/index.ts';
 import type { Ghost } from './ghost.ts';
@@ -53,6 +54,8 @@ export interface OpenLevel {
 /** Everything that a part of the editor may use. One per page. */
 export interface Editor {
   readonly settings: SettingsStore;
+  /** Under which terms levels are judged and shown. */
+  readonly terms: TermsStore;
   readonly session: SessionStore;
   readonly commands: Commands;
   readonly notices: Notices;

@@ -1,7 +1,7 @@
 import { Braces, Copy, FileImage, Image } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { formatLevel, leavingFolder } from '../../schema/index.ts';
-import { useDocument, useEditor, useFolderRules, useLevel, usePageTheme } from '../context/index.ts';
+import { useDocument, useEditor, useFolderTerms, useLevel, usePageTheme } from '../context/index.ts';
 import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from '../share/index.ts';
 import { Button, NumberField } from '../ui/index.ts';
 
@@ -13,9 +13,9 @@ export function ExportTab() {
   const { notices } = useEditor();
   const { opened, proof } = useLevel();
   const open = useDocument((state) => state.file);
-  const rules = useFolderRules();
+  const folder = useFolderTerms();
   const [withRules, setWithRules] = useState(true);
-  const whole = useMemo(() => leavingFolder(open, rules.own), [open, rules.own]);
+  const whole = useMemo(() => leavingFolder(open, folder.rules), [open, folder.rules]);
   const file = withRules ? whole : open;
   const shown = usePageTheme();
   const [theme, setTheme] = useState(shown);
@@ -45,7 +45,7 @@ export function ExportTab() {
         {whole !== open && (
           <label className="share__check">
             <input type="checkbox" checked={withRules} onChange={(event) => setWithRules(event.target.checked)} />
-            include the rules of {rules.file}, so that it plays the same elsewhere
+            include the rules of {folder.file}, so that it plays the same elsewhere
           </label>
         )}
         <div className="share__buttons">

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { enteringFolder, formatLevel, type LevelFile } from '../../schema/index.ts';
-import { useEditor, useFolderRules, usePageTheme } from '../context/index.ts';
+import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../context/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
@@ -29,14 +29,14 @@ export function LinkDialog() {
 
 /** A picture and the verdict of the level, made by a worker so that a costly level does not block the page. */
 function usePicture(text: string): { readonly url: string | null; readonly words: string } {
-  const { workers, settings } = useEditor();
+  const { workers } = useEditor();
   const theme = usePageTheme();
-  const accuracy = useStore(settings, (state) => state.accuracy);
+  const { folder: terms } = usePageTerms();
   const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'checking…' });
   useEffect(() => {
     let url: string | null = null;
     // Rules of a folder do not apply to a level from a link.
-    const job = workers.start('thumbnail', { text, rules: {}, accuracy, width: WIDTH, theme });
+    const job = workers.start('thumbnail', { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
     void job.end.then((end) => {
       if (end.kind === 'cancelled') return;
       if (end.kind !== 'done') {
@@ -50,7 +50,7 @@ function usePicture(text: string): { readonly url: string | null; readonly words
       job.cancel();
       if (url !== null) URL.revokeObjectURL(url);
     };
-  }, [workers, text, accuracy, theme]);
+  }, [workers, text, terms, theme]);
   return shown;
 }
 
@@ -59,16 +59,16 @@ function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: 
   const text = useMemo(() => formatLevel(file), [file]);
   const { counts, size, warnings } = useMemo(() => surveyLink(file, text), [file, text]);
   const { url, words } = usePicture(text);
-  const rules = useFolderRules();
+  const folder = useFolderTerms();
   const [busy, setBusy] = useState(false);
   const add = async () => {
     setBusy(true);
-    const kept = enteringFolder(file, rules.own);
+    const kept = enteringFolder(file, folder.rules);
     const added = await addLevels(editor, '', [{ stem: slugOf(file.name), file: kept }]);
     setBusy(false);
     if (added.length === 0) return;
     onClose();
-    const ruled = kept === file ? '' : ` It keeps its own rules instead of those of ${rules.file}.`;
+    const ruled = kept === file ? '' : ` It keeps its own rules instead of those of ${folder.file}.`;
     editor.notices.show('info', `"${file.name}" was added from the link.${ruled}`, { topic: 'link' });
   };
   return (

@@ -2,7 +2,7 @@ import { Copy } from 'lucide-react';
 import { useEffect, useId, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { leavingFolder } from '../../schema/index.ts';
-import { useDocument, useEditor, useFolderRules } from '../context/index.ts';
+import { useDocument, useEditor, useFolderTerms } from '../context/index.ts';
 import { copyText, type Linking, linkTo, playPageOf } from '../share/index.ts';
 import { Button } from '../ui/index.ts';
 
@@ -10,10 +10,10 @@ import { Button } from '../ui/index.ts';
 export function LinkTab() {
   const { notices, workspace, session, settings } = useEditor();
   const open = useDocument((state) => state.file);
-  const rules = useFolderRules();
+  const folder = useFolderTerms();
   const field = useId();
   const typed = useStore(settings, (state) => state.playPage);
-  const file = useMemo(() => leavingFolder(open, rules.own), [open, rules.own]);
+  const file = useMemo(() => leavingFolder(open, folder.rules), [open, folder.rules]);
   const [withRuns, setWithRuns] = useState(true);
   const [isPlayOnly, setPlayOnly] = useState(false);
   const [linking, setLinking] = useState<Linking | null>(null);
@@ -87,7 +87,7 @@ export function LinkTab() {
         {!isPlayOnly &&
           workspace.storage.kind === 'server' &&
           ' This editor runs on your machine only, so the link works only for you.'}
-        {file !== open && ` The link includes the rules of ${rules.file}, so that the level plays the same without that file.`}
+        {file !== open && ` The link includes the rules of ${folder.file}, so that the level plays the same without that file.`}
       </p>
       <label className="share__check">
         <input type="checkbox" checked={withRuns} onChange={(event) => setWithRuns(event.target.checked)} />

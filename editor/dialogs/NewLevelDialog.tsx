@@ -1,7 +1,7 @@
 import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useFolderRules, usePageTheme, useSession } from '../context/index.ts';
+import { useEditor, usePageTerms, usePageTheme, useSession } from '../context/index.ts';
 import { folderOf } from '../files/index.ts';
 import { addLevels, FileNameFields, fileNameProblem, nextNumber } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
@@ -117,15 +117,13 @@ interface TemplateCardProps {
 }
 
 function TemplateCard({ template, seed, checked, onPick }: TemplateCardProps) {
-  const { settings } = useEditor();
-  const accuracy = useStore(settings, (state) => state.accuracy);
   const theme = usePageTheme();
-  const rules = useFolderRules().own;
+  const { folder: terms } = usePageTerms();
   // Templates without randomness ignore the seed.
   const shownSeed = template.usesSeed ? seed : 0;
   const picture = useMemo(
-    () => levelPicture(template.make(template.title, shownSeed), { rules, accuracy, theme, width: 480 }),
-    [template, shownSeed, rules, accuracy, theme],
+    () => levelPicture(template.make(template.title, shownSeed), { terms, theme, width: 480 }),
+    [template, shownSeed, terms, theme],
   );
   return (
     <label className="newlevel__template">

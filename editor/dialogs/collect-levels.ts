@@ -1,6 +1,6 @@
 import { packedLevel } from '../../check/pack/index.ts';
-import type { AccuracyName } from '../../engine/index.ts';
-import type { LevelEntry, LevelFile, OwnRules, RefusedLevel } from '../../schema/index.ts';
+import type { Terms } from '../../engine/index.ts';
+import type { LevelEntry, LevelFile, RefusedLevel } from '../../schema/index.ts';
 import { errorInWords, type LevelStorage, readText } from '../files/index.ts';
 import type { Workers } from '../workers/index.ts';
 
@@ -13,8 +13,8 @@ export interface CollectedLevels {
 interface Collecting {
   readonly storage: LevelStorage;
   readonly workers: Workers;
-  readonly rules: OwnRules;
-  readonly accuracy: AccuracyName;
+  /** Those of the folder. */
+  readonly terms: Terms;
   readonly withRuns: boolean;
   /** Called with the number of levels that are done. */
   readonly onProgress: (done: number) => void;
@@ -34,7 +34,7 @@ const WORDS: Readonly<Record<RefusedLevel['verdict'], string>> = {
  * @throws (rejects) in words if one can't be read
  */
 export async function collectLevels(entries: readonly LevelEntry[], options: Collecting): Promise<CollectedLevels> {
-  const { storage, workers, rules, accuracy, withRuns, onProgress } = options;
+  const { storage, workers, terms, withRuns, onProgress } = options;
   const levels: { id: string; level: unknown }[] = [];
   const refused: RefusedLevel[] = [];
   for (const [i, { id, name }] of entries.entries()) {
@@ -50,10 +50,10 @@ export async function collectLevels(entries: readonly LevelEntry[], options: Col
       continue;
     }
     const looks = { width: 16, theme: 'dark' } as const;
-    const end = await workers.start('thumbnail', { text: answer.value.text, rules, accuracy, ...looks }).end;
+    const end = await workers.start('thumbnail', { text: answer.value.text, terms, ...looks }).end;
     const verdict = end.kind === 'done' ? end.result.verdict : 'unproven';
     if (verdict !== 'completable') refuse(verdict);
-    levels.push({ id, level: packedLevel(file, { rules, withRuns, found: null }) });
+    levels.push({ id, level: packedLevel(file, { rules: terms.rules, withRuns, found: null }) });
   }
   onProgress(entries.length);
   return { levels, refused };

@@ -2,8 +2,9 @@ import { chaptersOf } from '../../check/pack/index.ts';
 import { plural } from '../../check/words/index.ts';
 import { levelsOfPack, type RefusedLevel } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
-import { errorInWords, folderPackIn, folderRulesIn, problemInWords } from '../files/index.ts';
+import { errorInWords, folderPackIn, problemInWords } from '../files/index.ts';
 import { downloadFile, fetchGame, singlePage, slugOf } from '../share/index.ts';
+import { accuracyNameOf } from '../terms/index.ts';
 import { collectLevels } from './collect-levels.ts';
 
 /** What is published, and as what. */
@@ -60,7 +61,7 @@ async function intoFolder({ workspace }: Editor, { target, site, title, withRuns
 }
 
 async function asFile(editor: Editor, { target, title, withRuns, force, onProgress }: PublishWish): Promise<Published> {
-  const { workspace, workers, settings } = editor;
+  const { workspace, workers } = editor;
   const { list, opened } = workspace.store.getState();
   const pack = folderPackIn({ list });
   if (target === 'file' && (pack.kind === 'invalid' || pack.kind === 'unreadable'))
@@ -69,12 +70,11 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
   const listed = order === null ? null : new Set(levelsOfPack(order));
   const entries = (list?.levels ?? []).filter(({ id }) => (target === 'file' ? listed?.has(id) !== false : id === opened?.id()));
   if (entries.length === 0) throw new Error(order === null ? 'there is no level' : 'pack.json lists no level');
-  const { accuracy } = settings.getState();
+  const { folder: terms } = editor.terms.getState();
   const { levels, refused } = await collectLevels(entries, {
     storage: workspace.storage,
     workers,
-    rules: folderRulesIn(workspace.store.getState()).own,
-    accuracy,
+    terms,
     withRuns,
     onProgress: (checked) => onProgress(checked, entries.length),
   });
@@ -86,7 +86,9 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
     const chapter = chapters?.get(level.id);
     return chapter === undefined ? level : { ...level, chapter };
   });
-  const blob = new Blob([singlePage(game, { title, accuracy, levels: inChapters })], { type: 'text/html' });
+  const blob = new Blob([singlePage(game, { title, accuracy: accuracyNameOf(terms), maxTime: terms.maxTime, levels: inChapters })], {
+    type: 'text/html',
+  });
   const name = `${slugOf(title)}.html`;
   downloadFile({ name, blob });
   const message = `Downloaded ${name}: ${plural(levels.length, 'level')}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;

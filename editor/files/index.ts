@@ -2,7 +2,7 @@ export { allLevels } from './all-levels.ts';
 export { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 export { readStored, readText } from './disk-text.ts';
 export { type FolderPack, folderPackIn } from './folder-pack.ts';
-export { folderRulesIn } from './folder-rules.ts';
+export { folderTermsIn } from './folder-terms.ts';
 export { folderOf, idsIn } from './level-list.ts';
 export { type Answer, errorInWords, type LevelStorage, type Link, type StorageError } from './level-storage.ts';
 export type { OpenedLevel } from './open-level.ts';

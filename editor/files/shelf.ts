@@ -8,7 +8,7 @@ import {
   type TrashEntry,
 } from '../../schema/index.ts';
 import { readText } from './disk-text.ts';
-import { NO_FOLDER_RULES } from './folder-rules.ts';
+import { NO_FOLDER_TERMS } from './folder-terms.ts';
 import { type StorageError, storageError } from './level-storage.ts';
 
 /** A level, or the order of the levels, in the browser's storage. */
@@ -63,7 +63,7 @@ export const packOf = ({ pack }: Shelf): PackOnDisk | null =>
 export const listOf = (shelf: Shelf): ListResponse => ({
   folder: { id: 'this-browser', path: 'this browser', $schema: null },
   folders: [''],
-  rules: NO_FOLDER_RULES,
+  terms: NO_FOLDER_TERMS,
   levels: [...shelf.levels].map(([id, level]) => entryOf(id, level)),
   ...packed(shelf),
   troubles: [],

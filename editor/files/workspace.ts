@@ -11,7 +11,7 @@ import {
 import { createListeners } from '../document/index.ts';
 import type { Move } from '../versions/index.ts';
 import { folderPackIn, inOrderOfPack, withKeptPack } from './folder-pack.ts';
-import { withKeptRules } from './folder-rules.ts';
+import { withKeptTerms } from './folder-terms.ts';
 import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 import { type OpenedLevel, type Opening, openLevel, placeOf, type Remembered, type Surroundings } from './open-level.ts';
@@ -224,8 +224,8 @@ class StorageWorkspace implements Workspace {
         this.setLevels((levels) => levels.filter(({ id }) => id !== event.id));
         if (opened?.id() === event.id) opened.saver.refresh();
         break;
-      case 'rules':
-        if (list !== null) this.setList({ ...list, rules: event.rules });
+      case 'terms':
+        if (list !== null) this.setList({ ...list, terms: event.terms });
         break;
       case 'pack':
         this.setPack(event.pack);
@@ -256,7 +256,7 @@ class StorageWorkspace implements Workspace {
 
   private setList(list: ListResponse, more: Partial<WorkspaceState> = {}): void {
     const before = this.store.getState().list;
-    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptRules(list, before), before), this.former), ...more });
+    this.store.setState({ list: inOrderOfPack(withKeptPack(withKeptTerms(list, before), before), this.former), ...more });
   }
 
   private isWholeListed(): boolean {

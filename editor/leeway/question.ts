@@ -1,4 +1,4 @@
-import type { AccuracyName } from '../../engine/index.ts';
+import type { Terms } from '../../engine/index.ts';
 import { type Hold, KINDS, type Level, type LevelFile, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../document/index.ts';
 import type { LiveProof } from '../proof/index.ts';
@@ -15,7 +15,7 @@ export interface Seen {
 export interface Question {
   readonly file: LevelFile;
   readonly level: Level;
-  readonly accuracy: AccuracyName;
+  readonly terms: Terms;
   /** null: the level has no run, she drifts */
   readonly run: string | null;
   readonly holds: readonly Hold[];
@@ -36,7 +36,7 @@ export const objectsAsked = ({ file, keys }: Pick<Question, 'file' | 'keys'>): F
 
 /** Asks where the selection may stand; null if it is empty. */
 export function questionOf(
-  { file, level, accuracy, run }: LiveProof,
+  { file, level, terms, run }: LiveProof,
   keys: readonly ObjectKey[],
   { only, grid, seen }: Pick<Question, 'only' | 'grid' | 'seen'>,
 ): Question | null {
@@ -48,7 +48,7 @@ export function questionOf(
   return {
     file,
     level,
-    accuracy,
+    terms,
     run: run.name,
     holds: run.holds,
     keys,
@@ -102,7 +102,7 @@ const ROUNDING = 1e-6;
 
 /** Whether an answer to one question is one to the other. */
 export const asksSame = (one: Question, other: Question): boolean =>
-  one.accuracy === other.accuracy &&
+  one.terms === other.terms &&
   one.run === other.run &&
   one.grid === other.grid &&
   one.only === other.only &&

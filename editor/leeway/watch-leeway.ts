@@ -71,11 +71,11 @@ export function watchLeeway({ level, session, settings, workers, seen, afterRest
     job?.cancel();
     asked = now;
     held = null;
-    const { level: played, accuracy, holds, only, lead, grid: size, seen: region } = now;
+    const { level: played, terms, holds, only, lead, grid: size, seen: region } = now;
     const objects = objectsAsked(now).map(({ kind, index }) => ({ kind, index }));
     const mine = workers.start(
       'leeway',
-      { level: { ...played, runs: [] }, accuracy, holds, objects, only, lead, grid: size, seen: region },
+      { level: { ...played, runs: [] }, terms, holds, objects, only, lead, grid: size, seen: region },
       (leeway) => {
         if (job === mine) put(leeway);
       },

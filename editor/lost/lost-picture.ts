@@ -1,6 +1,7 @@
 import { STATE_SIZE } from '../../engine/index.ts';
 import type { Ghost } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
+import { accuracyNameOf } from '../terms/index.ts';
 import type { Loss, LostKnown, LostMoment } from '../workers/index.ts';
 import { type LostFindings, lossKey } from './lost-store.ts';
 import { type LostSquare, squaresOf } from './squares.ts';
@@ -49,10 +50,10 @@ export interface PathOf {
 /** What the canvas shows of what is lost. @param attempts whose paths are shown */
 export function lostPictureOf(
   { losing, losses }: Pick<LostFindings, 'losing' | 'losses'>,
-  { run, accuracy }: Pick<LiveProof, 'run' | 'accuracy'>,
+  { run, terms }: Pick<LiveProof, 'run' | 'terms'>,
   attempts: readonly PathOf[],
 ): LostPicture {
-  const own = run.outcome === 'completed' ? undefined : losses.get(lossKey(run.holds, accuracy));
+  const own = run.outcome === 'completed' ? undefined : losses.get(lossKey(run.holds, accuracyNameOf(terms)));
   const { states, count } = run.way;
   const along = (tick: number) => (tick < count ? ([states[tick * STATE_SIZE], states[tick * STATE_SIZE + 1]] as const) : null);
   const others = attempts.flatMap(({ key, points }) => {

@@ -1,10 +1,11 @@
-import { type AccuracyName, joinHolds, type Scene } from '../../engine/index.ts';
+import { type AccuracyName, joinHolds, type Scene, type Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import type { Attempt } from '../attempts/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import { isWhole } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import { hashNow, shelfOf } from '../shelf/index.ts';
+import { accuracyNameOf } from '../terms/index.ts';
 import type { Job, Losses, Workers } from '../workers/index.ts';
 import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
 
@@ -52,7 +53,7 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
   const store = lostOf(level);
   const shelf = shelfOf(level);
   let scene: Scene | null = null;
-  let accuracy: AccuracyName | null = null;
+  let terms: Terms | null = null;
   let states: Job<'lost'> | null = null;
   let runs: Job<'losses'> | null = null;
   /** The runs that are being examined. */
@@ -70,10 +71,11 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
     asked = '';
     settled.clear();
   };
+  const isOurs = (accuracy: AccuracyName): boolean => accuracy === terms?.accuracy.name;
   /** The attempts at the level as it is now, the latest first. */
   const ownAttempts = (): Attempt[] => {
     const now = hashNow(level);
-    const here = attempts.store.getState().filter(({ played, ...one }) => played.hash === now && one.accuracy === accuracy);
+    const here = attempts.store.getState().filter(({ played, ...one }) => played.hash === now && isOurs(one.accuracy));
     return here.reverse();
   };
   /** The level with runs that complete it, its own and attempts; null if there are none. */
@@ -92,7 +94,7 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
     const failed = ownAttempts().filter((one) => one.end !== null && !completed(one));
     const opened = plays.filter(
       ({ key, play, replayed }) =>
-        selected.has(key) && of?.hash === hashNow(level) && play.accuracy === accuracy && replayed?.outcome !== 'completed',
+        selected.has(key) && of?.hash === hashNow(level) && isOurs(play.accuracy) && replayed?.outcome !== 'completed',
     );
     const wanted = [
       ...(isWhole(known) && known.run.outcome !== 'completed' ? [known.run.holds] : []),
@@ -104,7 +106,8 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
     return [...once.values()].slice(0, MOST_RUNS);
   };
 
-  const examineRuns = (from: Level, name: AccuracyName) => {
+  const examineRuns = (from: Level, under: Terms) => {
+    const name = accuracyNameOf(under);
     const traced = failing().filter((holds) => !settled.has(lossKey(holds, name)));
     const key = traced.map((holds) => lossKey(holds, name)).join(';');
     if (key === asked) return;
@@ -117,7 +120,7 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
       for (const [i, loss] of losses.entries()) known.set(lossKey(traced[i], name), loss);
       store.setState({ losses: known });
     };
-    const mine = workers.start('losses', { level: from, accuracy: name, traced, effort: EFFORT_OF_RUNS }, (found) => {
+    const mine = workers.start('losses', { level: from, terms: under, traced, effort: EFFORT_OF_RUNS }, (found) => {
       if (runs === mine) show(found);
     });
     runs = mine;
@@ -127,9 +130,9 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
       for (const holds of traced) settled.add(lossKey(holds, name));
     });
   };
-  const examineStates = (from: Level, name: AccuracyName, effort: number) => {
+  const examineStates = (from: Level, under: Terms, effort: number) => {
     store.setState({ phase: 'examining', message: null, effort });
-    const mine = workers.start('lost', { level: from, accuracy: name, effort }, (losing) => {
+    const mine = workers.start('lost', { level: from, terms: under, effort }, (losing) => {
       if (states === mine) store.setState({ losing });
     });
     states = mine;
@@ -143,14 +146,14 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
 
   const begin = () => {
     const from = completable();
-    if (accuracy === null) return;
+    if (terms === null) return;
     if (from === null) {
       store.setState({ phase: 'needs a run' });
       return;
     }
-    examineRuns(from, accuracy);
+    examineRuns(from, terms);
     const { phase } = store.getState();
-    if (phase === 'waiting' || phase === 'needs a run') examineStates(from, accuracy, EFFORT);
+    if (phase === 'waiting' || phase === 'needs a run') examineStates(from, terms, EFFORT);
   };
   const look = () => {
     const isShown = session.getState().layers.lost;
@@ -162,10 +165,10 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
       return;
     }
     const now = proof.proof();
-    if (now.scene !== scene || now.accuracy !== accuracy) {
+    if (now.scene !== scene) {
       drop();
       scene = now.scene;
-      accuracy = now.accuracy;
+      terms = now.terms;
       store.setState({ phase: 'waiting', effort: 0, ...NOTHING_LOST }, true);
     }
     forget();
@@ -192,10 +195,10 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
     },
     goOn() {
       const from = completable();
-      if (from === null || accuracy === null) return;
+      if (from === null || terms === null) return;
       states?.cancel();
       const { effort, phase } = store.getState();
-      examineStates(from, accuracy, phase === 'stopped' ? effort : MORE * effort);
+      examineStates(from, terms, phase === 'stopped' ? effort : MORE * effort);
     },
     close() {
       for (const stop of stops) stop();

@@ -103,7 +103,7 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   };
   const remember = (now: LiveProof) => {
     proven.set(now.file, provenBy(now));
-    // by rules of the folder, or at another accuracy
+    // by other terms
     if (!preview.isShown() && now.verdict === 'completable' && broken !== null) clear();
   };
   const back = () => {
@@ -153,10 +153,10 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
       const { after, phase } = store.getState();
       if (broken === null || after === null || phase === 'seeking') return;
       back();
-      const { rules, accuracy } = proof.proof();
+      const { terms } = proof.proof();
       const newRun = freeRunName(after, FOUND);
       store.setState({ phase: 'seeking', mending: null });
-      const mine = workers.start('mend', { before: broken.start, after, rules, accuracy, run: broken.run, newRun }, (mending) => {
+      const mine = workers.start('mend', { before: broken.start, after, terms, run: broken.run, newRun }, (mending) => {
         if (job === mine) store.setState({ mending });
       });
       job = mine;

@@ -1,4 +1,4 @@
-import { type AccuracyName, type Box, STATE_SIZE } from '../../engine/index.ts';
+import { type Box, STATE_SIZE, type Terms } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { type LiveProof, playsAlike } from '../proof/index.ts';
 import { type Figures, figuresOf } from './figures.ts';
@@ -7,7 +7,8 @@ import { type Figures, figuresOf } from './figures.ts';
 export interface FormerRun {
   readonly file: LevelFile;
   readonly level: Level;
-  readonly accuracy: AccuracyName;
+  /** Under which it was played. */
+  readonly terms: Terms;
   /** The astronaut's collision box. */
   readonly her: Box;
   /** null: the level had no run, she drifted */
@@ -20,7 +21,7 @@ export interface FormerRun {
 
 /** Copies the shown run. */
 export function formerOf(proof: LiveProof): FormerRun {
-  const { file, level, accuracy, scene, run } = proof;
+  const { file, level, terms, scene, run } = proof;
   const { states, count, last } = run.way;
   const points = new Float32Array(2 * count + 2);
   for (let k = 0; k < count; k++) {
@@ -32,7 +33,7 @@ export function formerOf(proof: LiveProof): FormerRun {
   return {
     file,
     level,
-    accuracy,
+    terms,
     her: scene.box,
     name: run.name,
     holds: run.holds,
@@ -41,9 +42,9 @@ export function formerOf(proof: LiveProof): FormerRun {
   };
 }
 
-/** Whether it is the run that is shown now, at the same accuracy. */
-export const isShown = ({ name, accuracy }: FormerRun, now: Pick<LiveProof, 'run' | 'accuracy'>): boolean =>
-  name === now.run.name && accuracy === now.accuracy;
+/** Whether it is the run that is shown now, under the same terms. */
+export const isShown = ({ name, terms }: FormerRun, now: Pick<LiveProof, 'run' | 'terms'>): boolean =>
+  name === now.run.name && terms === now.terms;
 
 /** Whether nothing is different that the run depends on: only a name, say. */
 export const playsLike = (former: FormerRun, now: LiveProof): boolean =>

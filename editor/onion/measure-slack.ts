@@ -58,7 +58,7 @@ export function createFormerSlack(
       forget();
       asked = run;
       const goal = { minerals: withMinerals ? taken : ('any' as const) };
-      const mine = workers.start('slack', { level: { ...run.level, runs: [] }, accuracy: run.accuracy, holds: run.holds, goal });
+      const mine = workers.start('slack', { level: { ...run.level, runs: [] }, terms: run.terms, holds: run.holds, goal });
       job = mine;
       void mine.end.then((end) => {
         if (job !== mine) return;

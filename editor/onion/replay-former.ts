@@ -5,18 +5,17 @@ import { type FormerRun, formerOf, isShown } from './former.ts';
 const PATIENCE = 400;
 
 /**
- * The run that is shown now, as it was in a former level. It is played again if another run was shown then, or at another
- * accuracy.
+ * The run that is shown now, as it was in a former level. It is played again if another run was shown then, or under
+ * other terms.
  */
 export function replayFormer(former: FormerRun, now: LiveProof): FormerRun {
   if (isShown(former, now)) return former;
   const { file, level } = former;
   const proof = createProver().prove({
     file,
-    // those of the folder, too, where the level had none
-    rules: level.rules ?? {},
     run: now.run.name,
-    accuracy: now.accuracy,
+    // the level has the rules of the folder that applied then
+    terms: { ...now.terms, rules: level.rules ?? {} },
     patience: PATIENCE,
   });
   return formerOf(proof);

@@ -120,7 +120,7 @@ export function watchOnion({ level, session, workers, robustness, after }: Onion
     settled = formerOf(now);
     if (before === null) return;
     if (before.file === now.file) {
-      // a gesture was cancelled, another run is shown, or the rules or the accuracy are others
+      // a gesture was cancelled, another run is shown, or the terms are others
       const isSame = isShown(before, now) && before.level === now.level;
       if (before.level !== now.level) last = null;
       if (!isSame || store.getState().former?.file === now.file) hide();

@@ -26,7 +26,8 @@ export function ReplayView({ replay }: { readonly replay: Replay }) {
   isPlayingNow.current = isPlaying;
 
   useEffect(() => {
-    const playing = createReplay(level.proof.proof().level, replay);
+    const { level: played, terms } = level.proof.proof();
+    const playing = createReplay(played, terms, replay);
     player.current = playing;
     level.playtest.setState({ pose: () => playing.pose(), moment: () => playing.moment() }, true);
     host.current?.focus({ preventScroll: true });

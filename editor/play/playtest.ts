@@ -1,5 +1,5 @@
 import type { RunEnd } from '../../check/words/index.ts';
-import { DEFAULT_MAX_TIME, type Scene, TICK_RATE } from '../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import { createPlayer, type Player } from '../../game/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import type { Pose } from '../context/index.ts';
@@ -42,7 +42,7 @@ export function createPlaytest(scene: Scene, { from, onMineral, onEnd }: Playtes
   const track: number[] = [];
   const see = () => track.push(player.state[0], player.state[1]);
   const player: Player = createPlayer(scene, {
-    maxTime: DEFAULT_MAX_TIME,
+    maxTime: scene.terms.maxTime,
     maxFrame: LONGEST_FRAME,
     onTick: see,
     onEvent: ({ event }) => event.type === 'mineral' && onMineral?.(),
@@ -50,7 +50,7 @@ export function createPlaytest(scene: Scene, { from, onMineral, onEnd }: Playtes
   });
   see();
   // not at once, as the ticks before are seen, too
-  if (from !== null) player.restart({ from: { ...from, tick: Math.round(Math.min(DEFAULT_MAX_TIME * TICK_RATE, from.tick)) } });
+  if (from !== null) player.restart({ from: { ...from, tick: Math.round(Math.min(maxTicksOf(scene.terms), from.tick)) } });
   const shown = showPlayer(player);
   const playtest: Playtest = {
     player,

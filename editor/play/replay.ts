@@ -1,8 +1,9 @@
-import { compile, TICK_RATE } from '../../engine/index.ts';
+import { compile, type Terms, TICK_RATE } from '../../engine/index.ts';
 import { createPlayer } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Pose } from '../context/index.ts';
 import type { Replay } from '../session/index.ts';
+import { termsAt } from '../terms/index.ts';
 import { showPlayer } from './shown-player.ts';
 
 /** A replay in progress. */
@@ -20,9 +21,9 @@ export interface ReplayPlayer {
   moment(): number;
 }
 
-/** Replays holds in a level, at the accuracy that they were played at. */
-export function createReplay(level: Level, { holds, accuracy, tick: last }: Replay): ReplayPlayer {
-  const player = createPlayer(compile(level, accuracy), { replay: holds, maxTime: last / TICK_RATE });
+/** Replays holds in a level, at the accuracy that they were played at. @param terms the others under which it is played */
+export function createReplay(level: Level, terms: Terms, { holds, accuracy, tick: last }: Replay): ReplayPlayer {
+  const player = createPlayer(compile(level, termsAt(terms, accuracy)), { replay: holds, maxTime: last / TICK_RATE });
   const shown = showPlayer(player);
   return {
     get tick() {

@@ -1,8 +1,8 @@
 import { type RefObject, useCallback, useEffect, useRef, useState } from 'react';
 import { encodePlay, playOf } from '../../game/index.ts';
 import type { Attempt } from '../attempts/index.ts';
-import { type Editor, type OpenLevel, useEditor, useLevel, useSession } from '../context/index.ts';
-import { folderRulesIn } from '../files/index.ts';
+import { type OpenLevel, useEditor, useLevel, useSession } from '../context/index.ts';
+import { accuracyNameOf } from '../terms/index.ts';
 import { type PlayFrames, playFrames } from './play-frames.ts';
 import { createPlaytest, type Playtest } from './playtest.ts';
 
@@ -16,11 +16,10 @@ export interface Readout {
 const read = ({ player, minerals, speed }: Playtest): Readout => ({ tick: player.tick, minerals, speed });
 
 /** What is played: the level as it is now, the rules of its folder, and the accuracy. */
-const nowOf = ({ workspace }: Editor, { document, proof }: OpenLevel) => ({
-  file: document.file(),
-  rules: folderRulesIn(workspace.store.getState()).own,
-  accuracy: proof.proof().accuracy,
-});
+const nowOf = ({ document, proof }: OpenLevel) => {
+  const { terms } = proof.proof();
+  return { file: document.file(), rules: terms.rules, accuracy: accuracyNameOf(terms) };
+};
 
 interface PlaytestOnPage {
   readonly readout: Readout | null;
@@ -37,7 +36,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   const from = useSession((state) => state.playFrom);
   const play = useRef<Playtest | null>(null);
   const frames = useRef<PlayFrames | null>(null);
-  const begun = useRef(nowOf(editor, level));
+  const begun = useRef(nowOf(level));
   const [readout, setReadout] = useState<Readout | null>(null);
   const [attempt, setAttempt] = useState<Attempt | null>(null);
 
@@ -62,7 +61,7 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
 
   const start = useCallback(() => {
     abandon();
-    begun.current = nowOf(editor, level);
+    begun.current = nowOf(level);
     const { run, scene } = level.proof.proof();
     const { tick } = editor.session.getState();
     const playing = createPlaytest(scene, {

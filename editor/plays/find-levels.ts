@@ -1,7 +1,7 @@
 import { levelHash } from '../../game/index.ts';
 import { type LevelEntry, readLevel } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
-import { allLevels, folderRulesIn } from '../files/index.ts';
+import { allLevels, folderTermsIn } from '../files/index.ts';
 import { keptWith } from '../kept/index.ts';
 
 /** The hashes of levels that were read, by file, version and rules. */
@@ -9,7 +9,7 @@ const hashesOf = keptWith<Editor, Map<string, string | null>>(() => new Map());
 
 async function hashOf(editor: Editor, { id, etag }: LevelEntry): Promise<string | null> {
   const { storage, store } = editor.workspace;
-  const rules = folderRulesIn(store.getState()).own;
+  const { rules } = folderTermsIn(store.getState());
   const hashes = hashesOf(editor);
   const key = JSON.stringify([id, etag, rules]);
   const before = hashes.get(key);

@@ -101,11 +101,12 @@ async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: r
     return;
   }
   const tell = (done: number) => reading.setState({ what: 'plays', done, of: fresh.length, cancel: () => job.cancel() }, true);
-  const { level: played } = level.proof.proof();
+  const { level: played, terms } = level.proof.proof();
   const job: Job<'plays'> = workers.start(
     'plays',
     {
       level: played,
+      terms,
       plays: fresh.map(({ bytes }) => bytes),
       known: isOutdated || statistics === null ? [] : statistics.all,
       first: isOutdated ? 0 : before.length,

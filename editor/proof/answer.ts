@@ -1,7 +1,7 @@
 import type { LevelVerdict, RunFindings } from '../../check/index.ts';
 import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
-import type { AccuracyName, Run, Scene } from '../../engine/index.ts';
-import type { Hold, Level, LevelFile, OwnRules, Problem } from '../../schema/index.ts';
+import type { Run, Scene, Terms } from '../../engine/index.ts';
+import type { Hold, Level, LevelFile, Problem } from '../../schema/index.ts';
 import type { Marched, Way } from './march.ts';
 import type { Margins } from './margins.ts';
 import { type Limit, limitInWords } from './patience.ts';
@@ -9,11 +9,10 @@ import { type Limit, limitInWords } from './patience.ts';
 /** A request of the editor. */
 export interface Question {
   readonly file: LevelFile;
-  /** The rules of the folder, which apply where the level sets none; none if absent. */
-  readonly rules?: OwnRules;
   /** The shown run; the first one if the name is null or unknown. */
   readonly run: string | null;
-  readonly accuracy: AccuracyName;
+  /** Under which the level is simulated; the same object for the same terms. */
+  readonly terms: Terms;
   /**
    * Approximate time limit of the answer, ms: what takes longer is left out, and `limit` says so. No limit if absent; 0:
    * nothing is simulated.
@@ -37,15 +36,14 @@ export interface ShownRun extends RunEnd {
 /** Everything that the editor shows about a level besides its file. Arrays in `run.way` are valid until the next answer. */
 export interface LiveProof {
   readonly file: LevelFile;
-  /** The rules of the folder. */
-  readonly rules: OwnRules;
   /** With the rules of its folder where the level sets none. */
   readonly level: Level;
   /** Has the same objects as `level`; its runs may be older. */
   readonly scene: Scene;
-  readonly accuracy: AccuracyName;
+  /** Under which all this holds. */
+  readonly terms: Terms;
   readonly run: ShownRun;
-  /** The verdict of `gq check`, but without proofs, which a worker finds. */
+  /** The verdict of `gq check` under these terms, but without proofs, which a worker finds. */
   readonly verdict: LevelVerdict;
   /** What was left out; null: nothing, and everything agrees with `gq check`. Otherwise the verdict is based on the rest. */
   readonly limit: Limit | null;

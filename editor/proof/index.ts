@@ -1,5 +1,4 @@
 export { endInWords, isWhole, type LiveProof } from './answer.ts';
-export { asGqCheck } from './as-gq-check.ts';
 export { createProofStore, type ProofStore } from './live-proof.ts';
 export { NEAR, type NearMiss } from './margins.ts';
 export { limitInWords, MOST_WORK } from './patience.ts';

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { AccuracyName } from '../../engine/index.ts';
-import { isSame, type OwnRules } from '../../schema/index.ts';
+import type { Terms } from '../../engine/index.ts';
+import { isSame } from '../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
 import type { LiveProof } from './answer.ts';
 import { AT_REST, WHILE_DRAGGED } from './patience.ts';
@@ -15,9 +15,8 @@ export interface ProofStore {
   readonly reach: StoreApi<Reach>;
   /** Selects the shown run; the first one if the name is null or unknown. */
   showRun(name: string | null): void;
-  setAccuracy(accuracy: AccuracyName): void;
-  /** Sets the rules of the folder. */
-  setFolderRules(rules: OwnRules): void;
+  /** Sets the terms under which the level is shown. */
+  setTerms(terms: Terms): void;
   /** Stops following the level. */
   close(): void;
 }
@@ -25,8 +24,6 @@ export interface ProofStore {
 export interface ProofOptions {
   /** The run shown at first. */
   readonly run?: string | null;
-  /** The rules of the folder, which apply where the level sets none. */
-  readonly rules?: OwnRules;
   /** Whether the level is simulated at all. */
   readonly checked?: boolean;
   /** Calls back once the page has been at rest for `ms`: then an answer may take longer. @returns cancels it */
@@ -42,11 +39,11 @@ const REST = 120;
  */
 export function createProofStore(
   level: EditedLevel,
-  accuracy: AccuracyName,
-  { run = null, rules = {}, checked = true, afterRest }: ProofOptions = {},
+  terms: Terms,
+  { run = null, checked = true, afterRest }: ProofOptions = {},
 ): ProofStore {
   const prover = createProver();
-  let asked = { run, accuracy, rules };
+  let asked = { run, terms };
   let forget = () => {};
   // without a second try, everything is computed at once
   const most = (patience: number) => (afterRest === undefined ? Number.POSITIVE_INFINITY : patience);
@@ -88,12 +85,8 @@ export function createProofStore(
       asked = { ...asked, run: name };
       update();
     },
-    setAccuracy(name) {
-      asked = { ...asked, accuracy: name };
-      update();
-    },
-    setFolderRules(own) {
-      asked = { ...asked, rules: own };
+    setTerms(now) {
+      asked = { ...asked, terms: now };
       update();
     },
     close() {

@@ -42,6 +42,8 @@ export interface Marched {
   readonly minerals: readonly { readonly index: number; readonly tick: number }[];
   /** The tick from which on it was simulated; earlier ticks were known from the last run. */
   readonly resumedFrom: number;
+  /** What the run costs from the start, in looks. */
+  readonly looks: number;
 }
 
 /** ticks between snapshots; on average, half of them are simulated again */
@@ -62,6 +64,11 @@ export class March {
   private played: readonly Hold[] | null = null;
   /** The number of the room's snapshots that belong to the current script. */
   private kept = 0;
+  /** What the current script has cost until each snapshot, and until now, looks. */
+  private readonly costs: number[] = [];
+  private looks = 0;
+  /** What the budget had spent when `looks` was brought up to date. */
+  private counted = 0;
   private count = 0;
   private ticks = 0;
 
@@ -74,7 +81,7 @@ export class March {
     readonly scene: Scene,
     readonly maxTicks: number,
     private readonly room = new MarchRoom(),
-    budget: WorkBudget = unlimited(),
+    private readonly budget: WorkBudget = unlimited(),
   ) {
     this.simulation = createSimulation(scene, budget);
     this.ahead = scene.accuracy.integrator === 'arcade' ? 1 : 0;
@@ -88,6 +95,7 @@ export class March {
    */
   run(holds: readonly Hold[], isLate: () => boolean = () => false): Marched {
     const resumedFrom = this.goBack(holds);
+    this.counted = this.budget.looks;
     this.played = holds;
     const { simulation, maxTicks } = this;
     let next = 0;
@@ -108,7 +116,14 @@ export class March {
         this.ticks = tick;
         this.count = Math.max(1, this.count);
         this.last.set(this.room.states.subarray(STATE_SIZE * (this.count - 1), STATE_SIZE * this.count));
-        return { way: this.way(), isCut: true, ending: null, minerals: [...this.minerals], resumedFrom };
+        return {
+          way: this.way(),
+          isCut: true,
+          ending: null,
+          minerals: [...this.minerals],
+          resumedFrom,
+          looks: this.countLooks(),
+        };
       }
       this.collect(tick);
       if (this.ahead === 1) this.write();
@@ -119,7 +134,16 @@ export class March {
     }
     this.ticks = simulation.tick;
     simulation.readState(this.last);
-    return { way: this.way(), isCut, ending: simulation.ending, minerals: [...this.minerals], resumedFrom };
+    const { ending } = simulation;
+    return { way: this.way(), isCut, ending, minerals: [...this.minerals], resumedFrom, looks: this.countLooks() };
+  }
+
+  /** What the script has cost so far. */
+  private countLooks(): number {
+    const { looks } = this.budget;
+    this.looks += looks - this.counted;
+    this.counted = looks;
+    return this.looks;
   }
 
   /** @returns false if the budget is used up */
@@ -147,8 +171,10 @@ export class March {
     if (index <= 0) {
       this.simulation.reset();
       this.minerals = [];
+      this.looks = 0;
     } else {
       this.simulation.restore(this.room.snapshots[index]);
+      this.looks = this.costs[index];
       this.minerals = this.minerals.filter(({ tick }) => tick < this.simulation.tick);
     }
     this.collected.fill(0);
@@ -160,6 +186,7 @@ export class March {
   private keep(index: number): void {
     const { snapshots } = this.room;
     snapshots[index] = this.simulation.snapshot(snapshots[index]);
+    this.costs[index] = this.countLooks();
     this.kept = index + 1;
   }
 

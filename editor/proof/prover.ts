@@ -1,8 +1,7 @@
-import { examineRuns, type RunFindings, verdictOf } from '../../check/index.ts';
+import { examineRuns, playRuns, type RunFindings, unproved, verdictOfFindings } from '../../check/index.ts';
 import { joinHolds, WorkBudget } from '../../engine/index.ts';
-import { type Level, type OwnRules, type Problem, resolveLevel } from '../../schema/index.ts';
+import { type Level, type Problem, resolveLevel } from '../../schema/index.ts';
 import type { LiveProof, Question } from './answer.ts';
-import { asGqCheck } from './as-gq-check.ts';
 import { findProvingRun } from './find-proving-run.ts';
 import { type Margins, marginsOf } from './margins.ts';
 import { type Limit, MOST_WORK } from './patience.ts';
@@ -16,14 +15,22 @@ export interface Prover {
   prove(question: Question): LiveProof;
 }
 
-const NO_RULES: OwnRules = {};
-
 const NOTHING_PROVED = { impossible: null, minerals: [] };
 
-/** The findings of a level's runs; each is simulated completely, once. */
+/** The findings of a level's runs, as a check has them; each is simulated completely, once, unless that exceeds the work limit. */
 function findingsIn(known: SceneRecord, level: Level): RunFindings {
-  const runs = level.runs.map(({ holds }) => known.full(joinHolds(holds)));
-  return examineRuns(level, runs, asGqCheck(known.scene, new WorkBudget()));
+  const { scene, terms } = known;
+  const counted = level.runs.map(({ holds }) => known.full(joinHolds(holds)));
+  const budget = new WorkBudget(terms.maxWork);
+  budget.looks = counted.reduce((sum, { looks }) => sum + looks, 0);
+  if (!budget.isUsedUp)
+    return examineRuns(
+      level,
+      counted.map(({ run }) => run),
+      { scene, budget },
+    );
+  const limited = new WorkBudget(terms.maxWork);
+  return examineRuns(level, playRuns(scene, limited, level.runs), { scene, budget: limited });
 }
 
 /**
@@ -36,40 +43,34 @@ export function createProver(now: () => number = () => performance.now(), most =
   const scenes = createSceneKeeper();
   let answer: (LiveProof & { readonly patience: number }) | null = null;
   return {
-    prove({ file, rules = NO_RULES, run: wanted, accuracy, patience = Number.POSITIVE_INFINITY }) {
-      const isSame = answer !== null && answer.file === file && answer.rules === rules && answer.accuracy === accuracy;
+    prove({ file, run: wanted, terms, patience = Number.POSITIVE_INFINITY }) {
+      const isSame = answer !== null && answer.file === file && answer.terms === terms;
       if (answer !== null && isSame && (answer.limit === null || answer.patience >= patience)) {
         const asked = file.runs?.some(({ name }) => name === wanted) ? wanted : (file.runs?.[0]?.name ?? null);
         if (answer.run.name === asked) return answer;
       }
       const start = now();
       // the same object for another run or more patience, so that subscribers see no change of the level
-      const level = answer?.file === file && answer.rules === rules ? answer.level : resolveLevel(file, rules);
+      const level = answer?.file === file && answer.terms.rules === terms.rules ? answer.level : resolveLevel(file, terms.rules);
       const isPatient = patience === Number.POSITIVE_INFINITY;
-      const begun = patience === 0 ? null : scenes.played(file, level, accuracy, isPatient ? patience : most);
+      const begun =
+        patience === 0 ? null : scenes.played(file, level, terms, isPatient ? terms.maxWork : Math.min(most, terms.maxWork));
       const nothing: Limit | null = begun !== null ? null : patience === 0 ? 'unchecked' : 'everything';
       const isLate = nothing !== null ? () => true : isPatient ? () => false : () => now() - start > patience;
-      const known = begun ?? scenes.still(file, level, accuracy);
-      const { isCut, ...run } = showRun(known, level, wanted, answer?.run.holds ?? null, isLate);
-      const { name: provenBy, isWhole: areAllKnown } = isCut
-        ? { name: null, isWhole: level.runs.length === 0 }
-        : findProvingRun(known, level, run, answer?.provenBy ?? null, isLate);
-      const limit: Limit | null = nothing ?? (isCut ? 'run' : areAllKnown ? null : 'others');
-      const verdict = verdictOf({
-        isCompleted: provenBy !== null,
-        isImpossible: false,
-        runs: level.runs.length,
-        areAllPlayed: limit === null,
-      });
+      const known = begun ?? scenes.still(file, level, terms);
+      const { isCut, looks, ...run } = showRun(known, level, wanted, answer?.run.holds ?? null, isLate);
+      const shown = { ...run, looks, isCut };
+      const { name: provenBy, ends } = findProvingRun(known, level, shown, isLate);
+      const limit: Limit | null = nothing ?? (isCut ? 'run' : ends.some(({ isStopped }) => isStopped) ? 'others' : null);
+      const verdict = verdictOfFindings({ ...unproved, ends });
       let findings: RunFindings | null = null;
       let problems: readonly Problem[] | null = null;
       let margins: Margins | null = null;
       answer = {
         file,
-        rules,
         level,
         scene: known.scene,
-        accuracy,
+        terms,
         run,
         verdict,
         limit,
@@ -86,7 +87,7 @@ export function createProver(now: () => number = () => performance.now(), most =
           return problems;
         },
         get full() {
-          return isCut ? null : known.full(run.holds);
+          return isCut ? null : known.full(run.holds).run;
         },
         get margins() {
           margins ??= marginsOf(known.scene, run.way);

@@ -27,16 +27,16 @@ export function showRun(
   wanted: string | null,
   shown: readonly Hold[] | null,
   isLate: () => boolean,
-): ShownRun & { readonly isCut: boolean } {
+): ShownRun & { readonly isCut: boolean; readonly looks: number } {
   const run = level.runs.find(({ name }) => name === wanted) ?? level.runs[0];
   const joined = joinHolds(run?.holds ?? []);
   // the same list as before if it is equal, so that subscribers see no change
   const before = shown ?? joined;
   const holds = firstDifference(before, joined) === Number.POSITIVE_INFINITY ? before : joined;
-  const { way, ending, minerals, resumedFrom, isCut } = known.march.run(holds, isLate);
-  const inFrames = known.accuracy === 'arcade' && minerals.length > 0 && !isCut;
-  const taken = inFrames ? takenInFrames(known.full(holds)) : minerals;
+  const { way, ending, minerals, resumedFrom, isCut, looks } = known.march.run(holds, isLate);
+  const inFrames = known.scene.accuracy.integrator === 'arcade' && minerals.length > 0 && !isCut;
+  const taken = inFrames ? takenInFrames(known.full(holds).run) : minerals;
   const tick = Math.max(0, way.count - 1);
-  const end: RunEnd = isCut ? { outcome: 'timeout', with: null, time: tick * TICK, tick } : toEnd(ending);
-  return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, isCut, ...end };
+  const end: RunEnd = isCut ? { outcome: 'timeout', with: null, time: tick * TICK, tick } : toEnd(ending, known.maxTicks);
+  return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, isCut, looks, ...end };
 }

@@ -75,7 +75,6 @@ export interface Session {
   /** Whether the timeline is playing the run. */
   readonly isPlayingBack: boolean;
   readonly rate: Rate;
-  readonly accuracy: AccuracyName;
   readonly layers: Readonly<Record<Layer, boolean>>;
   readonly overlay: Overlay | null;
   /** The ids of the panels in front: on the sides of a wide screen, and on a phone (null: none). */
@@ -95,7 +94,7 @@ export interface Session {
 export type SessionStore = StoreApi<Session>;
 
 /** The initial session. */
-export function createSession(accuracy: AccuracyName): SessionStore {
+export function createSession(): SessionStore {
   return createStore<Session>(() => ({
     view: 'level',
     mode: 'edit',
@@ -107,7 +106,6 @@ export function createSession(accuracy: AccuracyName): SessionStore {
     hoverTick: null,
     isPlayingBack: false,
     rate: 1,
-    accuracy,
     layers: {
       ranges: true,
       margins: true,

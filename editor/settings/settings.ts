@@ -1,5 +1,6 @@
 import * as z from 'zod';
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import { ACCURACY_NAMES } from '../../schema/index.ts';
 
 const settingsSchema = z.object({
   theme: z.enum(['system', 'dark', 'light']),
@@ -23,7 +24,8 @@ const settingsSchema = z.object({
   /** Whether the holds of the shown run are re-timed when a change of the level breaks it. */
   keepAlive: z.boolean(),
   reduceMotion: z.enum(['system', 'yes', 'no']),
-  accuracy: z.enum(['arcade', 'fast', 'standard', 'precise']),
+  /** The accuracy at which the open level is shown; null: that at which `gq check` judges the folder. */
+  otherAccuracy: z.enum(ACCURACY_NAMES).nullable(),
   tourSeen: z.boolean(),
   /** The address of a published page, for links that only play a level; '': none is known. */
   playPage: z.string().max(2000),
@@ -47,12 +49,21 @@ const DEFAULTS: Settings = {
   runInPlay: false,
   keepAlive: false,
   reduceMotion: 'system',
-  accuracy: 'precise',
+  otherAccuracy: null,
   tourSeen: false,
   playPage: '',
 };
 
 const KEY = 'gravity-quest-editor-settings';
+
+/**
+ * The accuracy that earlier pages have stored, whether or not anybody had chosen it: `precise`, their default, says nothing and
+ * must not hide the folder's.
+ */
+function formerAccuracy({ accuracy }: { readonly accuracy?: unknown }): Settings['otherAccuracy'] {
+  const read = settingsSchema.shape.otherAccuracy.safeParse(accuracy);
+  return read.success && read.data !== 'precise' ? read.data : null;
+}
 
 /** Reads the stored settings one by one: an invalid one falls back to its default without affecting the others. */
 function restored(text: string | null): Settings {
@@ -63,7 +74,7 @@ function restored(text: string | null): Settings {
     // nothing usable was stored
   }
   if (typeof kept !== 'object' || kept === null) return DEFAULTS;
-  const settings: Record<string, unknown> = { ...DEFAULTS };
+  const settings: Record<string, unknown> = { ...DEFAULTS, otherAccuracy: formerAccuracy(kept) };
   for (const [name, field] of Object.entries(settingsSchema.shape)) {
     const value = field.safeParse((kept as Record<string, unknown>)[name]);
     if (value.success) settings[name] = value.data;

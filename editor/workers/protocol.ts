@@ -1,16 +1,15 @@
 import type { LevelVerdict, LostMineral, Mended, MendOptions, RunFindings, Softlocks } from '../../check/index.ts';
 import type { Attempt, PlayStatistics } from '../../check/plays/index.ts';
 import type { RunEnd } from '../../check/words/index.ts';
-import type { AccuracyName, Outcome } from '../../engine/index.ts';
+import type { Outcome, Terms } from '../../engine/index.ts';
 import type { PlayVerdict } from '../../game/index.ts';
-import type { Hold, Level, LevelFile, OwnRules } from '../../schema/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
 import type {
   Closest,
   Difficulty,
   EdgeSlack,
   Effort,
   Explored,
-  GeneratorOptions,
   Goal,
   Grade,
   Objective,
@@ -26,7 +25,8 @@ import type { Lattice, MovedObject, Reach, Sample } from './leeway/index.ts';
 /** A level to simulate in a job. */
 export interface Played {
   readonly level: Level;
-  readonly accuracy: AccuracyName;
+  /** Under which the answer has to hold. */
+  readonly terms: Terms;
 }
 
 /** The requests to a worker, by kind. */
@@ -51,7 +51,7 @@ export interface Requests {
   /** How hard the level is, measured with the best run found within the budget (ms) if none is given. */
   difficulty: Played & { readonly holds: readonly Hold[] | null; readonly goal: Goal; readonly budget: number };
   /** The grade of a level file by its own runs, as `gq difficulty` measures one of many levels, but without a search. */
-  grade: { readonly text: string; readonly rules: OwnRules; readonly accuracy: AccuracyName };
+  grade: { readonly text: string; readonly terms: Terms };
   /**
    * Proves, if possible, that no run reaches the black hole or a mineral. Minerals that some run collects are left out:
    * `collected` lists them; null: the level's runs are simulated to find out. `finer`: how long to go on with ever finer sets, ms;
@@ -65,29 +65,24 @@ export interface Requests {
   /** The findings of all runs of a level. */
   check: Played;
   /** Errors and costs of all settings for this level and run. */
-  accuracy: { readonly level: Level; readonly holds: readonly Hold[] };
-  /** A small picture of a level file, and its verdict; `rules`: those of its folder, none if absent. */
+  accuracy: Played & { readonly holds: readonly Hold[] };
+  /** A small picture of a level file, and its verdict. */
   thumbnail: {
     readonly text: string;
-    readonly rules?: OwnRules;
-    readonly accuracy: AccuracyName;
+    readonly terms: Terms;
     readonly width: number;
     readonly theme: 'dark' | 'light';
   };
-  /** Two versions of a level file in one picture, and what is true of both; `rules`: those of their folder. */
+  /** Two versions of a level file in one picture, and what is true of both. */
   compare: {
     readonly before: string;
     readonly after: string;
-    readonly rules: OwnRules;
-    readonly accuracy: AccuracyName;
+    readonly terms: Terms;
     readonly width: number;
     readonly theme: 'dark' | 'light';
   };
-  /** A new level that can be completed. */
-  generate: { readonly options: GeneratorOptions };
   /** Verifies plays of a level, and says what they teach together with those that are known. */
-  plays: {
-    readonly level: Level;
+  plays: Played & {
     /** The contents of their `.gqr` files. */
     readonly plays: readonly Uint8Array[];
     /** What plays that were verified before turned out to be. */
@@ -323,8 +318,6 @@ export interface Results {
   compare: Compared;
   /** null: none of its runs completes the level */
   grade: Grade | null;
-  /** `grade`: 1 to 10 */
-  generate: { readonly file: LevelFile; readonly grade: number };
   plays: { readonly plays: readonly CheckedPlay[]; readonly statistics: PlayStatistics };
   lost: Losing;
   losses: Losses;
@@ -360,7 +353,6 @@ export interface Progresses {
   accuracy: never;
   thumbnail: never;
   compare: never;
-  generate: { readonly attempts: number };
   /** The number of plays that are verified. */
   plays: { readonly done: number };
   lost: Losing;

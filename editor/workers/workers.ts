@@ -38,7 +38,7 @@ export interface WorkersOptions {
 }
 
 /** Searches have a worker of their own, so that they do not delay what is shown during editing. */
-const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'grade', 'fix', 'mend', 'generate', 'accuracy']);
+const LONG: ReadonlySet<JobKind> = new Set(['solve', 'difficulty', 'grade', 'fix', 'mend', 'accuracy']);
 
 /**
  * Jobs that follow every change must not wait for longer ones, nor for a worker that is restarted because a job could not be
@@ -83,7 +83,6 @@ const MOST: Readonly<Record<JobKind, number | null>> = {
   difficulty: null,
   fix: null,
   mend: 60_000,
-  generate: null,
   plays: null,
   lost: null,
   losses: null,

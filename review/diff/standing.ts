@@ -1,5 +1,5 @@
-import { playRuns, proveGoalImpossible, verdictOfFindings, withinWork } from '../../check/index.ts';
-import { compile, maxTicksOf, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
+import { brief, withinWork } from '../../check/index.ts';
+import { maxTicksOf, type Run, type Scene, type Terms } from '../../engine/index.ts';
 import { type Hold, isSame, type Level, LISTED_KINDS, listOf, type Verdict } from '../../schema/index.ts';
 import { findSlackInSteps } from '../../solver/index.ts';
 
@@ -41,27 +41,9 @@ const MOST_SLACK_WORK = 2_000_000;
 
 /** Judges a level by its own runs, as a check does. The result is plain data. */
 export function assessLevel(level: Level, { terms, slack }: AssessOptions): Standing {
-  const budget = new WorkBudget(terms.maxWork);
-  const scene = compile(level, terms);
-  const runs = playRuns(scene, budget);
-  const completing = runs.findIndex(({ outcome }) => outcome === 'completed');
-  const impossible = completing >= 0 ? null : proveGoalImpossible(scene, { minerals: 'any' });
-  const ends = runs.map(({ outcome, with: touched, time, tick, stopped }, i) => ({
-    name: level.runs[i].name,
-    outcome,
-    with: touched,
-    time,
-    tick,
-    isStopped: stopped !== null,
-  }));
-  const verdict = verdictOfFindings({ ends, impossible, searched: null });
-  const shown = Math.max(0, completing);
-  if (runs.length === 0 || runs[shown].stopped !== null) {
-    return { verdict, mineralCount: level.minerals.length, run: null };
-  }
+  const { scene, verdict, shown, run: played, budget } = brief(level, terms);
+  if (shown === null || played === null) return { verdict, mineralCount: level.minerals.length, run: null };
   const { name, holds } = level.runs[shown];
-  // only the first run was recorded
-  const played = shown === 0 ? runs[0] : (withinWork(budget, () => simulate(scene, holds, { budget })) ?? runs[shown]);
   const { outcome, with: touched, time, tick } = played;
   const run: StandingRun = {
     ...{ name, holds, outcome, with: touched, time, tick },

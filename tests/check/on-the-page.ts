@@ -12,8 +12,8 @@ import {
 import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
 import type { Start } from '../../editor/workers/work.ts';
-import type { AccuracyName } from '../../engine/index.ts';
-import type { OwnRules, Problem } from '../../schema/index.ts';
+import type { Terms } from '../../engine/index.ts';
+import type { Problem } from '../../schema/index.ts';
 
 /** What is said of a level in either place: everything but hints. */
 export interface Said {
@@ -51,26 +51,24 @@ const shown = ({ code, severity, message, pointer, line, column }: Problem): Sai
 };
 
 export interface OnThePage {
-  /** Rules that the folder sets. */
-  readonly rules?: OwnRules;
   /** The work that the page does itself, pieces of motion. */
   readonly most?: number;
 }
 
 /**
- * What the page says of a level file: its verdict in the top bar, and its list of problems in the words of the panel, once all
+ * What the page says of a level file under some terms: its verdict in the top bar, and its list of problems in the words of the panel, once all
  * workers are done.
  */
-export function onThePage(source: string | Uint8Array, accuracy: AccuracyName, { rules, most }: OnThePage = {}): Said {
+export function onThePage(source: string | Uint8Array, terms: Terms, { most }: OnThePage = {}): Said {
   const read = readText(source);
   if (!read.ok) return { verdict: 'invalid', problems: read.problems.map(shown) };
   // A clock that stands still, so that nothing is abandoned because this machine is slow.
-  const proof = createProver(() => 0, most).prove({ file: read.file, rules, run: null, accuracy, patience: 1 });
+  const proof = createProver(() => 0, most).prove({ file: read.file, run: null, terms, patience: 1 });
   const worker = foundByWorker(proof);
   const known = proved(proof);
   return { verdict: toldVerdict(proof, worker, known), problems: toldProblems(proof, worker, known).map(shown) };
 }
 
 /** The verdict that the list of levels shows beside a file's picture. */
-export const inTheList = (text: string, accuracy: AccuracyName, rules?: OwnRules): string =>
-  work('thumbnail', { text, rules, accuracy, width: 100, theme: 'dark' }).verdict;
+export const inTheList = (text: string, terms: Terms): string =>
+  work('thumbnail', { text, terms, width: 100, theme: 'dark' }).verdict;

@@ -2,9 +2,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
-import { rulesOnDisk } from '../../cli/edit/rules-on-disk.ts';
-import { ACCURACIES, type AccuracyName } from '../../engine/index.ts';
-import { checkReportSchema, type LevelReport, type OwnRules } from '../../schema/index.ts';
+import { termsOnDisk } from '../../cli/edit/terms-on-disk.ts';
+import { ACCURACIES, type AccuracyName, type Terms, termsOf } from '../../engine/index.ts';
+import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
 import { isHunt } from '../is-hunt.ts';
 import { BAD_LEVELS } from '../schema/fixtures/bad-levels.ts';
@@ -94,7 +94,7 @@ const withoutPlaces = ({ verdict, problems }: Said): Said => ({
 
 const told = new Set<string>();
 
-function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Said, rules?: OwnRules): void {
+function compare({ source }: LevelSource, terms: Terms, byCommand: Said): void {
   told.add(byCommand.verdict);
   for (const { code, severity, pointer, message } of byCommand.problems) {
     told.add(`${code} ${severity}`);
@@ -102,7 +102,7 @@ function compare({ source }: LevelSource, accuracy: AccuracyName, byCommand: Sai
     if (code === 'proved-impossible') told.add(`${code} ${pointer}`);
   }
   const { 'a byte order mark is skipped': mark } = EXCEPTIONS;
-  const onPage = onThePage(source, accuracy, { rules });
+  const onPage = onThePage(source, terms);
   if (mark.applies(byCommand)) {
     expect(onPage.problems.map(({ code }) => code)).not.toContain('byte-order-mark');
     return;
@@ -136,9 +136,9 @@ describe.each(Object.keys(ACCURACIES) as AccuracyName[])('the page and gq check 
   });
 
   it.each(levelsAt(accuracy).map((level, i) => [level.name, level, i] as const))('%s', (_, level, i) => {
-    compare(level, accuracy, said[i]);
+    compare(level, termsOf(accuracy), said[i]);
     const text = typeof level.source === 'string' ? level.source : new TextDecoder().decode(level.source);
-    expect(inTheList(text, accuracy)).toBe(said[i].verdict);
+    expect(inTheList(text, termsOf(accuracy))).toBe(said[i].verdict);
   });
 });
 
@@ -150,15 +150,16 @@ describe('the page and gq check agree in a folder whose configuration sets rules
   ] as const)('at %s', async (accuracy, part) => {
     const list = isHunt ? SOURCES : SOURCES.filter((_, i) => i % 6 === part);
     // As the server sends them to the page.
-    const { own: rules, problems } = rulesOnDisk(ruled.directory)();
+    const { rules, problems } = termsOnDisk(ruled.directory)();
+    const terms = { ...termsOf(accuracy), rules };
     expect([rules, problems]).toEqual([CONFIG.rules, []]);
     const said = await onTheCommandLine(list, accuracy, [], ruled.directory);
     const known = levelsAt(accuracy);
     const without = new Map((await checkedAt(accuracy)).map((each, i) => [known[i], each]));
     for (const [i, level] of list.entries()) {
-      compare(level, accuracy, said[i], rules);
+      compare(level, terms, said[i]);
       const text = typeof level.source === 'string' ? level.source : new TextDecoder().decode(level.source);
-      expect(inTheList(text, accuracy, rules), level.name).toBe(said[i].verdict);
+      expect(inTheList(text, terms), level.name).toBe(said[i].verdict);
     }
     // Otherwise the rules would not matter.
     const others = list.filter((level, i) => said[i].verdict !== (without.get(level) ?? said[i]).verdict);
@@ -169,7 +170,7 @@ describe('the page and gq check agree in a folder whose configuration sets rules
 describe('the page and gq check agree', () => {
   it('about whatever is no level', async () => {
     const said = await onTheCommandLine(REFUSED, 'precise');
-    for (const [i, level] of REFUSED.entries()) compare(level, 'precise', said[i]);
+    for (const [i, level] of REFUSED.entries()) compare(level, termsOf('precise'), said[i]);
   });
 
   it('about what exceeds the work limit', async () => {
@@ -180,7 +181,7 @@ describe('the page and gq check agree', () => {
       const [allowedMore] = applies(level.name)
         ? await onTheCommandLine([level], 'precise', ['--max-work', String(maxWork)])
         : [];
-      compare(level, 'precise', allowedMore ?? said[i]);
+      compare(level, termsOf('precise'), allowedMore ?? said[i]);
     }
   });
 
@@ -191,7 +192,7 @@ describe('the page and gq check agree', () => {
     );
     let left = 0;
     for (const [{ source }, said] of few) {
-      expect(onThePage(source, 'precise', { most: 3 })).toEqual(withoutPlaces(said));
+      expect(onThePage(source, termsOf('precise'), { most: 3 })).toEqual(withoutPlaces(said));
       left++;
     }
     expect(left).toBeGreaterThan(20);

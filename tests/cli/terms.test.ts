@@ -260,6 +260,7 @@ const PROBES: Readonly<Record<string, Probe>> = {
   // it measures every accuracy, for seconds
   accuracy: {
     kinds: ['time'],
+    onlyConfigured: ['time', 'rules'],
     ask: (folder, options) =>
       report<{ reference: { outcome: string } }>(
         folder,

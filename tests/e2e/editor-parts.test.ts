@@ -20,6 +20,7 @@ import { createJournal, openIndexedDbStore } from '${root}/editor/journal/index.
 import { claimLevel } from '${root}/editor/files/writer-lock.ts';
 import { pageTimers } from '${root}/editor/files/index.ts';
 import { createWorkers, spawnPageWorker } from '${root}/editor/workers/index.ts';
+import { DEFAULT_TERMS } from '${root}/engine/index.ts';
 import { resolveLevel } from '${root}/schema/index.ts';
 
 const FILE = { version: 1, name: 'base', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 }, asteroids: [{ id: 'aa', x: 150, y: 60, radius: 16 }] };
@@ -56,11 +57,12 @@ Object.assign(window, {
     let job;
     // once it reports progress, the job is running
     await new Promise((resolve) => {
-      job = workers.start('generate', { options: { seed: 1, difficulty: 'hard', size: 'large' } }, resolve);
+      const asked = { level, terms: DEFAULT_TERMS, goal: { minerals: 'any' }, known: [], seed: 1, lane: 0, budget: null };
+      job = workers.start('solve', { ...asked, objective: 'robust', count: 1 }, resolve);
     });
     job.cancel();
     const { kind } = await job.end;
-    const next = await workers.start('proofs', { level, accuracy: 'precise', collected: [] }).end;
+    const next = await workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] }).end;
     return { kind, next: next.kind, proved: next.result?.impossible?.code ?? next.message };
   },
 });

@@ -5,7 +5,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { compile, joinHolds, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 
 /** One job that was asked for and is not done. */
@@ -18,7 +18,7 @@ interface Waiting {
 /** A level that is kept alive, with a worker that works when a test says so. */
 export function aliveStage(file: LevelFile, { isOn = true } = {}) {
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
   const settings = createSettings(null);
   settings.setState({ keepAlive: isOn });
   let waiting: Waiting[] = [];

@@ -25,7 +25,7 @@ import { createProofStore, type ProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';
 
@@ -82,7 +82,7 @@ interface Stage {
 
 function stage(file: LevelFile = FILE): Stage {
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
   const attempts = createAttempts();
   const level = { document, proof, attempts } as unknown as OpenLevel;
   const clock = new TurnedClock();
@@ -252,7 +252,7 @@ describe('racers', () => {
   it('are where the engine says at every tick, and between two ticks on the line between them', () => {
     const level = resolveLevel(FILE);
     const holds = [[30, 600]] as const;
-    const { points, turns, end } = played({ level, accuracy: 'precise', holds });
+    const { points, turns, end } = played({ level, terms: DEFAULT_TERMS, holds });
     const racer = { slot: 0, name: 'late', points, turns, end: 60 * end.time, completes: true, isStale: false };
     const simulation = createSimulation(compile(level, 'precise'));
     const state = new Float64Array(STATE_SIZE);
@@ -279,7 +279,7 @@ describe('racers', () => {
 
   it('are the same list until something changes, and in a playtest only what gives nothing away', async () => {
     const all = stage();
-    const session = createSession('precise');
+    const session = createSession();
     const settings = { runInPlay: false };
     const level = {
       ...all.level,

@@ -6,7 +6,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { Fixing, JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { ACCURACIES, compile, simulate } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { createRepair, proveImpossible } from '../../solver/index.ts';
 
@@ -24,8 +24,8 @@ const ASIDE: LevelFile = {
 
 function stage(file: LevelFile = ASIDE) {
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
-  const session = createSession('precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
+  const session = createSession();
   session.subscribe(({ run }) => proof.showRun(run));
   let asked: Requests['fix'] | null = null;
   let tell: (progress: Fixing) => void = () => {};

@@ -4,7 +4,7 @@ import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
 import { poseAt } from '../../editor/canvas/run-pose.ts';
 import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { compile, TICK } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { plainLevel } from '../engine/plain-level.ts';
@@ -60,7 +60,7 @@ it('playback never shows her between the mouths of a wormhole', () => {
     range: 1000,
     wormholes: [{ x: 100, y: 0, toX: 400, toY: 300, radius: 20 }],
   };
-  const proof = createProver().prove({ file, run: null, accuracy: 'precise' });
+  const proof = createProver().prove({ file, run: null, terms: DEFAULT_TERMS });
   let before = poseAt(proof, 0);
   let leaps = 0;
   for (let tick = 0; tick < proof.run.way.count - 1; tick += 1 / 8) {

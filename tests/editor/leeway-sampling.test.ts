@@ -13,7 +13,7 @@ import {
 } from '../../editor/workers/index.ts';
 import { leeway } from '../../editor/workers/jobs/leeway.ts';
 import { latticeFor, movedLevel, Survey } from '../../editor/workers/leeway/index.ts';
-import { compile, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { type LevelFile, LIMITS, resolveLevel, withIds } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 import { SWING } from './swing-level.ts';
@@ -48,7 +48,7 @@ function asked(
   const { x, y } = placesOf(found)[only ?? 0];
   return {
     level: resolveLevel(file),
-    accuracy: 'precise',
+    terms: DEFAULT_TERMS,
     holds: file.runs?.[0].holds ?? [],
     objects: [{ kind: found.kind, index: found.index }],
     only,

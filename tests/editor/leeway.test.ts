@@ -16,6 +16,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import { type JobEnd, type Leeway, MOST_REACH, type Reach, type Requests, type Workers } from '../../editor/workers/index.ts';
+import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { breathe } from './stage.ts';
 import { SWING } from './swing-level.ts';
@@ -45,9 +46,9 @@ const KNOWN: Leeway = {
 /** A page whose rest and workers a test controls. */
 function stage() {
   const document = createEditedLevel(FILE);
-  const proof = createProofStore(document, 'precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
   const selection = createSelection(document);
-  const session = createSession('precise');
+  const session = createSession();
   const settings = createSettings(null);
   const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Seen, call: () => {} };
   const jobs: {
@@ -164,8 +165,8 @@ describe('where the selection may stand', () => {
       ({ document }) => void document.change('Range', setLevelProperty('range', 260)),
       ({ document }) => void document.change('Hold', moveHold('solution', 0, 2)),
       ({ document }) => void document.change('Resize', setRadius(['bjzg'], 30)),
-      ({ proof }) => proof.setAccuracy('arcade'),
-      ({ proof }) => proof.setFolderRules({ pull: 40 }),
+      ({ proof }) => proof.setTerms(termsOf('arcade')),
+      ({ proof }) => proof.setTerms({ ...DEFAULT_TERMS, rules: { pull: 40 } }),
       ({ selection }) => selection.select(['n1']),
       ({ selection }) => selection.add(['n1']),
       ({ settings }) => settings.setState({ snapToGrid: false }),

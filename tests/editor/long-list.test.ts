@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { createWorkspace, type LevelStorage, pageTimers } from '../../editor/files/index.ts';
 import type { Journal } from '../../editor/journal/index.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
@@ -18,7 +19,7 @@ const listOf = (ids: readonly string[], unread: number): ListResponse => ({
   folder: { id: 'f', path: 'levels', $schema: null },
   folders: [''],
   levels: ids.map((id) => entry(id)),
-  rules: { file: null, own: {}, problems: [] },
+  terms: NO_FOLDER_TERMS,
   troubles: [],
   unread,
 });

@@ -12,7 +12,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Losing, Loss, Losses, LostMoment, Requests, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
-import { compile, simulate, TICK } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 
@@ -88,7 +88,7 @@ describe('since when a run is lost, in words', () => {
 
 describe('the picture of a loss', () => {
   const document = createEditedLevel(PAST);
-  const now = createProofStore(document, 'precise', { run: 'hold' }).proof();
+  const now = createProofStore(document, DEFAULT_TERMS, { run: 'hold' }).proof();
   const key = lossKey(now.run.holds, 'precise');
 
   it('follows the run from where it is lost to its end, first as not found and then as proved', () => {
@@ -130,8 +130,8 @@ interface Started {
 
 function stage(file: LevelFile = PAST) {
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
-  const session = createSession('precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
+  const session = createSession();
   session.subscribe(({ run }) => proof.showRun(run));
   const attempts = createAttempts();
   const jobs: Started[] = [];
@@ -306,7 +306,7 @@ describe('the examination of where a level is lost', () => {
 });
 
 describe('the jobs of a worker', () => {
-  const played = { level: resolveLevel(PAST), accuracy: 'precise' as const };
+  const played = { level: resolveLevel(PAST), terms: DEFAULT_TERMS };
   const finish = <R>(steps: Generator<unknown, R>): { result: R; told: number } => {
     for (let told = 0; ; ) {
       const step = steps.next();

@@ -27,7 +27,7 @@ import {
   withGroups,
 } from '../../editor/document/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { ACCURACIES, compile, simulate } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { formatLevel, type LevelFile, readLevel, resolveLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
@@ -93,7 +93,7 @@ describe('marks of objects', () => {
     const hidden = { ...nova, novae: [{ ...nova.novae[0], 'x-hidden': true, 'x-name': 'Gate', 'x-locked': true }] };
     const run = { runs: [{ name: 'solution', holds: [[0, 600]] as [number, number][] }] };
     const proofOf = (file: object) =>
-      createProver().prove({ file: createEditedLevel({ ...file, ...run } as LevelFile).file(), run: null, accuracy: 'precise' });
+      createProver().prove({ file: createEditedLevel({ ...file, ...run } as LevelFile).file(), run: null, terms: DEFAULT_TERMS });
     const hashOf = (file: object) =>
       simulate(compile(resolveLevel({ ...file, ...run } as LevelFile), ACCURACIES.precise), run.runs[0].holds).hash;
     const [seen, unseen, free] = [nova, hidden, without].map(proofOf);

@@ -8,6 +8,7 @@ import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { outcomeOf } from './alive-stage.ts';
 
@@ -24,8 +25,8 @@ const FALL: LevelFile = {
 
 function stage(file: LevelFile = FALL) {
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
-  const session = createSession('precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
+  const session = createSession();
   session.subscribe(({ run }) => proof.showRun(run));
   const settings = createSettings(null);
   const alive = createStore<AliveState>(() => ({ kind: 'idle' }));

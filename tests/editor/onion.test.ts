@@ -23,7 +23,7 @@ import { tightestOf } from '../../editor/panels/figures/index.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
-import { compile, type Run, simulate, TICK } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, type Run, simulate, TICK, termsOf } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { findSlack } from '../../solver/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
@@ -40,8 +40,8 @@ const slackOf = (file: LevelFile) => findSlack(compile(resolveLevel(file)), file
 function stage(file: LevelFile = FILE) {
   const clock = new TurnedClock();
   const document = createEditedLevel(file);
-  const proof = createProofStore(document, 'precise');
-  const session = createSession('precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
+  const session = createSession();
   const robustness = createStore<ShownSlack>(() => ({ phase: 'waiting', message: null, slack: null, withMinerals: false }));
   // as the watch of the robustness does, before anything else hears of the new run
   proof.store.subscribe(() => robustness.setState({ phase: 'waiting', slack: null }));
@@ -171,7 +171,7 @@ describe('the comparison with what was before', () => {
     expect(shown().former).toBeNull();
     onion.toggle();
     expect(shown().former?.file.novae).toBeUndefined();
-    proof.setAccuracy('arcade');
+    proof.setTerms(termsOf('arcade'));
     expect(shown().former).toBeNull();
     // another accuracy than then: the former level is played again
     onion.toggle();
@@ -357,7 +357,7 @@ describe('the nearest hazard', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         const document = createEditedLevel({ ...file, runs: [{ name: 'one', holds: [[5, 60]] }] });
-        const { margins, full } = createProofStore(document, 'precise').proof();
+        const { margins, full } = createProofStore(document, DEFAULT_TERMS).proof();
         const { gap, closest } = margins;
         if (closest === null) {
           expect(gap.every((px) => px === Number.POSITIVE_INFINITY)).toBe(true);

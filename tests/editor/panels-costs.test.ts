@@ -6,7 +6,7 @@ import { savingOf } from '../../editor/panels/effects/time-effects.ts';
 import { costOf, withoutEffect } from '../../editor/panels/effects/without.ts';
 import { timeInTurns } from '../../editor/panels/figures/index.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { compile, EFFECTS, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, EFFECTS, simulate, termsOf } from '../../engine/index.ts';
 import { METHODS } from '../../engine/work-precision/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 
@@ -60,12 +60,12 @@ describe('what an effect costs', () => {
 
   it('is the saved work if her path is the same, and unknown if it differs', () => {
     const full = simulate(compile(LEVEL), HOLDS);
-    const nova = costOf(LEVEL, 'precise', HOLDS, full, 'novae');
+    const nova = costOf(LEVEL, DEFAULT_TERMS, HOLDS, full, 'novae');
     expect(nova.kind).toBe('same');
     const without = simulate(compile(withoutEffect(LEVEL, 'novae') as Level), HOLDS);
     if (nova.kind === 'same') expect(nova.saved.guards).toBe(full.work.guards - without.work.guards);
-    expect(costOf(LEVEL, 'precise', HOLDS, full, 'recoil').kind).toBe('other');
-    expect(costOf(LEVEL, 'precise', HOLDS, full, 'gun').kind).toBe('always');
+    expect(costOf(LEVEL, DEFAULT_TERMS, HOLDS, full, 'recoil').kind).toBe('other');
+    expect(costOf(LEVEL, DEFAULT_TERMS, HOLDS, full, 'gun').kind).toBe('always');
   });
 
   it('is reported with its uncertainty', () => {
@@ -131,7 +131,9 @@ describe('timing in turns', () => {
 
 describe('the named settings', () => {
   it('are compared with precise, whose own error is 0', () => {
-    const results = new Map<string, NamedResult>([...compareNamed(LEVEL, HOLDS)].map((result) => [result.name, result]));
+    const results = new Map<string, NamedResult>(
+      [...compareNamed(LEVEL, DEFAULT_TERMS, HOLDS)].map((result) => [result.name, result]),
+    );
     expect([...results.keys()].sort()).toEqual([...NAMES].sort());
     expect(results.get('precise')).toMatchObject({ difference: 0, sameVerdict: true });
     for (const [name, { end, difference, sameVerdict }] of results) {
@@ -172,7 +174,7 @@ describe('what another accuracy would change', () => {
     return createProver(now).prove({
       file: { ...FILE, runs: [{ name: 'swing', holds: [[10, 200]] }] },
       run: null,
-      accuracy,
+      terms: termsOf(accuracy),
       patience,
     });
   };

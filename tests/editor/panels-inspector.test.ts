@@ -9,7 +9,7 @@ import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspec
 import { nearestPass, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
 import { targetedIn } from '../../editor/panels/inspector/stretches.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { compile, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import {
   fieldsOf as fieldsOfKind,
   isRequired,
@@ -36,7 +36,7 @@ const SHIPPED: readonly LevelFile[] = readdirSync(levels)
   });
 
 const provenFile = (file: LevelFile): LiveProof =>
-  createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, accuracy: 'precise' });
+  createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, terms: DEFAULT_TERMS });
 
 const SUBJECTS: readonly Subject[] = ['level', ...OBJECT_KINDS];
 

@@ -5,7 +5,7 @@ import { explanationOf } from '../../editor/panels/problems/explanations.ts';
 import { keepSame, keysOf } from '../../editor/panels/problems/kept.ts';
 import { quickFixOf, runAt } from '../../editor/panels/problems/quick-fix.ts';
 import { createProver } from '../../editor/proof/index.ts';
-import { WARNING_CODES } from '../../engine/index.ts';
+import { DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';
 import { CODES, type Hold, type LevelFile, type Problem } from '../../schema/index.ts';
 
 const fileWith = (holds: readonly Hold[]): LevelFile => ({
@@ -20,7 +20,7 @@ const fileWith = (holds: readonly Hold[]): LevelFile => ({
   ],
 });
 
-const prove = (file: LevelFile) => createProver(() => 0).prove({ file, run: 'untidy', accuracy: 'precise' });
+const prove = (file: LevelFile) => createProver(() => 0).prove({ file, run: 'untidy', terms: DEFAULT_TERMS });
 
 describe('a quick fix', () => {
   it.each([

@@ -16,7 +16,7 @@ import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Requests, Solving, Workers } from '../../editor/workers/index.ts';
-import { compile, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 import { measureRobustness, proveImpossible, proveMineralsUnreachable, type Solution, verifyRun } from '../../solver/index.ts';
 import { breathe, TurnedClock } from './stage.ts';
@@ -74,8 +74,8 @@ const OTHER: Ghost = { id: 'attempt-1', label: 'attempt 1', points: new Float32A
 function stage(name = '04-slingshot', withRuns = true) {
   const { runs, ...file } = readShipped(name);
   const document = createEditedLevel(withRuns ? { ...file, runs } : file);
-  const proof = createProofStore(document, 'precise');
-  const session = createSession('precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
+  const session = createSession();
   session.subscribe(({ run }) => proof.showRun(run));
   const level = {
     document,

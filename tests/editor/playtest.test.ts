@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createPlaytest, type Playtest } from '../../editor/play/playtest.ts';
 import { createReplay } from '../../editor/play/replay.ts';
-import { compile, simulate, TICK_RATE } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate, TICK_RATE } from '../../engine/index.ts';
 import { type Hold, type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 
 const FILE: LevelFile = {
@@ -117,7 +117,7 @@ describe('a replay', () => {
   it('has at each tick what the playtest had, whichever way it got there, and is over at its last tick', () => {
     fc.assert(
       fc.property(fc.array(fc.integer({ min: -5, max: tick + 50 }), { minLength: 1, maxLength: 6 }), (ticks) => {
-        const replayed = createReplay(level, replay);
+        const replayed = createReplay(level, DEFAULT_TERMS, replay);
         for (const to of ticks) {
           replayed.seek(to);
           const at = Math.min(tick, Math.max(0, to));
@@ -130,7 +130,7 @@ describe('a replay', () => {
       { numRuns: 30 },
     );
     expect(playedTo(tick).minerals).toBe(1);
-    const replayed = createReplay(level, replay);
+    const replayed = createReplay(level, DEFAULT_TERMS, replay);
     for (let i = 0; i < 1000 && !replayed.isOver; i++) replayed.advance(30);
     expect(replayed.tick).toBe(tick);
     expect(replayed.pose().beamTo).toBeNull();

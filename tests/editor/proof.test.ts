@@ -16,9 +16,11 @@ import {
   compile,
   createSimulation,
   DEFAULT_BOX,
+  DEFAULT_TERMS,
   joinHolds,
   STATE_SIZE,
   simulate,
+  termsOf,
 } from '../../engine/index.ts';
 import { type LevelFile, readLevel } from '../../schema/index.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from '../engine/arbitrary-level.ts';
@@ -162,7 +164,7 @@ describe('the live proof', () => {
 
   it('keeps the scene if only runs change, and the beginning of the run if only its end changes', () => {
     const level = createEditedLevel(grandTour);
-    const proof = createProofStore(level, 'precise');
+    const proof = createProofStore(level, DEFAULT_TERMS);
     const { scene, run } = proof.proof();
     expect(run.outcome).toBe('completed');
     const last = run.holds.length - 1;
@@ -179,8 +181,8 @@ describe('the live proof', () => {
 
   it('follows every change, including drags and undo', () => {
     const level = createEditedLevel(grandTour);
-    const proof = createProofStore(level, 'precise');
-    const fresh = (): LiveProof => createProver().prove({ file: level.file(), run: null, accuracy: 'precise' });
+    const proof = createProofStore(level, DEFAULT_TERMS);
+    const fresh = (): LiveProof => createProver().prove({ file: level.file(), run: null, terms: DEFAULT_TERMS });
     const told = ({ verdict, provenBy, run }: LiveProof) => ({
       verdict,
       provenBy,
@@ -203,7 +205,7 @@ describe('the live proof', () => {
 
   it('lets her drift if there is no run', () => {
     const { runs: _, ...file } = grandTour;
-    const proof = createProver().prove({ file, run: 'solution', accuracy: 'precise' });
+    const proof = createProver().prove({ file, run: 'solution', terms: DEFAULT_TERMS });
     expect(proof).toMatchObject({ verdict: 'unproven', provenBy: null, run: { name: null, holds: [] } });
     expect(proof.run.way.count).toBeGreaterThan(1);
     expect(proof.problems[0]).toMatchObject({ code: 'no-run', severity: 'error' });
@@ -220,7 +222,7 @@ describe('the live proof', () => {
       ],
     };
     const prover = createProver();
-    const by = (run: string | null) => prover.prove({ file, run, accuracy: 'precise' }).provenBy;
+    const by = (run: string | null) => prover.prove({ file, run, terms: DEFAULT_TERMS }).provenBy;
     expect([by(null), by('too'), by('fails'), by('proves'), by('nowhere')]).toEqual([
       'proves',
       'too',
@@ -245,7 +247,7 @@ describe('margins', () => {
         const proof = prover.prove({
           file: JSON.parse(JSON.stringify(file).replaceAll('"id":null,', '')),
           run: null,
-          accuracy: name,
+          terms: termsOf(name),
         });
         const { way } = proof.run;
         const { gap } = proof.margins;
@@ -283,7 +285,7 @@ describe('margins', () => {
       ],
       runs: [{ name: 'r', holds: [] }],
     };
-    const { margins } = createProver().prove({ file, run: null, accuracy: 'precise' });
+    const { margins } = createProver().prove({ file, run: null, terms: DEFAULT_TERMS });
     expect(margins.nearMisses.map(({ kind, index, gap }) => [kind, index, Math.round(gap)])).toEqual([
       ['nova', 1, 8],
       ['nova', 0, 13],
@@ -300,7 +302,7 @@ describe('a proof that takes too long', () => {
     return () => (time += step);
   };
   const file = createEditedLevel(JSON.parse(readFileSync(join(root, 'levels', '02-first-swing.level.json'), 'utf8'))).file();
-  const whole = () => createProver().prove({ file, run: null, accuracy: 'precise' });
+  const whole = () => createProver().prove({ file, run: null, terms: DEFAULT_TERMS });
   const wayOf = ({ run: { way, outcome, tick } }: LiveProof) => ({
     outcome,
     tick,
@@ -309,7 +311,7 @@ describe('a proof that takes too long', () => {
   });
 
   it('is interrupted at its time limit, which it reports, and is not called broken', () => {
-    const cut = createProver(ticking(1)).prove({ file, run: null, accuracy: 'precise', patience: 50 });
+    const cut = createProver(ticking(1)).prove({ file, run: null, terms: DEFAULT_TERMS, patience: 50 });
     expect(cut).toMatchObject({ limit: 'run', verdict: 'unproven', provenBy: null, full: null });
     expect(cut.run.way.count).toBeLessThan(60);
     expect(cut.run.way.count).toBeGreaterThan(30);
@@ -323,7 +325,7 @@ describe('a proof that takes too long', () => {
     const full = wayOf(whole());
     for (const patience of [5, 61, 130, 200]) {
       const prover = createProver(ticking(1));
-      const question = { file, run: null, accuracy: 'precise' } as const;
+      const question = { file, run: null, terms: DEFAULT_TERMS } as const;
       expect(prover.prove({ ...question, patience }).limit).toBe('run');
       const done = prover.prove({ ...question, patience: 1e6 });
       expect(done.limit).toBeNull();
@@ -339,17 +341,17 @@ describe('a proof that takes too long', () => {
     const many = Array.from({ length: 300 }, (_, i) => ({ name: `r${i}`, holds: [[i, i + 1]] as [number, number][] }));
     const runs = [failing, ...many, { ...first, name: 'works' }];
     const hard = createEditedLevel({ ...file, runs }).file();
-    const proof = createProver(ticking(1)).prove({ file: hard, run: 'drift', accuracy: 'precise', patience: 2000 });
+    const proof = createProver(ticking(1)).prove({ file: hard, run: 'drift', terms: DEFAULT_TERMS, patience: 2000 });
     expect(proof).toMatchObject({ limit: 'others', verdict: 'unproven', provenBy: null });
     expect(proof.full).not.toBeNull();
-    expect(createProver().prove({ file: hard, run: 'drift', accuracy: 'precise' })).toMatchObject({
+    expect(createProver().prove({ file: hard, run: 'drift', terms: DEFAULT_TERMS })).toMatchObject({
       limit: null,
       provenBy: 'works',
     });
   });
 
   it('is interrupted within a tick that takes too much work, and does not start if there is nothing to simulate', () => {
-    const question = { file, run: null, accuracy: 'precise', patience: 1e6 } as const;
+    const question = { file, run: null, terms: DEFAULT_TERMS, patience: 1e6 } as const;
     let cuts = 0;
     for (const work of [3, 10, 20, 40]) {
       const prover = createProver(() => 0, work);
@@ -383,9 +385,9 @@ describe('a proof that takes too long', () => {
     // and back: both store their paths in the same arrays
     expect(wayOf(prover.prove({ ...question, patience: Number.POSITIVE_INFINITY }))).toEqual(wayOf(whole()));
     const other = createProver();
-    const off = other.prove({ file, run: null, accuracy: 'precise', patience: 0 });
+    const off = other.prove({ file, run: null, terms: DEFAULT_TERMS, patience: 0 });
     expect(off).toMatchObject({ limit: 'unchecked', verdict: 'unproven', problems: [{ code: 'work-limit' }] });
     expect([...off.run.way.states.subarray(0, 2)]).toEqual([file.astronaut.x, file.astronaut.y]);
-    expect(wayOf(other.prove({ file, run: null, accuracy: 'precise', patience: 1e6 }))).toEqual(wayOf(whole()));
+    expect(wayOf(other.prove({ file, run: null, terms: DEFAULT_TERMS, patience: 1e6 }))).toEqual(wayOf(whole()));
   });
 });

@@ -1,3 +1,4 @@
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -87,7 +88,7 @@ describe('what is published', () => {
     const editor = {
       workspace: { storage, store: { getState: () => ({ list: { levels, folder: { id: '' } }, opened }) } },
       workers: { start },
-      settings: { getState: () => ({ accuracy: 'precise' }) },
+      terms: { getState: () => ({ folder: DEFAULT_TERMS, shown: DEFAULT_TERMS }) },
     } as unknown as Editor;
     const shown: number[] = [];
     const wish = (more: Partial<PublishWish>): PublishWish => ({

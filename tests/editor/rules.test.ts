@@ -3,14 +3,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel, resetRules, setRule } from '../../editor/document/index.ts';
-import { withKeptRules } from '../../editor/files/folder-rules.ts';
+import { NO_FOLDER_TERMS, withKeptTerms } from '../../editor/files/folder-terms.ts';
 import { positionOf, SLIDER_END, stepOf, valueAt } from '../../editor/panels/inspector/rule-scale.ts';
 import { originOf, ruleLabel, ruleValues } from '../../editor/panels/inspector/rule-values.ts';
 import { createProofStore, createProver } from '../../editor/proof/index.ts';
-import { compile, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
-  type FolderRules,
+  type FolderTerms,
   formatLevel,
   type LevelFile,
   type ListResponse,
@@ -91,7 +91,7 @@ describe('the proof', () => {
 
   it('follows a rule while it is dragged, and when that is cancelled', () => {
     const level = createEditedLevel(SWING);
-    const proof = createProofStore(level, 'precise');
+    const proof = createProofStore(level, DEFAULT_TERMS);
     expect(proof.proof().verdict).toBe('completable');
     const gesture = level.begin('Set pull');
     for (const pull of [40, 43, 46]) {
@@ -109,54 +109,55 @@ describe('the proof', () => {
 
   it("uses the folder's rules if the level has none, and follows their changes", () => {
     const level = createEditedLevel(SWING);
-    const proof = createProofStore(level, 'precise', { rules: { pull: 45 } });
+    const proof = createProofStore(level, { ...DEFAULT_TERMS, rules: { pull: 45 } });
     expect([proof.proof().verdict, shown(proof)]).toEqual(['broken', end(SWING, { pull: 45 })]);
     level.change('Set', setRule('pull', 39));
     expect([proof.proof().verdict, proof.proof().scene.rules.pull]).toEqual(['completable', 39]);
     level.undo();
     expect(proof.proof().verdict).toBe('broken');
-    proof.setFolderRules({ boxWidth: 40 });
+    proof.setTerms({ ...DEFAULT_TERMS, rules: { boxWidth: 40 } });
     expect(proof.proof().verdict).toBe('completable');
     expect(proof.proof().scene.box.halfWidth).toBe(20);
     proof.close();
   });
 
-  it('keeps its level if neither the file nor the rules change, and its scene if the motion stays the same', () => {
+  it('keeps its level if neither the file nor the terms change, and its scene if the motion stays the same', () => {
     const prover = createProver(() => 0);
     const rules = { pull: 45 };
-    const question = { file: SWING, rules, run: null, accuracy: 'precise' } as const;
+    const terms = { ...DEFAULT_TERMS, rules };
+    const question = { file: SWING, run: null, terms } as const;
     const first = prover.prove(question);
     expect(prover.prove(question)).toBe(first);
     expect(prover.prove({ ...question, run: 'other' }).level).toBe(first.level);
     // the same numbers from another source give the same scene
-    expect(prover.prove({ ...question, file: { ...SWING, rules }, rules: {} }).scene).toBe(first.scene);
-    expect(prover.prove({ ...question, rules: { pull: 46 } }).scene.rules.pull).toBe(46);
+    expect(prover.prove({ ...question, file: { ...SWING, rules } }).scene).toBe(first.scene);
+    expect(prover.prove({ ...question, terms: { ...terms, rules: { pull: 46 } } }).scene.rules.pull).toBe(46);
   });
 });
 
-describe('the rules of a list', () => {
-  const list = (rules: FolderRules): ListResponse => ({
+describe('the terms of a list', () => {
+  const list = (terms: FolderTerms): ListResponse => ({
     ...{ folder: { id: 'f', path: 'levels', $schema: null }, folders: [''], levels: [], troubles: [], unread: 0 },
-    rules,
+    terms,
   });
 
   it('are the same objects as before if they are equal, so that subscribers see no change', () => {
-    const before = list({ file: 'gq.config.json', own: { pull: 45 }, problems: [] });
+    const before = list({ ...NO_FOLDER_TERMS, file: 'gq.config.json', rules: { pull: 45 } });
     const again = structuredClone(before);
-    expect(withKeptRules(again, before).rules).toBe(before.rules);
-    expect(withKeptRules(again, null)).toBe(again);
+    expect(withKeptTerms(again, before).terms).toBe(before.terms);
+    expect(withKeptTerms(again, null)).toBe(again);
     const problem = { code: 'a', severity: 'error', message: '', hint: '', pointer: '', line: 1, column: 1 } as const;
-    const wrong = withKeptRules(list({ ...again.rules, problems: [problem] }), before);
-    expect(wrong.rules.problems).toEqual([problem]);
-    expect(wrong.rules.own).toBe(before.rules.own);
-    expect(withKeptRules(list({ ...again.rules, own: { pull: 46 } }), before).rules.own).toEqual({ pull: 46 });
+    const wrong = withKeptTerms(list({ ...again.terms, problems: [problem] }), before);
+    expect(wrong.terms.problems).toEqual([problem]);
+    expect(wrong.terms.rules).toBe(before.terms.rules);
+    expect(withKeptTerms(list({ ...again.terms, rules: { pull: 46 } }), before).terms.rules).toEqual({ pull: 46 });
   });
 });
 
 describe('a rule in the inspector', () => {
-  const FOLDER = { file: 'gq.config.json', own: { pull: 45 }, problems: [] };
-  const NONE = { file: null, own: {}, problems: [] };
-  const pullOf = (rules: OwnRules | undefined, folder: typeof FOLDER | typeof NONE) => {
+  const FOLDER = { ...NO_FOLDER_TERMS, file: 'gq.config.json', rules: { pull: 45 } };
+  const NONE = NO_FOLDER_TERMS;
+  const pullOf = (rules: OwnRules | undefined, folder: FolderTerms) => {
     const pull = ruleValues({ rules }, folder).find((rule) => rule.name === 'pull');
     if (pull === undefined) throw new Error('there is no pull');
     const { value, isOwn, fallback, from } = pull;
@@ -185,7 +186,7 @@ describe('a rule in the inspector', () => {
     ) as fc.Arbitrary<OwnRules>;
     fc.assert(
       fc.property(rules, rules, (own, folder) => {
-        const values = ruleValues({ rules: own }, { file: 'gq.config.json', own: folder, problems: [] });
+        const values = ruleValues({ rules: own }, { ...NO_FOLDER_TERMS, file: 'gq.config.json', rules: folder });
         const played = rulesOf(resolveLevel({ ...SWING, rules: own }, folder));
         expect(Object.fromEntries(values.map((rule) => [rule.name, rule.value]))).toEqual(played);
       }),

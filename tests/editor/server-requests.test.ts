@@ -51,7 +51,7 @@ describe('requests', () => {
     folder: { id: 'f', path: 'levels', $schema: null },
     folders: [''],
     levels: [entry('a')],
-    rules: { file: null, own: {}, problems: [] },
+    terms: { file: null, accuracy: 'precise', maxTime: 60, maxWork: 400_000, rules: {}, problems: [] },
     troubles: [],
     unread: 0,
   };

@@ -8,6 +8,7 @@ import { applyPatches, createEditedLevel, diffFiles } from '../../editor/documen
 import { createProver } from '../../editor/proof/index.ts';
 import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/share/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
   enteringFolder,
@@ -152,7 +153,7 @@ describe('exporting', () => {
     const file = fileOf(firewalk);
     const { name, blob } = levelFile('world/16-firewalk', file);
     expect([name, await blob.text()]).toEqual(['16-firewalk.level.json', formatLevel(file)]);
-    const proof = createProver().prove({ file, run: null, accuracy: 'precise' });
+    const proof = createProver().prove({ file, run: null, terms: DEFAULT_TERMS });
     const [withRun, without] = [true, false].map((withRun) => pictureSvg(proof, { theme: 'dark', width: 800, withRun }));
     expect(withRun.length).toBeGreaterThan(without.length);
   });
@@ -173,7 +174,7 @@ describe('templates', () => {
   it('are completable if they have a run, and have no problems at the start', () => {
     for (const { id, make } of TEMPLATES) {
       for (let seed = 0; seed < 20; seed++) {
-        const { verdict, problems } = createProver().prove({ file: make('New', seed), run: null, accuracy: 'precise' });
+        const { verdict, problems } = createProver().prove({ file: make('New', seed), run: null, terms: DEFAULT_TERMS });
         expect(verdict).toBe(id === 'first-swing' ? 'completable' : 'unproven');
         expect(problems.filter(({ code }) => code !== 'no-run')).toEqual([]);
       }
@@ -266,7 +267,7 @@ describe('a malicious link', () => {
     const { run, margins } = createProver().prove({
       file: createEditedLevel(linked.file).file(),
       run: null,
-      accuracy: 'precise',
+      terms: DEFAULT_TERMS,
     });
     expect(run.way.count).toBeGreaterThan(0);
     expect(margins.speed.every(Number.isFinite)).toBe(true);

@@ -7,6 +7,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import { gripAt } from '../../editor/timeline/grip.ts';
 import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { readLevel } from '../../schema/index.ts';
 
@@ -15,7 +16,7 @@ function firewalk() {
   const reading = readLevel(readFileSync(path, 'utf8'));
   if (!reading.ok) throw new Error('firewalk can not be read');
   const document = createEditedLevel(reading.document.file);
-  const proof = createProofStore(document, 'precise');
+  const proof = createProofStore(document, DEFAULT_TERMS);
   return { document, proof, ticks: () => proof.reach.getState().ticks, end: () => proof.proof().run.way.count - 1 };
 }
 

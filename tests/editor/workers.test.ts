@@ -13,7 +13,7 @@ import {
 import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
 import { createRunner } from '../../editor/workers/runner.ts';
 import { createPacer } from '../../editor/workers/work.ts';
-import { ACCURACIES, compile, DEFAULT_MAX_TIME, joinHolds, simulate } from '../../engine/index.ts';
+import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { assessLevel, effectsInWords, standingInWords } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
 import { findSlack, verifyRun } from '../../solver/index.ts';
@@ -65,7 +65,7 @@ describe('jobs', () => {
     const { runs: _, ...bare } = level;
     const request = {
       level: { ...bare, runs: [] },
-      accuracy: 'precise',
+      terms: DEFAULT_TERMS,
       goal: ANY,
       objective: 'first',
       count: 1,
@@ -81,18 +81,18 @@ describe('jobs', () => {
   });
 
   it('report slack first, then the robustness', () => {
-    const { result, told } = doJob('robustness', { level, accuracy: 'precise', holds, goal: ANY });
+    const { result, told } = doJob('robustness', { level, terms: DEFAULT_TERMS, holds, goal: ANY });
     expect(told).toMatchObject([{ slack: result.slack, p40: { samples: 100 } }]);
     expect(result.slack).toEqual(findSlack(compile(level), holds, ANY));
   });
 
   it('measure the slack alone, as it is measured with the robustness', () => {
-    const asked = { level, accuracy: 'precise', holds, goal: ANY } as const;
+    const asked = { level, terms: DEFAULT_TERMS, holds, goal: ANY } as const;
     expect(doJob('slack', asked).result).toEqual(doJob('robustness', asked).result.slack);
   });
 
   it('return the paths of a fan, which all still reach the black hole', () => {
-    const { result, told } = doJob('fan', { level, accuracy: 'precise', holds, goal: ANY });
+    const { result, told } = doJob('fan', { level, terms: DEFAULT_TERMS, holds, goal: ANY });
     expect(told).toEqual([{ slack: findSlack(compile(level), holds, ANY) }]);
     const ways = (result as Fan).ways;
     expect(ways.length).toBeGreaterThan(1);
@@ -110,9 +110,11 @@ describe('jobs', () => {
   });
 
   it('measure difficulty with a given run, or with one from a search', () => {
-    expect(doJob('difficulty', { level, accuracy: 'precise', holds, goal: ANY, budget: 100 }).result?.presses).toBe(holds.length);
+    expect(doJob('difficulty', { level, terms: DEFAULT_TERMS, holds, goal: ANY, budget: 100 }).result?.presses).toBe(
+      holds.length,
+    );
     // starts from the level's own runs, as there is no time for a search without them
-    const little = { accuracy: 'precise', holds: null, goal: ANY, budget: 2 } as const;
+    const little = { terms: DEFAULT_TERMS, holds: null, goal: ANY, budget: 2 } as const;
     expect(doJob('difficulty', { level, ...little }).result).not.toBeNull();
     expect(doJob('difficulty', { level: { ...level, runs: [] }, ...little }).result).toBeNull();
     const impossible: Level = { ...level, asteroids: [], runs: [] };
@@ -124,20 +126,20 @@ describe('jobs', () => {
     const far = { id: 'far', x: x + 5000, y, radius: 7 };
     const { result } = doJob('proofs', {
       level: { ...level, minerals: [...level.minerals.slice(0, 1), far] },
-      accuracy: 'precise',
+      terms: DEFAULT_TERMS,
       collected: [],
     });
     expect(result).toMatchObject({ impossible: null, minerals: [{ index: 1, proof: { about: { kind: 'mineral', index: 1 } } }] });
     const gone = doJob('proofs', {
       level: { ...level, blackHole: { x: 9999, y, radius: 18 } },
-      accuracy: 'precise',
+      terms: DEFAULT_TERMS,
       collected: null,
     });
     expect(gone.result.impossible).not.toBeNull();
   });
 
   it('draw a small picture of a level, with its verdict', () => {
-    const request = { accuracy: 'precise', width: 200, theme: 'dark' } as const;
+    const request = { terms: DEFAULT_TERMS, width: 200, theme: 'dark' } as const;
     const good = doJob('thumbnail', { ...request, text: textOf('02-first-swing') }).result;
     expect(good).toMatchObject({ verdict: 'completable', svg: expect.stringContaining('<svg') });
     const broken = JSON.stringify({ ...JSON.parse(textOf('02-first-swing')), runs: [{ name: 'solution', holds: [[1, 2]] }] });
@@ -163,11 +165,11 @@ describe('jobs', () => {
     const file = JSON.parse(text);
     const [{ x, y }] = file.asteroids;
     const moved = JSON.stringify({ ...file, asteroids: [{ ...file.asteroids[0], x: x + 90, y }, ...file.asteroids.slice(1)] });
-    const request = { rules: {}, accuracy: 'precise', width: 400, theme: 'dark' } as const;
+    const request = { terms: DEFAULT_TERMS, width: 400, theme: 'dark' } as const;
     const standing = (of: string) => {
       const reading = readLevel(of);
       if (!reading.ok) throw new Error('a level');
-      const judged = assessLevel(reading.level, { accuracy: ACCURACIES.precise, maxTime: DEFAULT_MAX_TIME, slack: true });
+      const judged = assessLevel(reading.level, { terms: DEFAULT_TERMS, slack: true });
       return { judged, words: standingInWords(judged, reading.level.range) };
     };
     const { result } = doJob('compare', { ...request, before: text, after: moved });
@@ -199,24 +201,26 @@ describe('jobs', () => {
   });
 
   it('measure the cost of accuracy', () => {
-    const { result } = doJob('accuracy', { level, holds });
+    const { result } = doJob('accuracy', { level, terms: DEFAULT_TERMS, holds });
     expect(result.settings.find(({ name }) => name === 'precise')).toMatchObject({ outcome: 'completed', sameVerdict: true });
   });
 });
 
+/** A search that goes on until it is cancelled. */
+const SEARCH = {
+  level: { ...level, runs: [] },
+  terms: DEFAULT_TERMS,
+  goal: ANY,
+  objective: 'robust',
+  count: 1,
+  known: [],
+  seed: 1,
+  lane: 0,
+  budget: null,
+} as const;
+
 describe('a worker', () => {
-  const endless = {
-    level: { ...level, runs: [] },
-    accuracy: 'precise',
-    goal: ANY,
-    objective: 'robust',
-    count: 1,
-    known: [],
-    seed: 1,
-    lane: 0,
-    budget: null,
-  } as const;
-  const start = (job: number): ToWorker => ({ type: 'start', job, kind: 'solve', request: endless });
+  const start = (job: number): ToWorker => ({ type: 'start', job, kind: 'solve', request: SEARCH });
 
   it('handles a cancel between two slices, and continues with the next job', () => {
     const { heard, hear, slice } = bench();
@@ -238,7 +242,7 @@ describe('a worker', () => {
   it('reports a failing job, and does the next one', () => {
     const { heard, hear, all } = bench();
     hear({ type: 'start', job: 1, kind: 'thumbnail', request: {} as never });
-    hear({ type: 'start', job: 2, kind: 'thumbnail', request: { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } });
+    hear({ type: 'start', job: 2, kind: 'thumbnail', request: { text: '{', terms: DEFAULT_TERMS, width: 1, theme: 'dark' } });
     all();
     expect(heard).toMatchObject([
       { type: 'failed', job: 1, message: expect.any(String) },
@@ -248,7 +252,7 @@ describe('a worker', () => {
 
   it('is idle when everything is done', () => {
     const { hear, all, isIdle } = bench();
-    hear({ type: 'start', job: 1, kind: 'thumbnail', request: { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } });
+    hear({ type: 'start', job: 1, kind: 'thumbnail', request: { text: '{', terms: DEFAULT_TERMS, width: 1, theme: 'dark' } });
     all();
     expect(isIdle()).toBe(true);
     hear({ type: 'cancel', job: 1 });
@@ -307,12 +311,12 @@ describe('workers', () => {
     });
     return { ports, clock, workers };
   }
-  const thumb = { text: '{', accuracy: 'precise', width: 1, theme: 'dark' } as const;
+  const thumb = { text: '{', terms: DEFAULT_TERMS, width: 1, theme: 'dark' } as const;
 
   it('report the progress of a job and how it ends', async () => {
     const { ports, workers } = crew();
     const told: unknown[] = [];
-    const job = workers.start('fan', { level, accuracy: 'precise', holds, goal: ANY }, (progress) => told.push(progress));
+    const job = workers.start('fan', { level, terms: DEFAULT_TERMS, holds, goal: ANY }, (progress) => told.push(progress));
     ports[0].answer({ type: 'progress', job: 1, progress: 'half' });
     ports[0].answer({ type: 'done', job: 1, result: 'all' });
     expect(await job.end).toEqual({ kind: 'done', result: 'all' });
@@ -323,7 +327,7 @@ describe('workers', () => {
     const { ports, clock, workers } = crew();
     const told: unknown[] = [];
     const [stuck, next] = [
-      workers.start('proofs', { level, accuracy: 'precise', collected: [] }, (p) => told.push(p)),
+      workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] }, (p) => told.push(p)),
       workers.start('thumbnail', thumb),
     ];
     stuck.cancel();
@@ -333,7 +337,7 @@ describe('workers', () => {
     // it sent a message, so it was not stuck
     await clock.pass(100);
     expect(ports).toHaveLength(1);
-    const again = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
+    const again = workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] });
     again.cancel();
     await clock.pass(49);
     expect(ports[0].isOver).toBe(true);
@@ -345,9 +349,9 @@ describe('workers', () => {
 
   it('stop a job at its time limit, counted from its start, and continue with the next', async () => {
     const { ports, clock, workers } = crew();
-    const first = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
-    const second = workers.start('proofs', { level, accuracy: 'precise', collected: [] });
-    const search = workers.start('generate', { options: { seed: 1 } });
+    const first = workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] });
+    const second = workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] });
+    const search = workers.start('solve', SEARCH);
     await clock.pass(19_000);
     expect(ports[0].isOver).toBe(false);
     await clock.pass(2000);
@@ -375,9 +379,9 @@ describe('workers', () => {
 
   it('separate short jobs, searches and jobs that follow every change; closing ends all', async () => {
     const { ports, workers } = crew();
-    const job = workers.start('generate', { options: { seed: 1 } });
+    const job = workers.start('solve', SEARCH);
     workers.start('thumbnail', thumb);
-    workers.start('fan', { level, accuracy: 'precise', holds, goal: ANY });
+    workers.start('fan', { level, terms: DEFAULT_TERMS, holds, goal: ANY });
     expect(ports.map(({ sent }) => sent.length)).toEqual([1, 1, 1]);
     workers.close();
     expect(await job.end).toEqual({ kind: 'cancelled' });

@@ -72,7 +72,7 @@ describe('the API of gq edit', () => {
     const list = (unread: number) =>
       listResponseSchema.safeParse({
         ...{ folder: { id: '', path: '', $schema: null }, folders: [], levels: [], troubles: [], unread },
-        rules: { file: null, own: {}, problems: [] },
+        terms: { file: null, accuracy: 'precise', maxTime: 60, maxWork: 400_000, rules: {}, problems: [] },
       }).success;
     expect([-1, 0, 1, 1.5].map(list)).toEqual([false, true, true, false]);
     const problem = (line: number | null, column: number | null) =>

@@ -98,6 +98,7 @@ const leastRun = {
 const leastTerms = { accuracy: '', maxTime: 0, maxWork: 1, rules: {} };
 const found = { holds: [[-7, -7]], time: 0, tick: 0, minerals: [0] };
 const solution = {
+  terms: leastTerms,
   ...{ level: '', accuracy: '', found: false, holds: null, outcome: null, time: 0, tick: 0, minerals: [{ index: 0, time: 0 }] },
   effort: { runs: 0, ticks: 0, seconds: 0, seed: -7 },
   robustness,
@@ -167,7 +168,7 @@ describe.each<[name: string, schema: z.ZodType, least: object]>([
   ['a run', runReportSchema, leastRun],
   ['check', checkReportSchema, { ...version, levels: [checked], summary: { invalid: 0 }, ...early }],
   ['robustness', robustnessReportSchema, robustness],
-  ['solve', solveReportSchema, { ...version, terms: leastTerms, ...solution, solutions: [solution] }],
+  ['solve', solveReportSchema, { ...version, ...solution, solutions: [solution] }],
   [
     'difficulty',
     difficultyReportSchema,

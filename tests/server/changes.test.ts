@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { changesBetween } from '../../cli/edit/changes.ts';
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
 
 const entry = (id: string, content: number): LevelEntry => ({
@@ -21,7 +22,7 @@ const folder = fc
       folder: { id: 'f', path: 'levels', $schema: null },
       folders: [''],
       levels: Object.entries(contents).map(([id, content]) => entry(id, content)),
-      rules: { file: null, own: {}, problems: [] },
+      terms: NO_FOLDER_TERMS,
       troubles,
       unread: 0,
     }),
@@ -31,8 +32,8 @@ const folder = fc
 function hear(known: Map<string, LevelEntry>, event: EditEvent): Map<string, LevelEntry> {
   const next = new Map(known);
   if (event.type === 'list') return new Map(event.list.levels.map((level) => [level.id, level]));
-  if (event.type === 'read' || event.type === 'rules' || event.type === 'pack')
-    throw new Error('of a folder all is read by then, and neither its rules nor its order are a level');
+  if (event.type === 'read' || event.type === 'terms' || event.type === 'pack')
+    throw new Error('of a folder all is read by then, and neither its terms nor its order are a level');
   if (event.type === 'removed') {
     expect(next.delete(event.id)).toBe(true);
     return next;

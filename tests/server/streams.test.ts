@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createEventStreams, inParts } from '../../cli/edit/event-stream.ts';
 import type { KnownLevels } from '../../cli/edit/known-levels.ts';
 import { Refusal } from '../../cli/edit/refusal.ts';
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
 
 const listOf = (...ids: string[]): ListResponse => ({
@@ -13,7 +14,7 @@ const listOf = (...ids: string[]): ListResponse => ({
       ...{ id, file: `${id}.level.json`, etag: null, status: 'unreadable', name: null, problems: [], readOnly: null },
     }),
   ),
-  rules: { file: null, own: {}, problems: [] },
+  terms: NO_FOLDER_TERMS,
   troubles: [],
   unread: 0,
 });

@@ -1,9 +1,10 @@
 import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { ACCURACIES, type AccuracyName, DEFAULT_ACCURACY } from '../../../engine/index.ts';
-import { useEditor, usePageTheme, useProof, useSession } from '../../context/index.ts';
+import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
+import { useEditor, usePageTerms, usePageTheme, useProof } from '../../context/index.ts';
 import { playsAlike } from '../../proof/index.ts';
+import { accuracyNameOf } from '../../terms/index.ts';
 import { Button, Dialog } from '../../ui/index.ts';
 import { pixels } from '../figures/index.ts';
 import { Progress, Section } from '../parts/index.ts';
@@ -26,10 +27,12 @@ interface ChoiceProps {
   /** µs per simulated second */
   readonly cost: number | undefined;
   readonly isCurrent: boolean;
+  /** Whether `gq check` judges the folder at it. */
+  readonly isOfFolder: boolean;
 }
 
-function Choice({ name, result, cost, isCurrent }: ChoiceProps) {
-  const { session, settings } = useEditor();
+function Choice({ name, result, cost, isCurrent, isOfFolder }: ChoiceProps) {
+  const { settings } = useEditor();
   const range = useProof(({ level }) => level.range);
   return (
     <label className={isCurrent ? 'accuracy accuracy--current' : 'accuracy'}>
@@ -38,15 +41,12 @@ function Choice({ name, result, cost, isCurrent }: ChoiceProps) {
         name="accuracy"
         value={name}
         checked={isCurrent}
-        onChange={() => {
-          settings.setState({ accuracy: name });
-          session.setState({ accuracy: name });
-        }}
+        onChange={() => settings.setState({ otherAccuracy: isOfFolder ? null : name })}
       />
       <span className="accuracy__head">
         <b>{name}</b>
         {isCurrent && <span className="accuracy__tag">in use</span>}
-        {name === DEFAULT_ACCURACY && !isCurrent && <span className="accuracy__tag accuracy__tag--quiet">default</span>}
+        {isOfFolder && <span className="accuracy__tag accuracy__tag--quiet">gq check here</span>}
         <span className="accuracy__cost numbers">
           {cost === undefined ? '' : `${cost < 10 ? cost.toFixed(1) : cost.toFixed(0)} µs/s`}
         </span>
@@ -107,7 +107,8 @@ function DiagramView({ measured, current }: { readonly measured: MeasuredSetting
 
 /** The results and costs of the named settings for this level and run; selects the one in use. */
 export function AccuracyPanel() {
-  const current = useSession(({ accuracy }) => accuracy);
+  const terms = usePageTerms();
+  const current = accuracyNameOf(terms.shown);
   const { results, costs, isFresh } = useNamedResults();
   const { phase, message, measured, start, cancel } = useMeasured();
   const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
@@ -161,12 +162,14 @@ export function AccuracyPanel() {
               result={results.find((result) => result.name === name)}
               cost={costs?.get(name)}
               isCurrent={name === current}
+              isOfFolder={name === terms.folder.accuracy.name}
             />
           ))}
         </div>
         <p className="part__note">
           Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The setting in
-          use applies to the verdict, the playtest and the solver.
+          use applies to this level: to its verdict, the playtest and the solver. The list, the pack and publishing say what gq
+          check says here.
         </p>
       </Section>
     </div>

@@ -1,14 +1,8 @@
 import type { RunEnd } from '../../../check/words/index.ts';
-import {
-  ACCURACIES,
-  type AccuracyName,
-  compile,
-  createSimulation,
-  DEFAULT_MAX_TICKS,
-  DEFAULT_MAX_TIME,
-} from '../../../engine/index.ts';
+import { ACCURACIES, type AccuracyName, compile, createSimulation, maxTicksOf, type Terms } from '../../../engine/index.ts';
 import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
+import { termsAt } from '../../terms/index.ts';
 import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
 
 /** The result of a run at a named setting. */
@@ -24,14 +18,15 @@ export interface NamedResult {
 /** in display order */
 export const NAMES = Object.keys(ACCURACIES) as readonly AccuracyName[];
 
-/** Simulates a run at every named setting, one per step; `precise` comes first, as the others are compared with it. */
-export function* compareNamed(level: Level, holds: readonly Hold[]): Generator<NamedResult, void, void> {
+/** Simulates a run at every named setting, with the other terms as they are, one per step; `precise` comes first, as the others are compared with it. */
+export function* compareNamed(level: Level, terms: Terms, holds: readonly Hold[]): Generator<NamedResult, void, void> {
+  const maxTicks = maxTicksOf(terms);
   let reference: Reference | null = null;
   for (const name of ['precise', ...NAMES.filter((other) => other !== 'precise')] as const) {
-    const path = pathOf(createSimulation(compile(level, name)), holds, DEFAULT_MAX_TICKS);
-    const ending = path.ending ?? { outcome: 'timeout' as const, with: null, time: DEFAULT_MAX_TIME, tick: DEFAULT_MAX_TICKS };
+    const path = pathOf(createSimulation(compile(level, termsAt(terms, name))), holds, maxTicks);
+    const ending = path.ending ?? { outcome: 'timeout' as const, with: null, time: terms.maxTime, tick: maxTicks };
     reference ??= { tolerance: ACCURACIES.precise.tolerance, path, outcome: ending.outcome, time: ending.time, floor: 0 };
-    const { error, sameVerdict } = deviationOf(path, reference, DEFAULT_MAX_TICKS);
+    const { error, sameVerdict } = deviationOf(path, reference, maxTicks);
     yield { name, end: ending, difference: error, sameVerdict };
   }
 }
@@ -40,8 +35,13 @@ export function* compareNamed(level: Level, holds: readonly Hold[]): Generator<N
 export type Costs = ReadonlyMap<AccuracyName, number>;
 
 /** The cost of the named settings on a run, timed in turns; the minimum of the rounds counts. @returns null if aborted */
-export async function costsOfNamed(level: Level, holds: readonly Hold[], options: TurnsOptions): Promise<Costs | null> {
-  const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], DEFAULT_MAX_TICKS));
+export async function costsOfNamed(
+  level: Level,
+  terms: Terms,
+  holds: readonly Hold[],
+  options: TurnsOptions,
+): Promise<Costs | null> {
+  const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], maxTicksOf(terms)));
   const samples = await timeInTurns(players, options);
   return samples && new Map(NAMES.map((name, i) => [name, Math.min(...samples[i])]));
 }

@@ -1,5 +1,5 @@
 import { withinWork } from '../../../check/index.ts';
-import { type AccuracyName, compile, createSimulation, DEFAULT_MAX_TICKS, WorkBudget } from '../../../engine/index.ts';
+import { ACCURACIES, type AccuracyName, atAccuracy, createSimulation, maxTicksOf, WorkBudget } from '../../../engine/index.ts';
 import { largestDistance, pathOf } from '../../../engine/work-precision/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 
@@ -23,13 +23,14 @@ const MOST_WORK = 20_000;
  * @param most pieces of motion that both runs together may take
  * @returns null if they take more, or if the level is not simulated at all
  */
-export function otherEndOf({ level, scene, accuracy, run, limit }: LiveProof, most = MOST_WORK): OtherEnd | null {
+export function otherEndOf({ scene, terms, run, limit }: LiveProof, most = MOST_WORK): OtherEnd | null {
   if (limit === 'unchecked' || limit === 'everything') return null;
-  const name: AccuracyName = accuracy === 'arcade' ? 'precise' : 'arcade';
+  const name: AccuracyName = terms.accuracy.name === 'arcade' ? 'precise' : 'arcade';
   const budget = new WorkBudget(most);
+  const maxTicks = maxTicksOf(terms);
   return withinWork(budget, () => {
-    const shown = pathOf(createSimulation(scene, budget), run.holds, DEFAULT_MAX_TICKS);
-    const other = pathOf(createSimulation(compile(level, name), budget), run.holds, DEFAULT_MAX_TICKS);
+    const shown = pathOf(createSimulation(scene, budget), run.holds, maxTicks);
+    const other = pathOf(createSimulation(atAccuracy(scene, ACCURACIES[name]), budget), run.holds, maxTicks);
     const isSame = shown.ending?.outcome === other.ending?.outcome;
     return { name, distance: largestDistance(other, shown), isSame };
   });

@@ -37,9 +37,9 @@ export function useMeasured(): Measuring {
   useEffect(() => drop, [drop]);
   const start = useCallback(() => {
     drop();
-    const { level, run, file } = proof.proof();
+    const { level, terms, run, file } = proof.proof();
     const about = { level: level.name, run: run.name, played: { file, level }, holds: run.holds.join() };
-    const mine = workers.start('accuracy', { level: { ...level, runs: [] }, holds: run.holds });
+    const mine = workers.start('accuracy', { level: { ...level, runs: [] }, terms, holds: run.holds });
     job.current = mine;
     setState(({ measured }) => ({ phase: 'measuring', message: null, measured }));
     void mine.end.then((end) => {

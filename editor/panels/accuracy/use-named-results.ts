@@ -23,18 +23,18 @@ export function useNamedResults(): NamedResults {
   const [state, setState] = useState<NamedResults>({ results: [], costs: null, isFresh: false });
   useEffect(() => {
     let timer: ReturnType<typeof setTimeout> | undefined;
-    let last: (PlayedFile & { readonly holds: string }) | null = null;
+    let last: (PlayedFile & { readonly holds: string; readonly maxTime: number }) | null = null;
     let abort = new AbortController();
     const measure = async () => {
-      const { level, run } = proof.proof();
+      const { level, terms, run } = proof.proof();
       const { signal } = abort;
-      const costs = await costsOfNamed(level, run.holds, { now: () => performance.now(), pause: nextTurn, signal });
+      const costs = await costsOfNamed(level, terms, run.holds, { now: () => performance.now(), pause: nextTurn, signal });
       if (costs !== null) setState((state) => ({ ...state, costs }));
     };
     const compare = () => {
-      const { level, run, limit } = proof.proof();
+      const { level, terms, run, limit } = proof.proof();
       if (limit !== null) return;
-      const steps = compareNamed(level, run.holds);
+      const steps = compareNamed(level, terms, run.holds);
       const results: NamedResult[] = [];
       const step = () => {
         const next = steps.next();
@@ -49,11 +49,11 @@ export function useNamedResults(): NamedResults {
       step();
     };
     const look = () => {
-      const { file, level, run } = proof.proof();
+      const { file, level, terms, run } = proof.proof();
       const holds = run.holds.join();
-      if (last !== null && last.holds === holds && playsAlike(last, { file, level })) return;
+      if (last !== null && last.holds === holds && last.maxTime === terms.maxTime && playsAlike(last, { file, level })) return;
       const wait = last === null ? 0 : SETTLE;
-      last = { file, level, holds };
+      last = { file, level, holds, maxTime: terms.maxTime };
       clearTimeout(timer);
       abort.abort();
       abort = new AbortController();

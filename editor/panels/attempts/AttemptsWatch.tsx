@@ -15,10 +15,10 @@ export function AttemptsWatch() {
   const of = useStore(store, (state) => state.of);
   const ghosts = useMemo(() => createSelectedGhosts({ ghosts: level.ghosts, workers }), [level, workers]);
   useEffect(() => {
-    const played = of?.level ?? level.proof.proof().level;
+    const { level: now, terms } = level.proof.proof();
     const own = attempts.filter(({ number }) => selected.has(`attempt-${number}`));
     ghosts.show(
-      played,
+      { level: of?.level ?? now, terms },
       own,
       plays.filter(({ key }) => selected.has(key)),
     );

@@ -1,5 +1,5 @@
 import type { Editor, OpenLevel } from '../../context/index.ts';
-import { folderRulesIn } from '../../files/index.ts';
+import { folderTermsIn } from '../../files/index.ts';
 import { keepAsRun, keepHolds, makeProof } from '../../play/index.ts';
 import { copyPlay, copyPlayLink, type SharedPlay, savePlay } from '../../plays/index.ts';
 import { hashNow } from '../../shelf/index.ts';
@@ -23,7 +23,7 @@ function keepRow(editor: Editor, level: OpenLevel, { attempt, title, holds, outc
 /** A row to be sent. */
 function sharedRow({ workspace }: Editor, level: OpenLevel, row: AttemptRow): SharedPlay {
   const { title, bytes, attempt, playedOn } = row;
-  const { own: rules } = folderRulesIn(workspace.store.getState());
+  const { rules } = folderTermsIn(workspace.store.getState());
   const now = playedOn === hashNow(level) ? { file: level.document.file(), rules } : null;
   return { title, bytes, played: attempt?.played ?? now };
 }

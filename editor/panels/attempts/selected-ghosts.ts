@@ -1,9 +1,10 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Level } from '../../../schema/index.ts';
 import type { Attempt } from '../../attempts/index.ts';
 import type { Ghost } from '../../context/index.ts';
 import { attemptGhosts } from '../../play/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
 import type { OpenedPlay } from '../../shelf/index.ts';
+import { termsAt } from '../../terms/index.ts';
 import type { Workers } from '../../workers/index.ts';
 
 /** Paths that are shown at once: more of them are a tangle. */
@@ -13,8 +14,8 @@ const MOST = 40;
 const KEPT = 200;
 
 export interface SelectedGhosts {
-  /** Shows the paths of these attempts and plays. Those of plays are computed by a worker. @param level that was played */
-  show(level: Level, attempts: readonly Attempt[], plays: readonly OpenedPlay[]): void;
+  /** Shows the paths of these attempts and plays. Those of plays are computed by a worker. @param played the level that was played */
+  show(played: Pick<LiveProof, 'level' | 'terms'>, attempts: readonly Attempt[], plays: readonly OpenedPlay[]): void;
   close(): void;
 }
 
@@ -36,7 +37,7 @@ export function createSelectedGhosts({ ghosts, workers }: Parts): SelectedGhosts
     if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
   };
   return {
-    show(level, attempts, plays) {
+    show({ level, terms }, attempts, plays) {
       cancel();
       const own = attemptGhosts(attempts).map((ghost): Ghost => ({ ...ghost, id: `selected-${ghost.id}`, look: 'selected' }));
       const wanted = plays.slice(0, MOST);
@@ -51,7 +52,7 @@ export function createSelectedGhosts({ ghosts, workers }: Parts): SelectedGhosts
       for (const { key, play } of wanted) {
         if (paths.has(key)) continue;
         const { accuracy, holds, claim } = play;
-        const job = workers.start('path', { level, accuracy, holds, until: claim.tick });
+        const job = workers.start('path', { level, terms: termsAt(terms, accuracy), holds, until: claim.tick });
         jobs.push(job.cancel);
         void job.end.then((end) => {
           if (end.kind !== 'done') return;

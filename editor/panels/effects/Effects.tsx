@@ -104,7 +104,7 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
     abort.current?.abort();
     const mine = new AbortController();
     abort.current = mine;
-    const { level, accuracy, run } = proof.proof();
+    const { level, terms, run } = proof.proof();
     const asked = surveyOf(proof.proof());
     if (asked === null) return;
     const without = new Map(
@@ -112,7 +112,7 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
     );
     setMeasuring(true);
     const parts = { now: () => performance.now(), pause: nextTurn, signal: mine.signal };
-    const found = await timeEffects(level, accuracy, run.holds, without, parts);
+    const found = await timeEffects(level, terms, run.holds, without, parts);
     if (abort.current !== mine) return;
     setMeasuring(false);
     if (found !== null) setMeasured({ key: asked.key, times: found });

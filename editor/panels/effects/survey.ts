@@ -39,7 +39,7 @@ function numberOf(scene: object): number {
  * Surveys a level and its shown run, simulating once without each effect that can be left out. @returns null if the level takes
  * too much work for that
  */
-export function surveyOf({ level, scene, accuracy, run, full, limit }: LiveProof): Survey | null {
+export function surveyOf({ level, scene, terms, run, full, limit }: LiveProof): Survey | null {
   if (limit !== null || full === null) return null;
   const { simulated, notCalledFor } = scene.effects;
   return {
@@ -48,7 +48,7 @@ export function surveyOf({ level, scene, accuracy, run, full, limit }: LiveProof
       name,
       because,
       summary: summaryOf(name, scene.rules),
-      cost: costOf(level, accuracy, run.holds, full, name),
+      cost: costOf(level, terms, run.holds, full, name),
     })),
     notCalledFor: notCalledFor.map(({ name, because }) => ({ name, because, summary: summaryOf(name, scene.rules) })),
     modes: full.modes,

@@ -1,4 +1,4 @@
-import { ACCURACIES, type AccuracyName, DEFAULT_MAX_TICKS } from '../../../engine/index.ts';
+import { maxTicksOf, type Terms } from '../../../engine/index.ts';
 import { playerOf } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
@@ -32,13 +32,13 @@ export function savingOf(base: readonly number[], without: readonly number[]): E
  */
 export async function timeEffects(
   level: Level,
-  accuracy: AccuracyName,
+  terms: Terms,
   holds: readonly Hold[],
   without: ReadonlyMap<string, Level>,
   options: TurnsOptions,
 ): Promise<ReadonlyMap<string, EffectTime> | null> {
   const players = [level, ...without.values()].map((played) =>
-    playerOf([{ level: played, holds }], ACCURACIES[accuracy], DEFAULT_MAX_TICKS),
+    playerOf([{ level: played, holds }], terms.accuracy, maxTicksOf(terms)),
   );
   const samples = await timeInTurns(players, options);
   if (samples === null) return null;

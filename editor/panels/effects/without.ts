@@ -1,4 +1,4 @@
-import { type AccuracyName, compile, type Run, simulate, type Work } from '../../../engine/index.ts';
+import { compile, type Run, simulate, type Terms, type Work } from '../../../engine/index.ts';
 import { type Hold, kindOfList, type Level, OBJECT_LISTS } from '../../../schema/index.ts';
 
 /** Functions that leave one effect out of a level, by the effect's name. */
@@ -35,10 +35,10 @@ const SAME_TIME = 1e-6;
  * The cost of an effect: compares the run with the same holds in the level without it.
  * @param full the run with all effects
  */
-export function costOf(level: Level, accuracy: AccuracyName, holds: readonly Hold[], full: Run, effect: string): EffectCost {
+export function costOf(level: Level, terms: Terms, holds: readonly Hold[], full: Run, effect: string): EffectCost {
   const without = withoutEffect(level, effect);
   if (without === null) return { kind: 'always' };
-  const run = simulate(compile(without, accuracy), holds);
+  const run = simulate(compile(without, terms), holds);
   const isSame =
     run.outcome === full.outcome &&
     run.with?.kind === full.with?.kind &&

@@ -1,7 +1,7 @@
 import { Bookmark, HardDrive } from 'lucide-react';
 import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useFolderRules, useLevel, usePageTheme } from '../../context/index.ts';
+import { useEditor, useLevel, usePageTerms, usePageTheme } from '../../context/index.ts';
 import type { Version } from '../../versions/index.ts';
 import { VerdictSign } from '../levels/index.ts';
 import { pictureKey, picturesOf } from './version-pictures.ts';
@@ -13,9 +13,8 @@ export function VersionLine({ version, now }: { readonly version: Version; reado
   const editor = useEditor();
   const level = useLevel();
   const theme = usePageTheme();
-  const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
-  const rules = useFolderRules().own;
-  const by = useMemo(() => ({ theme, accuracy, rules }), [theme, accuracy, rules]);
+  const { folder: terms } = usePageTerms();
+  const by = useMemo(() => ({ theme, terms }), [theme, terms]);
   const pictures = picturesOf(editor, level);
   const key = pictureKey(version, by);
   const picture = useStore(pictures.store, (made) => made.get(key)) ?? null;

@@ -1,7 +1,6 @@
 import { useEffect, useMemo, useState } from 'react';
-import { useStore } from 'zustand';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useDocument, useEditor, useFolderRules, useLevel, usePageTheme } from '../../context/index.ts';
+import { useDocument, useEditor, useLevel, usePageTerms, usePageTheme } from '../../context/index.ts';
 import { levelText } from '../../document/index.ts';
 import { readText } from '../../files/index.ts';
 import type { Version } from '../../versions/index.ts';
@@ -53,8 +52,7 @@ const fileOf = (read: ReadVersion): LevelFile | null => (typeof read === 'string
 export function useComparison(version: Version, previous: Version | null, compared: ComparedWith): Comparison {
   const editor = useEditor();
   const theme = usePageTheme();
-  const rules = useFolderRules().own;
-  const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
+  const { folder: terms } = usePageTerms();
   const now = useDocument(({ file }) => file);
   const own = useVersionFile(version);
   const earlier = useVersionFile(compared === 'previous' ? previous : null);
@@ -68,13 +66,13 @@ export function useComparison(version: Version, previous: Version | null, compar
   useEffect(() => {
     if (before === null || after === null) return;
     const texts = { before: levelText(before), after: levelText(after) };
-    const job = editor.workers.start('compare', { ...texts, rules, accuracy, theme, width: 960 });
+    const job = editor.workers.start('compare', { ...texts, terms, theme, width: 960 });
     void job.end.then((end) => {
       if (end.kind === 'done') setMade({ before, after, drawn: end.result });
       else if (end.kind !== 'cancelled') setMade({ before, after, drawn: end.message });
     });
     return () => job.cancel();
-  }, [editor, before, after, rules, accuracy, theme]);
+  }, [editor, before, after, terms, theme]);
   const drawn = made !== null && made.before === before && made.after === after ? made.drawn : null;
   return { version: own, before, after, differences, drawn };
 }

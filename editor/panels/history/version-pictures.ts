@@ -1,17 +1,15 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { AccuracyName } from '../../../engine/index.ts';
-import { type OwnRules, RULE_NAMES } from '../../../schema/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import type { Editor, OpenLevel } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
+import { termsKey } from '../../terms/index.ts';
 import type { LevelVersions, Version } from '../../versions/index.ts';
 import { oneAtATime, type Results, type Workers } from '../../workers/index.ts';
 
 /** How a version is drawn and judged. */
 export interface DrawnBy {
   readonly theme: 'dark' | 'light';
-  readonly accuracy: AccuracyName;
-  /** The rules of the folder. */
-  readonly rules: OwnRules;
+  readonly terms: Terms;
 }
 
 interface Wanted {
@@ -41,15 +39,14 @@ const WIDTH = 128;
 const KEPT = 300;
 
 /** Versions with the same text look alike. */
-export const pictureKey = ({ check }: Version, { theme, accuracy, rules }: DrawnBy): string =>
-  `${check} ${theme} ${accuracy} ${RULE_NAMES.map((name) => rules[name])}`;
+export const pictureKey = ({ check }: Version, { theme, terms }: DrawnBy): string => `${check} ${theme} ${termsKey(terms)}`;
 
 function createPictures(workers: Workers, versions: LevelVersions): VersionPictures {
   const store = createStore<ReadonlyMap<string, VersionPicture>>(() => new Map());
-  const make = async (key: string, { version, by: { theme, ...by } }: Wanted) => {
+  const make = async (key: string, { version, by: { theme, terms } }: Wanted) => {
     const text = await versions.text(version);
     if (text === null) return;
-    const end = await workers.start('thumbnail', { text, ...by, width: WIDTH, theme }).end;
+    const end = await workers.start('thumbnail', { text, terms, width: WIDTH, theme }).end;
     if (end.kind !== 'done') return;
     const { svg, verdict } = end.result;
     const url = svg === '' ? null : `data:image/svg+xml,${encodeURIComponent(svg)}`;

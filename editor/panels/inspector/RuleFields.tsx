@@ -1,7 +1,7 @@
 import { RotateCcw } from 'lucide-react';
 import { useEffect, useRef } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useFolderRules, useSession } from '../../context/index.ts';
+import { useEditor, useFolderTerms, useSession } from '../../context/index.ts';
 import { problemsInWords } from '../../files/index.ts';
 import { Button } from '../../ui/index.ts';
 import { Section } from '../parts/index.ts';
@@ -11,7 +11,7 @@ import { ruleValues } from './rule-values.ts';
 /** The rules of the level: its own, those of its folder, and the game's defaults. */
 export function RuleFields({ file }: { readonly file: LevelFile }) {
   const { commands, session } = useEditor();
-  const folder = useFolderRules();
+  const folder = useFolderTerms();
   const rules = ruleValues(file, folder);
   const asked = useSession((state) => state.askedRule);
   const list = useRef<HTMLDivElement>(null);

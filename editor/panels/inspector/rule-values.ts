@@ -1,4 +1,4 @@
-import { type FolderRules, type LevelFile, RULE_NAMES, RULES, type RuleName } from '../../../schema/index.ts';
+import { type FolderTerms, type LevelFile, RULE_NAMES, RULES, type RuleName } from '../../../schema/index.ts';
 import { fieldsOf } from './fields.ts';
 
 /** The state of a rule in a level. */
@@ -21,11 +21,11 @@ export function ruleLabel(name: RuleName): string {
 }
 
 /** The state of all rules of a level, in the order of their table. */
-export function ruleValues({ rules = {} }: Pick<LevelFile, 'rules'>, folder: FolderRules): readonly RuleValue[] {
+export function ruleValues({ rules = {} }: Pick<LevelFile, 'rules'>, folder: FolderTerms): readonly RuleValue[] {
   return RULE_NAMES.map((name) => {
     const own = rules[name];
-    const fallback = folder.own[name] ?? RULES[name].default;
-    const from = folder.own[name] === undefined ? null : folder.file;
+    const fallback = folder.rules[name] ?? RULES[name].default;
+    const from = folder.rules[name] === undefined ? null : folder.file;
     return { name, value: own ?? fallback, isOwn: own !== undefined, fallback, from };
   });
 }

@@ -71,7 +71,7 @@ function inRepulsor(proof: LiveProof, events: readonly RunEvent[], index: number
   const repulsor = proof.level.repulsors[index];
   return between(events, {
     // frames tell of the field that she begins in
-    atStart: proof.accuracy !== 'arcade' && startsWithin(proof, repulsor, repulsor.radius),
+    atStart: proof.terms.accuracy.integrator !== 'arcade' && startsWithin(proof, repulsor, repulsor.radius),
     begins: (event) => event.type === 'enter' && event.index === index,
     ends: (event) => event.type === 'leave' && event.index === index,
     end: proof.run.time,

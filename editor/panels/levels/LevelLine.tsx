@@ -1,9 +1,10 @@
 import { FileX, Lock } from 'lucide-react';
-import { useEffect, useMemo } from 'react';
+import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
-import { type OpenLevel, useEditor, useFolderRules, usePageTheme } from '../../context/index.ts';
+import { type OpenLevel, useEditor, usePageTerms, usePageTheme } from '../../context/index.ts';
 import { problemsInWords } from '../../files/index.ts';
+import { isOtherAccuracy } from '../../terms/index.ts';
 import { useVerdict } from '../solver/index.ts';
 import { MoreButton } from '../tree/index.ts';
 import { stemOf } from './level-files.ts';
@@ -14,18 +15,16 @@ import { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';
 function useThumbnail(entry: LevelEntry): { readonly url: string | null; readonly verdict: ListedVerdict } {
   const editor = useEditor();
   const theme = usePageTheme();
-  const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
-  const rules = useFolderRules().own;
-  const by = useMemo(() => ({ accuracy, rules }), [accuracy, rules]);
+  const { folder: terms } = usePageTerms();
   const thumbnails = thumbnailsOf(editor);
-  const key = thumbnailKey(entry, theme, by);
-  const url = useStore(thumbnails.store, (made) => pictureOf(made, entry, theme, by));
-  const verdict = useStore(thumbnails.store, (made) => verdictOf(made, entry, by));
+  const key = thumbnailKey(entry, theme, terms);
+  const url = useStore(thumbnails.store, (made) => pictureOf(made, entry, theme, terms));
+  const verdict = useStore(thumbnails.store, (made) => verdictOf(made, entry, terms));
   useEffect(() => {
     if (entry.status !== 'valid' || key === null) return;
-    thumbnails.want(entry, theme, by);
+    thumbnails.want(entry, theme, terms);
     return () => thumbnails.drop(key);
-  }, [thumbnails, entry, theme, by, key]);
+  }, [thumbnails, entry, theme, terms, key]);
   return { url, verdict: entry.status === 'valid' ? (verdict ?? 'unknown') : entry.status };
 }
 
@@ -43,9 +42,13 @@ function placeOf({ problems: [first] }: LevelEntry): string {
   return first === undefined || first.line === null ? '' : `${first.line}:${first.column} `;
 }
 
-/** A level in the list: its picture, name and verdict. @param open the level if it is open, else null */
+/**
+ * A level in the list: its picture, name and the verdict of `gq check`; live for the open level, unless that is shown at another
+ * accuracy. @param open the level if it is open, else null
+ */
 export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: string; open: OpenLevel | null }) {
   const { url, verdict } = useThumbnail(entry);
+  const isOther = isOtherAccuracy(usePageTerms());
   const wrong = entry.problems.length === 0 ? null : entry.problems[0].message;
   const number = entry.name === null ? undefined : /^\d+(?=[ ._-])/.exec(stemOf(entry.id))?.[0];
   return (
@@ -59,7 +62,11 @@ export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: st
           <span className="levels__name">{open === null ? title : <LiveName level={open} />}</span>
         </span>
         <span className="levels__file">
-          {open === null || entry.status !== 'valid' ? <VerdictSign verdict={verdict} /> : <LiveVerdict level={open} />}
+          {open === null || isOther || entry.status !== 'valid' ? (
+            <VerdictSign verdict={verdict} />
+          ) : (
+            <LiveVerdict level={open} />
+          )}
           {entry.readOnly !== null && (
             <span className="levels__lock" role="img" aria-label={`read-only: ${entry.readOnly}`} title={entry.readOnly}>
               <Lock size={11} />

@@ -18,5 +18,5 @@ export { listHistoryOf } from './list-history.ts';
 export { editPack } from './pack-steps.ts';
 export { SamplesButton } from './SamplesButton.tsx';
 export { TextDialog } from './TextDialog.tsx';
-export { factsKey, factsOf, type PlayedBy, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
+export { factsKey, factsOf, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
 export { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';

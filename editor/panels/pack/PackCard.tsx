@@ -1,14 +1,15 @@
 import { ArrowUpRight, FileX, GripVertical, Sparkle } from 'lucide-react';
 import { memo } from 'react';
 import { useStore } from 'zustand';
+import type { Terms } from '../../../engine/index.ts';
 import { useEditor, usePageTheme } from '../../context/index.ts';
 import { seconds } from '../figures/index.ts';
-import { type ListedVerdict, type PlayedBy, pictureOf, thumbnailsOf, VerdictSign } from '../levels/index.ts';
+import { type ListedVerdict, pictureOf, thumbnailsOf, VerdictSign } from '../levels/index.ts';
 import type { Card } from './pack-model.ts';
 
 interface PackCardProps {
   readonly card: Card;
-  readonly by: PlayedBy;
+  readonly terms: Terms;
   readonly verdict: ListedVerdict;
   readonly isSelected: boolean;
   /** Whether it is the one that Tab leads to. */
@@ -21,7 +22,7 @@ interface PackCardProps {
 
 /** A level of the pack: picture, number, verdict, grade, length, minerals, what it introduces. */
 export const PackCard = memo(function PackCard(props: PackCardProps) {
-  const { card, by, verdict, isSelected, isActive, isHeld, drop, canMove } = props;
+  const { card, terms, verdict, isSelected, isActive, isHeld, drop, canMove } = props;
   const { entry, facts, grade, introduces, jump, number, id, place } = card;
   const classes = [
     'pack__card',
@@ -40,7 +41,7 @@ export const PackCard = memo(function PackCard(props: PackCardProps) {
     >
       {/* what it shows is said in words below */}
       <div className="pack__picture" aria-hidden>
-        {entry === null ? <FileX size={22} aria-hidden /> : <Picture card={card} by={by} />}
+        {entry === null ? <FileX size={22} aria-hidden /> : <Picture card={card} terms={terms} />}
         {grade !== null && grade.value !== null && (
           <span className={`pack__grade numbers${grade.isOld ? ' pack__grade--old' : ''}`}>
             {grade.value.toFixed(1)}
@@ -100,10 +101,10 @@ function GradeInWords({ card: { grade } }: Pick<PackCardProps, 'card'>) {
   );
 }
 
-function Picture({ card: { entry }, by }: Pick<PackCardProps, 'card' | 'by'>) {
+function Picture({ card: { entry }, terms }: Pick<PackCardProps, 'card' | 'terms'>) {
   const editor = useEditor();
   const theme = usePageTheme();
-  const url = useStore(thumbnailsOf(editor).store, (made) => (entry === null ? null : pictureOf(made, entry, theme, by)));
+  const url = useStore(thumbnailsOf(editor).store, (made) => (entry === null ? null : pictureOf(made, entry, theme, terms)));
   if (entry !== null && entry.status !== 'valid') return <FileX size={22} aria-hidden />;
   return url === null ? null : <img src={url} alt="" draggable={false} />;
 }

@@ -1,7 +1,8 @@
 import { type KeyboardEvent, type MouseEvent, type RefObject, useLayoutEffect, useRef } from 'react';
 import { useStore } from 'zustand';
+import type { Terms } from '../../../engine/index.ts';
 import { useEditor } from '../../context/index.ts';
-import { type ListedVerdict, type PlayedBy, thumbnailsOf, verdictOf } from '../levels/index.ts';
+import { type ListedVerdict, thumbnailsOf, verdictOf } from '../levels/index.ts';
 import { ChapterHead } from './ChapterHead.tsx';
 import { spotAfter } from './focus-step.ts';
 import { PackCard } from './PackCard.tsx';
@@ -18,7 +19,7 @@ interface PackCardsProps {
   readonly chapters: readonly Chapter[];
   /** Those that pass the filter. */
   readonly shown: readonly Card[];
-  readonly by: PlayedBy;
+  readonly terms: Terms;
   readonly isFiltered: boolean;
   readonly canMove: boolean;
   readonly canEdit: boolean;
@@ -37,21 +38,21 @@ interface PackCardsProps {
 const ARROWS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End'];
 
 /** The verdict that a card shows. */
-export const useVerdictOf = (by: PlayedBy): ((card: Card) => ListedVerdict) => {
+export const useVerdictOf = (terms: Terms): ((card: Card) => ListedVerdict) => {
   const { store } = thumbnailsOf(useEditor());
   const made = useStore(store);
   return ({ entry }) => {
     if (entry === null) return 'invalid';
-    return entry.status === 'valid' ? (verdictOf(made, entry, by) ?? 'unknown') : entry.status;
+    return entry.status === 'valid' ? (verdictOf(made, entry, terms) ?? 'unknown') : entry.status;
   };
 };
 
 /** The cards of all levels in order, below the headings of their chapters. */
 export function PackCards(props: PackCardsProps) {
-  const { chapters, shown, by, isFiltered, canMove, canEdit, selection, focus } = props;
+  const { chapters, shown, terms, isFiltered, canMove, canEdit, selection, focus } = props;
   const { onSelect, onOpen, onMoveKey, onDrop, onRenameChapter, onRemoveChapter } = props;
   const box = useRef<HTMLDivElement>(null);
-  const verdictOfCard = useVerdictOf(by);
+  const verdictOfCard = useVerdictOf(terms);
   const passing = new Set(shown.map(({ key }) => key));
   const active = shown.find(({ key }) => key === selection.active)?.key ?? shown[0]?.key ?? null;
   const taken = useRef<ReadonlySet<string>>(new Set());
@@ -156,7 +157,7 @@ export function PackCards(props: PackCardsProps) {
                   <PackCard
                     key={card.key}
                     card={card}
-                    by={by}
+                    terms={terms}
                     verdict={verdictOfCard(card)}
                     isSelected={selection.keys.has(card.key)}
                     isActive={card.key === active}

@@ -1,9 +1,10 @@
 import { FilePlus2, Gauge, Redo2, Square, Undo2, X } from 'lucide-react';
 import { useStore } from 'zustand';
+import type { Terms } from '../../../engine/index.ts';
 import { useEditor } from '../../context/index.ts';
 import type { FolderPack } from '../../files/index.ts';
 import { Button } from '../../ui/index.ts';
-import { editPack, listHistoryOf, type PlayedBy } from '../levels/index.ts';
+import { editPack, listHistoryOf } from '../levels/index.ts';
 import { gradesOf } from './grades.ts';
 import { NameField } from './NameField.tsx';
 import type { PackModel } from './pack-model.ts';
@@ -11,13 +12,13 @@ import type { PackModel } from './pack-model.ts';
 interface PackHeadProps {
   readonly model: PackModel;
   readonly pack: FolderPack;
-  readonly by: PlayedBy;
+  readonly terms: Terms;
   readonly canEdit: boolean;
   readonly onClose: () => void;
 }
 
 /** The name of the pack, and what can be done with all of it. */
-export function PackHead({ model, pack, by, canEdit, onClose }: PackHeadProps) {
+export function PackHead({ model, pack, terms, canEdit, onClose }: PackHeadProps) {
   const editor = useEditor();
   const history = listHistoryOf(editor);
   const { undoLabel, redoLabel, undoesList, redoesList } = useStore(history.store);
@@ -52,7 +53,7 @@ export function PackHead({ model, pack, by, canEdit, onClose }: PackHeadProps) {
         disabled={!redoesList}
         onClick={history.redo}
       />
-      <Measure model={model} by={by} />
+      <Measure model={model} terms={terms} />
       {pack.kind === 'none' && (
         <Button
           hint="Write this order into a file pack.json, which then gives the order whatever the files are called"
@@ -69,7 +70,7 @@ export function PackHead({ model, pack, by, canEdit, onClose }: PackHeadProps) {
 }
 
 /** Measures the grades that are missing, and can be stopped. */
-function Measure({ model, by }: Pick<PackHeadProps, 'model' | 'by'>) {
+function Measure({ model, terms }: Pick<PackHeadProps, 'model' | 'terms'>) {
   const editor = useEditor();
   const grades = gradesOf(editor);
   const running = useStore(grades.store, (state) => state.running);
@@ -99,7 +100,7 @@ function Measure({ model, by }: Pick<PackHeadProps, 'model' | 'by'>) {
       look="outlined"
       icon={<Gauge size={15} />}
       disabled={missing === 0}
-      onClick={() => grades.measure(entries, by)}
+      onClick={() => grades.measure(entries, terms)}
     >
       {missing === 0 ? 'Measured' : 'Measure'}
     </Button>

@@ -24,7 +24,7 @@ export function PackView() {
 function Pack() {
   const editor = useEditor();
   const { session, workspace } = editor;
-  const { model, pack, levels, by } = usePack();
+  const { model, pack, levels, terms } = usePack();
   const [filter, setFilter] = useState<Filter>(NO_FILTER);
   const [selection, setSelection] = useState<Selection>(() => {
     const opened = workspace.store.getState().opened?.id() ?? null;
@@ -34,7 +34,7 @@ function Pack() {
   const [asText, setAsText] = useState<LevelEntry | null>(null);
   const focus = useRef<string | null>(selection.active);
   const view = useRef<HTMLDivElement>(null);
-  const verdictOf = useVerdictOf(by);
+  const verdictOf = useVerdictOf(terms);
   const isTouch = useTouch();
 
   // keys work in the view at once, also where no level is open
@@ -132,7 +132,7 @@ function Pack() {
 
   return (
     <div ref={view} className="pack" role="dialog" aria-modal aria-labelledby="pack-title" tabIndex={-1} onKeyDown={onKeyDown}>
-      <PackHead {...{ model, pack, by, canEdit }} onClose={close} />
+      <PackHead {...{ model, pack, terms, canEdit }} onClose={close} />
       <div className="pack__scroll">
         <p className="pack__note pack__about">{aboutPack(pack.kind, pack.kind === 'none' ? '' : pack.file)}</p>
         {pack.kind === 'unreadable' && (
@@ -202,7 +202,7 @@ function Pack() {
           <p className="pack__empty">No level passes the filter.</p>
         ) : (
           <PackCards
-            {...{ chapters: model.chapters, shown, by, canMove, canEdit, selection, focus, onMoveKey }}
+            {...{ chapters: model.chapters, shown, terms, canMove, canEdit, selection, focus, onMoveKey }}
             isFiltered={filtered}
             onSelect={setSelection}
             onOpen={open}

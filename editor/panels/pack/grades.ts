@@ -1,10 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Terms } from '../../../engine/index.ts';
 import { ENGINE_ID } from '../../../game/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
 import type { Job } from '../../workers/index.ts';
-import { factsKey, type PlayedBy } from '../levels/index.ts';
+import { factsKey } from '../levels/index.ts';
 import type { ShownGrade } from './pack-model.ts';
 
 /** A measured grade; `value` is null if none of the level's runs completes it. */
@@ -14,7 +15,7 @@ interface MeasuredGrade {
 }
 
 export interface GradesState {
-  /** By what the grade depends on: content, accuracy and rules. */
+  /** By what the grade depends on: content and terms. */
   readonly byKey: ReadonlyMap<string, MeasuredGrade>;
   /** The last key of each level that has a grade. */
   readonly lastKey: ReadonlyMap<string, string>;
@@ -25,7 +26,7 @@ export interface GradesState {
 export interface Grades {
   readonly store: StoreApi<GradesState>;
   /** Measures the levels that have no grade yet, one after the other. */
-  measure(entries: readonly LevelEntry[], by: PlayedBy): void;
+  measure(entries: readonly LevelEntry[], terms: Terms): void;
   stop(): void;
 }
 
@@ -62,8 +63,8 @@ function save({ byKey, lastKey }: GradesState): void {
 }
 
 /** The grade of a level's file as it is; if that has none, the grade that it had before; null if there is neither. */
-export function gradeOf(state: GradesState, folder: string, entry: LevelEntry, by: PlayedBy): ShownGrade | null {
-  const key = entry.status === 'valid' ? factsKey(entry, by) : null;
+export function gradeOf(state: GradesState, folder: string, entry: LevelEntry, terms: Terms): ShownGrade | null {
+  const key = entry.status === 'valid' ? factsKey(entry, terms) : null;
   const now = key === null ? undefined : state.byKey.get(key);
   if (now !== undefined) return { ...now, isOld: false };
   const before = state.byKey.get(state.lastKey.get(`${folder}/${entry.id}`) ?? '');
@@ -88,12 +89,12 @@ function createGrades({ workspace, workers }: Editor): Grades {
     store.setState({ byKey: new Map(byKey).set(key, grade), lastKey: new Map(lastKey).set(place, key) });
     if (lasts) save(store.getState());
   };
-  const measureOne = async (entry: LevelEntry, by: PlayedBy, mine: number): Promise<void> => {
-    const key = factsKey(entry, by);
+  const measureOne = async (entry: LevelEntry, terms: Terms, mine: number): Promise<void> => {
+    const key = factsKey(entry, terms);
     const answer = await workspace.storage.read(entry.id);
     // a file that has changed in the meantime has another grade
     if (mine !== turn || key === null || !answer.ok || answer.value.text === null || answer.value.etag !== entry.etag) return;
-    const started = workers.start('grade', { text: answer.value.text, rules: by.rules, accuracy: by.accuracy });
+    const started = workers.start('grade', { text: answer.value.text, terms });
     job = started;
     const end = await started.end;
     if (mine !== turn) return;
@@ -108,15 +109,15 @@ function createGrades({ workspace, workers }: Editor): Grades {
   };
   return {
     store,
-    measure(entries, by) {
+    measure(entries, terms) {
       stop();
       const mine = turn;
-      waiting = entries.filter((entry) => entry.status === 'valid' && !store.getState().byKey.has(factsKey(entry, by) ?? ''));
+      waiting = entries.filter((entry) => entry.status === 'valid' && !store.getState().byKey.has(factsKey(entry, terms) ?? ''));
       const all = waiting.length;
       const go = async () => {
         for (let entry = waiting.shift(); entry !== undefined && mine === turn; entry = waiting.shift()) {
           store.setState({ running: { id: entry.id, done: all - waiting.length - 1, of: all } });
-          await measureOne(entry, by, mine);
+          await measureOne(entry, terms, mine);
         }
         if (mine === turn) store.setState({ running: null });
       };

@@ -1,9 +1,10 @@
 import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
+import type { Terms } from '../../../engine/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
-import { useEditor, useFolderRules, usePageTheme } from '../../context/index.ts';
+import { useEditor, usePageTerms, usePageTheme } from '../../context/index.ts';
 import { type FolderPack, folderPackIn } from '../../files/index.ts';
-import { factsOf, type PlayedBy, thumbnailKey, thumbnailsOf } from '../levels/index.ts';
+import { factsOf, thumbnailKey, thumbnailsOf } from '../levels/index.ts';
 import { gradeOf, gradesOf } from './grades.ts';
 import { modelOf, type PackModel } from './pack-model.ts';
 
@@ -14,7 +15,7 @@ export interface ShownPack {
   readonly model: PackModel;
   readonly pack: FolderPack;
   readonly levels: readonly LevelEntry[];
-  readonly by: PlayedBy;
+  readonly terms: Terms;
 }
 
 /** The pack of the folder; its levels are looked at while this is mounted. */
@@ -22,9 +23,7 @@ export function usePack(): ShownPack {
   const editor = useEditor();
   const { workspace } = editor;
   const theme = usePageTheme();
-  const accuracy = useStore(editor.settings, (settings) => settings.accuracy);
-  const rules = useFolderRules().own;
-  const by = useMemo(() => ({ accuracy, rules }), [accuracy, rules]);
+  const { folder: terms } = usePageTerms();
   const levels = useStore(workspace.store, ({ list }) => list?.levels) ?? NO_LEVELS;
   const folder = useStore(workspace.store, ({ list }) => list?.folder.id) ?? '';
   const pack = useStore(workspace.store, folderPackIn);
@@ -36,11 +35,11 @@ export function usePack(): ShownPack {
   useEffect(() => {
     const valid = levels.filter(({ status }) => status === 'valid');
     // the last one that is wanted is made first
-    for (const entry of valid.toReversed()) thumbnails.want(entry, theme, by);
+    for (const entry of valid.toReversed()) thumbnails.want(entry, theme, terms);
     return () => {
-      for (const entry of valid) thumbnails.drop(thumbnailKey(entry, theme, by) ?? '');
+      for (const entry of valid) thumbnails.drop(thumbnailKey(entry, theme, terms) ?? '');
     };
-  }, [thumbnails, levels, theme, by]);
+  }, [thumbnails, levels, theme, terms]);
   // while nobody looks, nothing is measured
   useEffect(() => grades.stop, [grades]);
 
@@ -50,9 +49,9 @@ export function usePack(): ShownPack {
     return modelOf({
       levels,
       pack,
-      factsOf: (entry) => factsOf(thumbnails.store.getState(), entry, by),
-      gradeOf: (entry) => gradeOf(grades.store.getState(), folder, entry, by),
+      factsOf: (entry) => factsOf(thumbnails.store.getState(), entry, terms),
+      gradeOf: (entry) => gradeOf(grades.store.getState(), folder, entry, terms),
     });
-  }, [levels, pack, facts, graded, folder, by, thumbnails, grades]);
-  return { model, pack, levels, by };
+  }, [levels, pack, facts, graded, folder, terms, thumbnails, grades]);
+  return { model, pack, levels, terms };
 }

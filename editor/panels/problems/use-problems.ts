@@ -14,7 +14,7 @@ import { keepSame } from './kept.ts';
  */
 const REST = 150;
 
-const knownOf = ({ findings, level, accuracy, limit }: LiveProof) => ({ findings, level, accuracy, limit });
+const knownOf = ({ findings, level, terms, limit }: LiveProof) => ({ findings, level, terms, limit });
 
 /** The problems of the level's file on disk; none if it can be read. */
 function problemsOfFile(id: string, state: SaveState): readonly Problem[] {

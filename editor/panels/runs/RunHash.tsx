@@ -17,7 +17,7 @@ const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
 export function RunHash() {
   const { notices } = useEditor();
   const hash = useThrottledProof(hashOf, WAIT);
-  const accuracy = useProof((proof) => proof.accuracy);
+  const accuracy = useProof(({ terms }) => terms.accuracy.name);
   return (
     <p className="runs__hash">
       <span>hash</span>

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { AccuracyName } from '../../../engine/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import { type FoundByWorker, type LiveProof, toPlay } from '../../proof/index.ts';
 import type { Job } from '../../workers/index.ts';
@@ -8,7 +8,7 @@ import type { WatchParts } from './proof-watch.ts';
 /** What a worker found out about a level that the page does not simulate itself. */
 export interface Checked extends FoundByWorker {
   readonly level: Level;
-  readonly accuracy: AccuracyName;
+  readonly terms: Terms;
 }
 
 export interface CheckWatch {
@@ -32,14 +32,14 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
   const ask = () => {
     const question = toPlay(proof.proof());
     const known = store.getState();
-    if (question === null || (known?.level === question.level && known.accuracy === question.accuracy)) return;
-    const { level, accuracy } = question;
+    if (question === null || (known?.level === question.level && known.terms === question.terms)) return;
+    const { level, terms } = question;
     const mine = workers.start('check', question);
     job = mine;
     void mine.end.then((end) => {
       if (job !== mine || end.kind === 'cancelled') return;
       const [result, message] = end.kind === 'done' ? [end.result, ''] : [null, end.message];
-      store.setState({ level, accuracy, result, message }, true);
+      store.setState({ level, terms, result, message }, true);
     });
   };
   const look = (now: LiveProof) => {
@@ -61,7 +61,5 @@ export function watchChecks({ level: { proof }, workers, afterRest }: WatchParts
  * The worker's result for a level of which the page has left something out; null if it left nothing out or the worker is not
  * done.
  */
-export const checkedOf = (proof: Pick<LiveProof, 'level' | 'accuracy' | 'limit'>, checked: Checked | null): Checked | null =>
-  proof.limit !== null && checked !== null && checked.level === proof.level && checked.accuracy === proof.accuracy
-    ? checked
-    : null;
+export const checkedOf = (proof: Pick<LiveProof, 'level' | 'terms' | 'limit'>, checked: Checked | null): Checked | null =>
+  proof.limit !== null && checked !== null && checked.level === proof.level && checked.terms === proof.terms ? checked : null;

@@ -57,7 +57,7 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
     store,
     start() {
       cancel();
-      const { level, accuracy, run, scene } = proof.proof();
+      const { level, terms, run, scene } = proof.proof();
       const goal = goalOf(settings.getState(), level.minerals.length);
       const asked = askedInWords(settings.getState(), level.minerals.length);
       // only a run that meets the goal can be measured
@@ -70,7 +70,7 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
       const budget = 1000 * settings.getState().budget;
       const mine = workers.start('difficulty', {
         level: withoutRuns(level),
-        accuracy,
+        terms,
         holds: completes ? run.holds : null,
         goal,
         budget,

@@ -73,10 +73,10 @@ export function createFixSession({ level: { document, proof }, session, workers,
     start() {
       back();
       stopJob();
-      const { level, accuracy } = proof.proof();
+      const { level, terms } = proof.proof();
       store.setState({ ...IDLE, phase: 'seeking', level });
       const { seed, budget } = settings.getState();
-      const mine = workers.start('fix', { level, accuracy, seed, budget: 1000 * budget }, (fixing) => {
+      const mine = workers.start('fix', { level, terms, seed, budget: 1000 * budget }, (fixing) => {
         // the list does not move while one of it is previewed
         if (job === mine && store.getState().previewed === null) store.setState({ fixing });
       });

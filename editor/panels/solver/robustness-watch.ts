@@ -90,10 +90,10 @@ export function watchRobustness({ level, workers, after, afterRest }: WatchParts
   const isCurrent = (job: Job<'fan' | 'robustness'>) => jobs.includes(job);
   /** The request to the workers; null if there is nothing to measure. */
   const request = () => {
-    const { level: played, accuracy, run } = proof.proof();
+    const { level: played, terms, run } = proof.proof();
     if (run.name === null || run.outcome !== 'completed') return null;
     const goal: Goal = { minerals: store.getState().withMinerals ? run.minerals.length : 'any' };
-    return { level: withoutRuns(played), accuracy, holds: run.holds, goal };
+    return { level: withoutRuns(played), terms, holds: run.holds, goal };
   };
 
   let fan: Job<'fan'> | null = null;

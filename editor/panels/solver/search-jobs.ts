@@ -1,4 +1,4 @@
-import type { AccuracyName } from '../../../engine/index.ts';
+import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import type { JobEnd, Results, Solving, Workers } from '../../workers/index.ts';
@@ -10,7 +10,7 @@ export const RUNS_WANTED = 5;
 
 interface SearchTask {
   readonly level: Level;
-  readonly accuracy: AccuracyName;
+  readonly terms: Terms;
   readonly goal: Goal;
   readonly settings: SearchSettings;
 }
@@ -34,12 +34,12 @@ export interface SearchJobs {
 
 export function startSearchJobs(
   workers: Pick<Workers, 'start'>,
-  { level, accuracy, goal, settings }: SearchTask,
+  { level, terms, goal, settings }: SearchTask,
   { onFound, onProved, onEnd }: SearchListener,
 ): SearchJobs {
   let isOver = false;
   let areMineralsProved = false;
-  const played = { level: withoutRuns(level), accuracy };
+  const played = { level: withoutRuns(level), terms };
   const { objective, seed, budget } = settings;
   // with the objective `first`, runs that the level already has count as well
   const known = objective === 'first' ? [] : level.runs.map(({ holds }) => holds);

@@ -128,14 +128,14 @@ export function createSearchSession({ level, session, workers, settings, overlay
       stopJobs();
       unseen = null;
       began = now();
-      const { level: searched, accuracy, scene: current } = proof.proof();
+      const { level: searched, terms, scene: current } = proof.proof();
       const asked = settings.getState();
       scene = current;
       goal = goalOf(asked, searched.minerals.length);
       store.setState({ ...IDLE, phase: 'running', settings: asked });
       overlay.setState({ heat: null, proof: null });
       ghosts.clear();
-      const task = { level: searched, accuracy, goal, settings: asked };
+      const task = { level: searched, terms, goal, settings: asked };
       const onProved = (proved: Results['proofs']) => showProved(searched, proved);
       jobs = startSearchJobs(workers, task, { onFound: showFound, onProved, onEnd: showEnd });
     },

@@ -13,14 +13,14 @@ interface Verdict {
   readonly limit: string | null;
 }
 
-/** The verdict of `gq check` on an open level, as far as it is known now. */
+/** The verdict of `gq check` on an open level under the terms of the page, as far as it is known now. */
 export function useVerdict(level: OpenLevel): Verdict {
   const solver = solverSessionOf(useEditor(), level);
   const own = useStore(level.proof.store, (proof) => proof.verdict);
   const limit = useStore(level.proof.store, (proof) => proof.limit);
   const played = useStore(level.proof.store, (proof) => proof.level);
-  const accuracy = useStore(level.proof.store, (proof) => proof.accuracy);
-  const checked = checkedOf({ level: played, accuracy, limit }, useStore(solver.checks.store));
+  const terms = useStore(level.proof.store, (proof) => proof.terms);
+  const checked = checkedOf({ level: played, terms, limit }, useStore(solver.checks.store));
   const impossible = useStore(solver.proofs.store, (proved) => proved.impossible);
   const verdict = toldVerdict({ verdict: own }, checked, { impossible });
   if (verdict === 'completable') return { verdict, reason: null, limit: null };

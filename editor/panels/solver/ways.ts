@@ -1,11 +1,11 @@
-import { createSimulation, DEFAULT_MAX_TICKS, joinHolds, type Scene, STATE_SIZE } from '../../../engine/index.ts';
+import { createSimulation, joinHolds, maxTicksOf, type Scene, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 
 /**
  * The path of some holds: x, y in px at every tick and at the end.
  * @param until the last tick
  */
-export function wayOf(scene: Scene, holds: readonly Hold[], until: number = DEFAULT_MAX_TICKS): Float32Array {
+export function wayOf(scene: Scene, holds: readonly Hold[], until: number = maxTicksOf(scene.terms)): Float32Array {
   const simulation = createSimulation(scene);
   const script = joinHolds(holds);
   const state = new Float64Array(STATE_SIZE);

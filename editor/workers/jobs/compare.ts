@@ -1,12 +1,4 @@
-import {
-  ACCURACIES,
-  type AccuracyName,
-  compile,
-  DEFAULT_MAX_TIME,
-  type Run,
-  simulate,
-  WorkBudget,
-} from '../../../engine/index.ts';
+import { compile, type Run, simulate, type Terms, WorkBudget } from '../../../engine/index.ts';
 import { renderComparison } from '../../../picture/comparison/index.ts';
 import {
   assessLevel,
@@ -18,7 +10,7 @@ import {
   type Standing,
   standingInWords,
 } from '../../../review/index.ts';
-import { type Level, type LevelFile, type OwnRules, readLevel } from '../../../schema/index.ts';
+import { type Level, type LevelFile, readLevel } from '../../../schema/index.ts';
 import type { Start } from '../work.ts';
 
 /** A version as it is played. */
@@ -27,7 +19,7 @@ interface Version {
   readonly level: Level;
 }
 
-function readVersion(text: string, rules: OwnRules): Version | null {
+function readVersion(text: string, { rules }: Terms): Version | null {
   const reading = readLevel(text, { rules });
   return reading.ok ? { file: reading.document.file, level: reading.level } : null;
 }
@@ -35,36 +27,34 @@ function readVersion(text: string, rules: OwnRules): Version | null {
 /** Whether a merge left conflicts in it. */
 const isUndecided = ({ file }: Version): boolean => (file.conflicts ?? []).length > 0;
 
-const standingOf = (version: Version, accuracy: AccuracyName): Standing | null =>
-  isUndecided(version)
-    ? null
-    : assessLevel(version.level, { accuracy: ACCURACIES[accuracy], maxTime: DEFAULT_MAX_TIME, slack: true });
+const standingOf = (version: Version, terms: Terms): Standing | null =>
+  isUndecided(version) ? null : assessLevel(version.level, { terms, slack: true });
 
 const inWords = (standing: Standing | null, { level }: Version): string =>
   standing === null ? 'not judged: a merge has left conflicts in it' : standingInWords(standing, level.range);
 
 /** The run by which a version is judged; null if it takes too much work. */
-function runOf(standing: Standing | null, { level }: Version, accuracy: AccuracyName): Run | null {
+function runOf(standing: Standing | null, { level }: Version, terms: Terms): Run | null {
   if (standing?.run == null) return null;
-  const run = simulate(compile(level, accuracy), standing.run.holds, { budget: new WorkBudget() });
+  const run = simulate(compile(level, terms), standing.run.holds, { budget: new WorkBudget(terms.maxWork) });
   return run.stopped === null ? run : null;
 }
 
 /** Compares two versions of a level as `gq diff` does. */
-export const compare: Start<'compare'> = function* ({ before, after, rules, accuracy, width, theme }) {
-  const [old, now] = [readVersion(before, rules), readVersion(after, rules)];
+export const compare: Start<'compare'> = function* ({ before, after, terms, width, theme }) {
+  const [old, now] = [readVersion(before, terms), readVersion(after, terms)];
   if (old === null || now === null) {
     const word = (version: Version | null) => (version === null ? 'not a valid level' : 'a valid level');
     return { svg: null, before: word(old), after: word(now), effects: [] };
   }
-  const was = standingOf(old, accuracy);
+  const was = standingOf(old, terms);
   yield null;
   const isAlike = was !== null && !isUndecided(now) && playAlike(old.level, now.level);
-  const is = isAlike ? renamedStanding(was, old.level, now.level) : standingOf(now, accuracy);
+  const is = isAlike ? renamedStanding(was, old.level, now.level) : standingOf(now, terms);
   yield null;
   const runs = [
-    { run: runOf(was, old, accuracy), label: 'before' },
-    { run: runOf(is, now, accuracy), label: 'after' },
+    { run: runOf(was, old, terms), label: 'before' },
+    { run: runOf(is, now, terms), label: 'after' },
   ].flatMap(({ run, label }) => (run === null ? [] : [{ run, label }]));
   const marks = marksOf(diffLevels(old.file, now.file), old.level, now.level);
   const { svg } = renderComparison(old.level, now.level, marks, { runs, width, theme, title: now.level.name });

@@ -8,8 +8,8 @@ const EFFORT = 400_000;
 const ASTEROID_EFFORT = 100_000;
 
 /** Measures how hard a level is; searches for a run first if none is given. */
-export const difficulty: Start<'difficulty'> = function* ({ level, accuracy, holds, goal, budget }, now) {
-  const scene = compile(level, accuracy);
+export const difficulty: Start<'difficulty'> = function* ({ level, terms, holds, goal, budget }, now) {
+  const scene = compile(level, terms);
   const known = level.runs.map(({ holds: own }) => own);
   const run = holds ?? (yield* search(createSolver(scene, { goal, known }), budget, now)).solutions[0]?.holds ?? null;
   if (run === null) return null;

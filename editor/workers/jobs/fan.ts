@@ -1,4 +1,4 @@
-import { compile, createSimulation, DEFAULT_MAX_TICKS, joinHolds, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
+import { compile, createSimulation, joinHolds, maxTicksOf, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { findSlackInSteps } from '../../../solver/index.ts';
 import { FAN_TICKS, type FanWay } from '../protocol.ts';
@@ -13,13 +13,13 @@ function shifted(holds: readonly Hold[], edge: number, shift: number): Hold[] {
   return joinHolds(moved);
 }
 
-/** Simulates holds and records her positions from a tick on. */
-function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): Float32Array {
+/** Simulates holds and records her positions from a tick on. @param maxTicks the longest a run may last */
+function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number, maxTicks: number): Float32Array {
   const state = new Float64Array(STATE_SIZE);
   const points: number[] = [];
   simulation.reset();
   let next = 0;
-  while (simulation.ending === null && simulation.tick < DEFAULT_MAX_TICKS) {
+  while (simulation.ending === null && simulation.tick < maxTicks) {
     const { tick } = simulation;
     while (next < holds.length && holds[next][1] <= tick) next++;
     const isHeld = next < holds.length && holds[next][0] <= tick;
@@ -35,8 +35,8 @@ function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number): 
 }
 
 /** Her path when one edge slips by its slack, for every edge, earlier and later. */
-export const fan: Start<'fan'> = function* ({ level, accuracy, holds, goal }) {
-  const scene = compile(level, accuracy);
+export const fan: Start<'fan'> = function* ({ level, terms, holds, goal }) {
+  const scene = compile(level, terms);
   const joined = joinHolds(holds);
   const slack = yield* findSlackInSteps(scene, joined, goal);
   yield { slack };
@@ -47,7 +47,7 @@ export const fan: Start<'fan'> = function* ({ level, accuracy, holds, goal }) {
     for (const shift of [-earlier, later]) {
       if (shift === 0) continue;
       const from = Math.max(0, Math.min(edges[edge], edges[edge] + shift));
-      ways.push({ edge, shift, points: wayFrom(simulation, shifted(joined, edge, shift), from) });
+      ways.push({ edge, shift, points: wayFrom(simulation, shifted(joined, edge, shift), from, maxTicksOf(terms)) });
       yield null;
     }
   }

@@ -1,5 +1,5 @@
 import { proveGoalImpossible } from '../../../check/index.ts';
-import { ACCURACIES, DEFAULT_MAX_TICKS, DEFAULT_MAX_WORK, WorkBudget } from '../../../engine/index.ts';
+import { compile } from '../../../engine/index.ts';
 import { createRepair } from '../../../solver/index.ts';
 import type { Fixing } from '../protocol.ts';
 import { createPacer, type Start } from '../work.ts';
@@ -8,13 +8,11 @@ import { createPacer, type Start } from '../work.ts';
 const TELL = 250;
 
 /** Seeks changes that make a level completable, as `gq fix` does. */
-export const fix: Start<'fix'> = function* ({ level, accuracy, seed, budget }, now) {
+export const fix: Start<'fix'> = function* ({ level, terms, seed, budget }, now) {
   const start = now();
-  const setting = ACCURACIES[accuracy];
-  const proofs = new WorkBudget(DEFAULT_MAX_WORK / 2);
-  const proof = proveGoalImpossible(level, setting, { minerals: 'any' }, DEFAULT_MAX_TICKS, proofs);
+  const proof = proveGoalImpossible(compile(level, terms), { minerals: 'any' });
   yield null;
-  const repair = createRepair(level, setting, { seed, proof });
+  const repair = createRepair(level, terms, { seed, proof });
   const found = (): Fixing => {
     const { effort, completing, finished, proposals } = repair;
     return { proposals: [...proposals], effort: { ...effort }, isImpossible: proof !== null, completing, finished };

@@ -7,12 +7,12 @@ import type { Start } from '../work.ts';
 const ONE_PRESS_STRIDE = 4;
 
 /** Grades a level file by its own runs. What costs much and does not change the grade is left out. */
-export const grade: Start<'grade'> = function* ({ text, rules, accuracy }) {
-  const reading = readLevel(text, { rules });
+export const grade: Start<'grade'> = function* ({ text, terms }) {
+  const reading = readLevel(text, { rules: terms.rules });
   if (!reading.ok) return null;
   yield null;
   const { level } = reading;
   const runs = level.runs.map(({ holds }) => holds);
   const nothingElse = { effort: 0, asteroidEffort: 0, playerEffort: 0, onePressStride: ONE_PRESS_STRIDE };
-  return measureDifficulty(compile(level, accuracy), null, { runs, ...nothingElse })?.grade ?? null;
+  return measureDifficulty(compile(level, terms), null, { runs, ...nothingElse })?.grade ?? null;
 };

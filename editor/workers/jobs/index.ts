@@ -6,7 +6,6 @@ import { compare } from './compare.ts';
 import { difficulty } from './difficulty.ts';
 import { fan } from './fan.ts';
 import { fix } from './fix.ts';
-import { generate } from './generate.ts';
 import { grade } from './grade.ts';
 import { leeway } from './leeway.ts';
 import { losses, lost } from './lost.ts';
@@ -36,7 +35,6 @@ export const JOBS: { readonly [K in JobKind]: Start<K> } = {
   mend,
   thumbnail,
   compare,
-  generate,
   plays,
   lost,
   losses,

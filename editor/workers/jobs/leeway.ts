@@ -1,8 +1,8 @@
 import {
   compile,
   createSimulation,
-  DEFAULT_MAX_TICKS,
   joinHolds,
+  maxTicksOf,
   playScript,
   WorkBudget,
   WorkLimitReached,
@@ -21,15 +21,15 @@ const FINEST = 4;
 const TELL = 200;
 
 /** Samples where objects may stand without a run ending otherwise. */
-export const leeway: Start<'leeway'> = function* ({ level, accuracy, holds, objects, only, lead, grid, seen }, now) {
+export const leeway: Start<'leeway'> = function* ({ level, terms, holds, objects, only, lead, grid, seen }, now) {
   const script = joinHolds(holds);
   const lattice = latticeFor(lead, grid);
   const sampleBy = (dx: number, dy: number): Sample => {
     const moved = movedLevel(level, objects, { dx, dy }, only);
     if (moved === null) return 'fails';
     try {
-      const simulation = createSimulation(compile(moved, accuracy), new WorkBudget(MOST_WORK));
-      playScript(simulation, script, DEFAULT_MAX_TICKS);
+      const simulation = createSimulation(compile(moved, terms), new WorkBudget(MOST_WORK));
+      playScript(simulation, script, maxTicksOf(terms));
       return simulation.ending?.outcome === 'completed' ? 'completes' : 'fails';
     } catch (error) {
       if (error instanceof WorkLimitReached) return 'unknown';

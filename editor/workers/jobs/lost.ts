@@ -68,9 +68,9 @@ function* examine<T>(
 }
 
 /** Examines where a level is already lost. */
-export const lost: Start<'lost'> = ({ level, accuracy, effort }, now): Work<'lost'> =>
-  examine(createSoftlockSurvey(compile(level, accuracy)), effort, now, toLosing);
+export const lost: Start<'lost'> = ({ level, terms, effort }, now): Work<'lost'> =>
+  examine(createSoftlockSurvey(compile(level, terms)), effort, now, toLosing);
 
 /** Finds out since when runs were lost. */
-export const losses: Start<'losses'> = ({ level, accuracy, traced, effort }, now): Work<'losses'> =>
-  examine(createSoftlockSurvey(compile(level, accuracy), { traced, explores: false }), effort, now, toLosses);
+export const losses: Start<'losses'> = ({ level, terms, traced, effort }, now): Work<'losses'> =>
+  examine(createSoftlockSurvey(compile(level, terms), { traced, explores: false }), effort, now, toLosses);

@@ -1,5 +1,6 @@
 import { type Attempt, collectStatistics, createPlayReplayer, isAttempt } from '../../../check/plays/index.ts';
 import { createVerifier } from '../../../game/index.ts';
+import { accuracyNameOf } from '../../terms/index.ts';
 import type { CheckedPlay } from '../protocol.ts';
 import type { Start } from '../work.ts';
 
@@ -7,9 +8,9 @@ import type { Start } from '../work.ts';
 const REPORT = 100;
 
 /** Verifies plays one by one, and collects what they teach. */
-export const plays: Start<'plays'> = function* ({ level, plays: all, known, first }, now) {
-  const verifier = createVerifier(level);
-  const replayer = createPlayReplayer(level, { minerals: 'any' });
+export const plays: Start<'plays'> = function* ({ level, terms, plays: all, known, first }, now) {
+  const verifier = createVerifier(level, { accuracy: accuracyNameOf(terms), maxWork: terms.maxWork });
+  const replayer = createPlayReplayer(level, terms, { minerals: 'any' });
   const attempts: Attempt[] = [...known];
   const checked: CheckedPlay[] = [];
   let last = now();
@@ -23,5 +24,5 @@ export const plays: Start<'plays'> = function* ({ level, plays: all, known, firs
     if (isDue) last = now();
     yield isDue ? { done: checked.length } : null;
   }
-  return { plays: checked, statistics: collectStatistics(level, attempts) };
+  return { plays: checked, statistics: collectStatistics(level, terms, attempts) };
 };

@@ -4,8 +4,8 @@ import type { Retiming } from '../protocol.ts';
 import { createPacer, type Start } from '../work.ts';
 
 /** Re-times a run, and reports every better result at once. */
-export const retime: Start<'retime'> = function* ({ level, accuracy, holds, effort, ...options }, now) {
-  const retiming = createRetime(compile(level, accuracy), holds, options);
+export const retime: Start<'retime'> = function* ({ level, terms, holds, effort, ...options }, now) {
+  const retiming = createRetime(compile(level, terms), holds, options);
   const found = (): Retiming => ({
     best: retiming.best,
     effort: { ...retiming.effort },

@@ -6,8 +6,8 @@ import type { Start } from '../work.ts';
 const FIRST_SAMPLES = 100;
 
 /** Measures the robustness of a run: slack and a rough estimate of success first. */
-export const robustness: Start<'robustness'> = function* ({ level, accuracy, holds, goal }) {
-  const scene = compile(level, accuracy);
+export const robustness: Start<'robustness'> = function* ({ level, terms, holds, goal }) {
+  const scene = compile(level, terms);
   const slack = yield* findSlackInSteps(scene, holds, goal);
   const p40 = yield* successInSteps(scene, holds, goal, 40, { samples: FIRST_SAMPLES });
   yield { slack, p40 };

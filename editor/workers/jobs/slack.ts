@@ -3,5 +3,4 @@ import { findSlackInSteps } from '../../../solver/index.ts';
 import type { Start } from '../work.ts';
 
 /** How far each press and release of a run may slip alone. */
-export const slack: Start<'slack'> = ({ level, accuracy, holds, goal }) =>
-  findSlackInSteps(compile(level, accuracy), holds, goal);
+export const slack: Start<'slack'> = ({ level, terms, holds, goal }) => findSlackInSteps(compile(level, terms), holds, goal);

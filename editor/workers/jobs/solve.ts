@@ -31,5 +31,5 @@ export function* search(solver: Solver, budget: number | null, now: () => number
 }
 
 /** Searches for runs. */
-export const solve: Start<'solve'> = ({ level, accuracy, budget, ...options }, now) =>
-  search(createSolver(compile(level, accuracy), options satisfies SolveOptions), budget, now);
+export const solve: Start<'solve'> = ({ level, terms, budget, ...options }, now) =>
+  search(createSolver(compile(level, terms), options satisfies SolveOptions), budget, now);

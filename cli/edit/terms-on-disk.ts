@@ -1,0 +1,55 @@
+import { DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { type ConfigFile, type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
+import { type ConfigOptions, chosenConfig } from '../config-file.ts';
+import { Failure } from '../failure.ts';
+import { readBytes } from '../read-bytes.ts';
+import { termsFrom } from '../terms.ts';
+
+/** Returns the terms that the configuration sets now. */
+export type TermsOnDisk = () => FolderTerms;
+
+/** What the page is told of terms that a file sets. */
+function told(file: string | null, { accuracy, maxTime, maxWork, rules = {} }: ConfigFile): FolderTerms {
+  const configured = { accuracy: accuracy ?? null, maxTime: maxTime ?? null, maxWork: maxWork ?? null, rules };
+  const terms = termsFrom({}, configured);
+  return { ...terms, file, accuracy: accuracy ?? DEFAULT_ACCURACY, problems: [] };
+}
+
+/** The terms of a folder without a configuration. */
+export const NO_CONFIG: FolderTerms = told(null, {});
+
+/**
+ * Reads the terms from the configuration of a folder again at every call. While it is invalid, the last valid terms apply.
+ * @param folder the search for the configuration starts here and goes upwards
+ * @param config a file to read instead, or false for none
+ */
+export function termsOnDisk(folder: string, config?: ConfigOptions['config']): TermsOnDisk {
+  let last = NO_CONFIG;
+  return () => {
+    const file = chosenConfig({ config }, folder);
+    last = file === null ? NO_CONFIG : readTerms(file, last);
+    return last;
+  };
+}
+
+function readTerms(file: string, before: FolderTerms): FolderTerms {
+  try {
+    const read = readConfig(readBytes(file));
+    // what is wrong elsewhere does not concern the rules
+    if (!read.ok) return { ...before, file, rules: read.rules ?? before.rules, problems: read.problems };
+    return told(file, read.config);
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    return { ...before, file, problems: [unreadable(error.message)] };
+  }
+}
+
+const unreadable = (message: string): Problem => ({
+  code: 'unreadable-file',
+  severity: 'error',
+  message,
+  hint: 'Make the file readable.',
+  pointer: '',
+  line: null,
+  column: null,
+});
