@@ -1,4 +1,4 @@
-import { DEFAULT_ACCURACY } from '../../engine/index.ts';
+import { isAccuracyName } from '../../engine/index.ts';
 import { type ConfigFile, type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
 import { type ConfigOptions, chosenConfig } from '../config-file.ts';
 import { Failure } from '../failure.ts';
@@ -12,7 +12,9 @@ export type TermsOnDisk = () => FolderTerms;
 function told(file: string | null, { accuracy, maxTime, maxWork, rules = {} }: ConfigFile): FolderTerms {
   const configured = { accuracy: accuracy ?? null, maxTime: maxTime ?? null, maxWork: maxWork ?? null, rules };
   const terms = termsFrom({}, configured);
-  return { ...terms, file, accuracy: accuracy ?? DEFAULT_ACCURACY, problems: [] };
+  const { name } = terms.accuracy;
+  if (!isAccuracyName(name)) throw new Error(`a configuration names its accuracy: ${name}`);
+  return { ...terms, file, accuracy: name, problems: [] };
 }
 
 /** The terms of a folder without a configuration. */

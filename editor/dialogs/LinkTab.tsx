@@ -11,6 +11,7 @@ export function LinkTab() {
   const { notices, workspace, session, settings } = useEditor();
   const open = useDocument((state) => state.file);
   const folder = useFolderTerms();
+  const terms = useStore(useEditor().terms, (state) => state.folder);
   const field = useId();
   const typed = useStore(settings, (state) => state.playPage);
   const file = useMemo(() => leavingFolder(open, folder.rules), [open, folder.rules]);
@@ -25,13 +26,13 @@ export function LinkTab() {
     setLinking(null);
     const { runs: _, ...bare } = file;
     if (address !== null)
-      void linkTo(withRuns ? file : bare, address).then((made) => {
+      void linkTo(withRuns ? file : bare, terms, address).then((made) => {
         if (!isGone) setLinking(made);
       });
     return () => {
       isGone = true;
     };
-  }, [file, withRuns, address]);
+  }, [file, terms, withRuns, address]);
   return (
     <div className="share">
       <fieldset className="publish__targets">

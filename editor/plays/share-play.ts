@@ -1,8 +1,9 @@
-import { playToText } from '../../game/index.ts';
+import { decodePlay, playToText } from '../../game/index.ts';
 import { type LevelFile, leavingFolder, type OwnRules } from '../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
 import { copyText, keepFile, LONGEST_LINK, linkTo, plainName } from '../share/index.ts';
 import { bareTitle, PLAY_EXTENSION } from '../shelf/index.ts';
+import { termsAt } from '../terms/index.ts';
 
 /** A play to be sent. */
 export interface SharedPlay {
@@ -29,7 +30,7 @@ export const copyPlay = ({ notices }: Editor, { title, bytes }: SharedPlay): Pro
   copyText(notices, `${title} as text`, playToText(bytes));
 
 /** Copies a link to this page with a play and its level. */
-export async function copyPlayLink({ notices }: Editor, { title, bytes, played }: SharedPlay): Promise<void> {
+export async function copyPlayLink({ notices, terms }: Editor, { title, bytes, played }: SharedPlay): Promise<void> {
   if (played === null) {
     notices.show('warning', 'The level has changed since this play, so a link can’t include it. Save the play as a file.', {
       topic: 'clipboard',
@@ -38,7 +39,11 @@ export async function copyPlayLink({ notices }: Editor, { title, bytes, played }
   }
   // runs would give the solution away, and the play does not need them
   const { runs: _, ...bare } = leavingFolder(played.file, played.rules);
-  const linking = await linkTo(bare, `${location.origin}${location.pathname}`);
+  // the page of the link plays what the play was, whatever this one shows now
+  const decoded = decodePlay(bytes);
+  const { shown } = terms.getState();
+  const under = decoded.ok ? termsAt(shown, decoded.play.accuracy) : shown;
+  const linking = await linkTo(bare, under, `${location.origin}${location.pathname}`);
   const url = linking.ok ? `${linking.url}&play=${playToText(bytes)}` : '';
   if (!linking.ok || url.length > LONGEST_LINK) {
     notices.show('warning', 'The level is too large for a link. Save the play as a file, and send both files.', {

@@ -1,3 +1,4 @@
+import type { Terms } from '../../engine/index.ts';
 import { levelFragment, levelTextOf } from '../../phaser/links/index.ts';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
 import { readText } from '../files/index.ts';
@@ -14,10 +15,14 @@ export type Linked =
 /** characters; mail and chat programs cut off longer links */
 export const LONGEST_LINK = 8000;
 
-/** A link that contains a level in its fragment, which no server sees. @param page URL of the page, without a fragment */
-export async function linkTo(file: LevelFile, page: string): Promise<Linking> {
+/**
+ * A link that contains a level in its fragment, which no server sees, and the terms under which it is to be played.
+ * @param page URL of the page, without a fragment
+ */
+export async function linkTo(file: LevelFile, { accuracy, maxTime }: Terms, page: string): Promise<Linking> {
   // as one line the text is shorter, and it reads back the same
-  const url = `${page}#${await levelFragment(JSON.stringify(JSON.parse(formatLevel(file))))}`;
+  const level = await levelFragment(JSON.stringify(JSON.parse(formatLevel(file))));
+  const url = `${page}#${level}&accuracy=${accuracy.name}&max-time=${maxTime}`;
   if (url.length <= LONGEST_LINK) return { ok: true, url };
   const message = `the link would have ${url.length} characters, but mail and chat programs cut off links of more than ${LONGEST_LINK}`;
   return { ok: false, message, hint: 'download the level and send the file, or delete runs that are not needed' };

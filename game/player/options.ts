@@ -40,7 +40,7 @@ export interface AttemptOptions {
 export interface PlayerOptions extends AttemptOptions {
   /** The accuracy; that of `gq check`, `precise`, when left out. Ignored if a scene is given, which has one. */
   readonly accuracy?: AccuracyName | Accuracy;
-  /** Simulated time after which the play ends as a timeout, s; 60 when left out, as for `gq simulate`. */
+  /** Simulated time after which the play ends as a timeout, s; that of the scene's terms when left out, 60 if they name none. */
   readonly maxTime?: number;
   /** The longest frame that counts, ms; 100 when left out. After a longer one the game is slower for a moment. */
   readonly maxFrame?: number;

@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TIME, type RunEvent, type Scene, type Simulation, TICK, TICK_RATE } from '../../engine/index.ts';
+import { maxTicksOf, type RunEvent, type Scene, type Simulation, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/basics/index.ts';
 import { Body } from './body.ts';
 import { countCollected } from './collected.ts';
@@ -164,7 +164,7 @@ export class LevelPlayer implements Player {
     private readonly options: PlayerOptions,
     private readonly create: CreateSimulation,
   ) {
-    this.maxTicks = Math.round((options.maxTime ?? DEFAULT_MAX_TIME) * TICK_RATE);
+    this.maxTicks = maxTicksOf({ maxTime: options.maxTime ?? scene.terms.maxTime });
     this.onTick = options.onTick ?? null;
     this.maxFrame = options.maxFrame ?? MAX_FRAME;
     this.simulation = create(scene, this.happened);

@@ -1,4 +1,4 @@
-import { compile, createSimulation, DEFAULT_MAX_TICKS, type Scene } from '../../engine/index.ts';
+import { compile, createSimulation, maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/basics/index.ts';
 import {
   countOnePress,
@@ -75,7 +75,7 @@ export function sortByP40(scene: Scene, runs: readonly Candidate[]): Candidate[]
 export const gradeRun = (scene: Scene, run: Candidate, seed: number): Grade =>
   gradeOf({
     ...measureRun(scene, run, SAMPLES, seed),
-    randomShare: playAtRandom(scene, ANY, { samples: GAMES, seed, maxTicks: DEFAULT_MAX_TICKS }).share,
+    randomShare: playAtRandom(scene, ANY, { samples: GAMES, seed, maxTicks: maxTicksOf(scene.terms) }).share,
   });
 
 /** What a grade is computed from, but for random play. */
@@ -91,7 +91,7 @@ export function measureRun(scene: Scene, run: Candidate, samples: number, seed: 
 
 /** What single presses within the length of a run achieve, sampled with a stride. */
 export const scoutOnePress = (scene: Scene, run: Candidate): OnePressCount =>
-  countOnePress(scene, ANY, run.tick + 1, DEFAULT_MAX_TICKS, STRIDE);
+  countOnePress(scene, ANY, run.tick + 1, maxTicksOf(scene.terms), STRIDE);
 
 /**
  * Plays random games.
@@ -109,7 +109,7 @@ export function luckyGames(
   const games: (readonly Hold[])[] = [];
   let ticks = 0;
   for (let game = 0; game < count && games.length < most; game++) {
-    const holds = playGameAtRandom(simulation, random, DEFAULT_MAX_TICKS);
+    const holds = playGameAtRandom(simulation, random, maxTicksOf(scene.terms));
     ticks += simulation.tick;
     if (simulation.ending?.outcome === 'completed') games.push(holds);
   }

@@ -1,4 +1,4 @@
-import { DEFAULT_MAX_TICKS, joinHolds, type Scene, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import { joinHolds, maxTicksOf, type Scene, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import type { Hold, Place } from '../../schema/basics/index.ts';
 import type { Random } from '../random.ts';
 import { verifyRun } from '../verified-run.ts';
@@ -15,7 +15,7 @@ const DETOURS = 24;
 const LOOKS = 100;
 
 /** The path of a run up to its end or the given tick. */
-export function wayOf(scene: Scene, holds: readonly Hold[], ticks: number = DEFAULT_MAX_TICKS): Way {
+export function wayOf(scene: Scene, holds: readonly Hold[], ticks: number = maxTicksOf(scene.terms)): Way {
   const run = simulate(scene, holds, { maxTime: ticks * TICK });
   const state = new Float64Array(STATE_SIZE);
   const way: Place[] = [];

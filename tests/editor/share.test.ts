@@ -69,9 +69,9 @@ describe('a link', () => {
   it('contains any small level, which reads back the same', async () => {
     await fc.assert(
       fc.asyncProperty(arbitraryFile, async (file) => {
-        const link = await linkTo(file, PAGE);
+        const link = await linkTo(file, DEFAULT_TERMS, PAGE);
         if (!link.ok) throw new Error(link.message);
-        expect(link.url).toMatch(/^https:\/\/example\.org\/editor\/#level=[\w-]+$/);
+        expect(link.url).toMatch(/^https:\/\/example\.org\/editor\/#level=[\w-]+&accuracy=precise&max-time=60$/);
         const linked = await levelOf(new URL(link.url).hash);
         expect(linked).toMatchObject({ ok: true });
         if (linked?.ok) expect(formatLevel(linked.file)).toBe(formatLevel(file));
@@ -82,7 +82,7 @@ describe('a link', () => {
 
   it('is refused if the level is too large for a link in a chat program', async () => {
     const novae = Array.from({ length: 2000 }, (_, i) => ({ x: Math.sin(i) * 1e6, y: Math.cos(i) * 1e6, radius: 16 }));
-    expect(await linkTo({ ...fileOf(firewalk), novae }, PAGE)).toMatchObject({
+    expect(await linkTo({ ...fileOf(firewalk), novae }, DEFAULT_TERMS, PAGE)).toMatchObject({
       ok: false,
       message: expect.stringContaining(String(LONGEST_LINK)),
     });
@@ -93,10 +93,10 @@ describe('a link', () => {
   });
 
   it('is reported with its problem if it does not contain a level', async () => {
-    const { url } = (await linkTo(fileOf(firewalk), PAGE)) as { url: string };
+    const { url } = (await linkTo(fileOf(firewalk), DEFAULT_TERMS, PAGE)) as { url: string };
     expect(await levelOf('#token=abc')).toBeNull();
     expect(await levelOf('')).toBeNull();
-    expect(await levelOf(url.slice(url.indexOf('#'), -20))).toMatchObject({ ok: false });
+    expect(await levelOf(url.slice(url.indexOf('#'), url.indexOf('&') - 20))).toMatchObject({ ok: false });
   });
 
   it('does not unpack without limit', async () => {
