@@ -427,8 +427,7 @@ class Game {
       (slide.kind === 'field' ? fields : winds)[slide.index] = index === 1;
       world.slide = null;
       this.#flips.clear();
-    }
-    else if (kind === 'mouth') {
+    } else if (kind === 'mouth') {
       const wormhole = level.wormholes[index >> 1];
       const opposite = index % 2 === 0 ? secondMouth(wormhole) : placeOf(wormhole);
       mouths[index >> 1] = isIn(world, opposite, wormhole.radius, true) ? 2 - (index % 2) : 0;
