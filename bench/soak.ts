@@ -28,7 +28,7 @@ const ATTACKS = {
 type Attack = keyof typeof ATTACKS;
 
 /** A scene that takes longer than this hangs, ms. */
-const HANGS_AFTER = 20_000;
+const HANGS_AFTER = 60_000;
 
 interface Task {
   readonly attack: Attack;
@@ -57,7 +57,11 @@ async function watch(attack: Attack, from: number, to: number, until: number, re
   const current = new Int32Array(new SharedArrayBuffer(4));
   for (let next = from; next < to; ) {
     current[0] = next;
-    const worker = new Worker(new URL(import.meta.url), { workerData: { attack, from: next, to, current } satisfies Task });
+    const worker = new Worker(new URL(import.meta.url), {
+      workerData: { attack, from: next, to, current } satisfies Task,
+      // the reference leaves much behind, all of it soon
+      resourceLimits: { maxYoungGenerationSizeMb: 128 },
+    });
     next = await new Promise<number>((resolve) => {
       let seen = next;
       let since = Date.now();

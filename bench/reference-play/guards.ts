@@ -16,7 +16,7 @@ import {
 import type { Flow } from './flow.ts';
 import { type Path, standing } from './path.ts';
 import { crossings, firstBelow, opened } from './roots.ts';
-import { eachOf, product, type Series, valueAt } from './series.ts';
+import { about, eachOf, product, type Series, valueAt } from './series.ts';
 import { placeOf, secondMouth, type World } from './world.ts';
 
 /** What may happen; those that come first at the same instant stand first. */
@@ -86,7 +86,8 @@ export class Guards {
     });
     if (this.#world.anchor >= 0) this.#rim('range', 0, flow.asteroids[this.#world.anchor], level.range, true);
     for (const [i, c] of level.repulsors.entries())
-      if (slide?.kind !== 'field' || slide.index !== i) this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]);
+      if (slide?.kind !== 'field' || slide.index !== i)
+        this.#rim('field', i, standing(placeOf(c)), c.radius, this.#world.fields[i]);
     for (const [i, c] of level.winds.entries())
       if (slide?.kind !== 'wind' || slide.index !== i) this.#rim('wind', i, standing(placeOf(c)), c.radius, this.#world.winds[i]);
     level.wormholes.forEach((c, i) => {
@@ -150,19 +151,18 @@ export class Guards {
   }
 
   #first(guard: Series, from: Dd, end: Dd, size: number, slope: number, counted: boolean): Dd | null {
-    let followed = guard;
-    let zeros = 0;
-    if (from.hi === 0) {
-      const open = opened(guard, this.#whole, size);
-      if (open === null) {
-        if (counted) this.#margins.exact++;
-        return null;
-      }
-      followed = open.guard;
-      zeros = open.zeros;
-      if (zeros > 0 && counted) this.#margins.exact++;
+    if (from.hi > 0) {
+      const whole = size + sumAfterFirst(guard, this.#whole);
+      if (Math.abs(valueAt(guard, from).hi) > 1e-24 * whole)
+        return firstBelow(guard, from, end, (value) => this.#missed(value, slope));
+      // it may be exactly 0 there
+      const later = this.#first(about(guard, from), ZERO, subtract(end, from), size, slope, counted);
+      return later === null ? null : add(later, from);
     }
-    return firstBelow(followed, from, end, (value) => this.#missed(zeros === 0 ? value : slope, slope));
+    const open = opened(guard, this.#whole, size);
+    if (counted && (open === null || open.zeros > 0)) this.#margins.exact++;
+    if (open === null) return null;
+    return firstBelow(open.guard, from, end, (value) => this.#missed(open.zeros === 0 ? value : slope, slope));
   }
 
   /** Her centre crosses a circle. */

@@ -8,12 +8,14 @@ import {
   divide,
   dot,
   isShort,
+  length,
   minus,
   NOWHERE,
   plus,
   subtract,
   times,
   toNumber,
+  twoSum,
   type Vector,
   ZERO,
 } from './double-double.ts';
@@ -158,6 +160,7 @@ class Game {
 
   /** Decides what is the case at the start, before a press at tick 0. */
   #start(): void {
+    this.#noteStart();
     this.#orient(false);
     this.#settle(this.#findAnchor(false));
   }
@@ -170,7 +173,7 @@ class Game {
       if (!taken[i]) gapTo(world, placeOf(c), c.radius) < 0 && this.#take(i);
     });
     const touch = (kind: NonNullable<Played['with']>['kind'], index: number, at: Vector, radius: number) => {
-      if (this.#ending !== null || gapTo(world, at, radius) >= 0) return;
+      if (this.#ending !== null || !this.#overlaps(at, radius)) return;
       this.#ending = { outcome: kind === 'blackHole' ? 'completed' : 'collided', with: { kind, index } };
     };
     for (const [i, c] of level.novae.entries()) touch('nova', i, placeOf(c), c.radius);
@@ -182,6 +185,35 @@ class Game {
     });
     touch('blackHole', 0, placeOf(level.blackHole), level.blackHole.radius);
     if (this.#ending === null && !isInRange) this.#ending = { outcome: 'lost', with: null };
+  }
+
+  #overlaps(at: Vector, radius: number): boolean {
+    const gap = gapTo(this.#world, at, radius);
+    this.#noteMargin(gap);
+    return gap < 0;
+  }
+
+  /** What decides by as little as this decides narrowly, px; by 0 it decides exactly. */
+  #noteMargin(margin: number): void {
+    if (margin !== 0) this.#margins.narrowest = Math.min(this.#margins.narrowest, Math.abs(margin));
+  }
+
+  /** Notes how near the places of the start are to where they would decide otherwise. */
+  #noteStart(): void {
+    const { level, her, rules, asteroids, aliens } = this.#world;
+    const note = (a: Vector, b: Vector, radius: number, more = 0) => {
+      const margin = toNumber(subtract(length(minus(a, b)), twoSum(radius, more)));
+      this.#noteMargin(Math.abs(margin) < 1e-24 * radius ? 0 : margin);
+    };
+    for (const c of [...level.repulsors, ...level.winds, ...level.wormholes]) note(placeOf(c), her.at, c.radius);
+    for (const c of level.wormholes) note(secondMouth(c), her.at, c.radius);
+    for (const { at } of asteroids) note(at, her.at, level.range);
+    for (const [i, { at }] of aliens.entries()) {
+      note(at, her.at, rules.alienSight);
+      for (const [j, other] of aliens.entries()) {
+        if (j < i) note(at, other.at, level.aliens[i].radius, level.aliens[j].radius);
+      }
+    }
   }
 
   /** Finds in which discs she is, at the start or after a wormhole. */
@@ -395,8 +427,7 @@ class Game {
       (slide.kind === 'field' ? fields : winds)[slide.index] = index === 1;
       world.slide = null;
       this.#flips.clear();
-    }
-    else if (kind === 'mouth') {
+    } else if (kind === 'mouth') {
       const wormhole = level.wormholes[index >> 1];
       const opposite = index % 2 === 0 ? secondMouth(wormhole) : placeOf(wormhole);
       mouths[index >> 1] = isIn(world, opposite, wormhole.radius, true) ? 2 - (index % 2) : 0;

@@ -1,4 +1,4 @@
-import { type Dd, ZERO } from './double-double.ts';
+import { add, type Dd, multiply, ZERO } from './double-double.ts';
 
 /** The degree of all series. With 32 digits the best degree is about as high. */
 export const DEGREE = 30;
@@ -128,4 +128,16 @@ export function valueAt(a: Series, s: Dd, degree = degreeOf(a)): Dd {
     l = rest - (h - sum);
   }
   return { hi: h, lo: l };
+}
+
+/** The same function as a series about another point. */
+export function about(a: Series, point: Dd): Series {
+  const made = new Series();
+  const degree = degreeOf(a);
+  for (let k = 0; k <= degree; k++) made.set(k, a.get(k));
+  // Horner's scheme, again and again
+  for (let from = 0; from < degree; from++) {
+    for (let k = degree - 1; k >= from; k--) made.set(k, add(made.get(k), multiply(made.get(k + 1), point)));
+  }
+  return made;
 }
