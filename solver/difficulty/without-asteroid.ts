@@ -4,6 +4,7 @@ import type { Goal } from '../goal.ts';
 import { proveImpossible } from '../proofs/index.ts';
 import { type Candidate, createSearch } from '../search/index.ts';
 import { verifyRun } from '../verified-run.ts';
+import { verifyProof } from '../verify/index.ts';
 
 /**
  * Whether the level can be completed without an asteroid that the given run uses:
@@ -75,8 +76,9 @@ const levelWithout = (level: Level, asteroid: number): Level => ({
   asteroids: level.asteroids.filter((_, i) => i !== asteroid),
 });
 
-/** Whether a proof exists for the accuracy of the scene. There are no proofs for custom settings. */
+/** Whether there is a proof that the checker confirms, for the accuracy of the scene. There are no proofs for custom settings. */
 function isProvedImpossible({ level, accuracy }: Scene, maxTicks: number): boolean {
   if (!isAccuracyName(accuracy.name)) return false;
-  return proveImpossible(level, { accuracy: accuracy.name, maxTime: maxTicks * TICK }) !== null;
+  const proof = proveImpossible(level, { accuracy: accuracy.name, maxTime: maxTicks * TICK });
+  return proof !== null && verifyProof(level, proof).ok;
 }

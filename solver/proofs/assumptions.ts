@@ -96,7 +96,8 @@ export const driftAfter = (game: Game, asteroid: number, seconds: number): numbe
 
 /**
  * What fixed steps may add to her acceleration with recoil, px/s². Her velocity is the one relative to the asteroid plus the
- * asteroid's own; recoil belongs to both, and a step may turn it in one of them otherwise than in the other (lemma `pushes`).
+ * asteroid's own; recoil belongs to both, and a step may turn it in one of them otherwise than in the other (lemma
+ * `recoil in steps`).
  */
 export const recoilBlur = ({ level: { recoil, asteroids }, rules }: Game): number =>
   recoil ? asteroids.reduce((most, { radius }) => Math.max(most, (1.01 * rules.recoil) / radius), 0) : 0;

@@ -45,13 +45,14 @@ export const mayDoom = ({ level }: Setting): boolean => startsMoving(level);
  *
  * It computes the reachable set with interval arithmetic ({@link followFan}): boxes in place and velocity that contain every
  * state of every run, at the start and after each step. In one step a box grows by all accelerations that are possible at the
- * places it passes. That covers continuous time and frames alike, because every method adds up accelerations of places on the
- * path, with positive weights of the right sum (lemma `pushes`). The certificate holds all boxes, so nobody has to trust how
- * they were cut and joined. Rests on the lemmas `reach`, `pushes`, `drift`, `speed limit`, `mouths` and `winds`.
+ * places it passes. That covers every method, because each adds up accelerations of places on the path, with positive weights of
+ * the right sum (lemma `pushes`). Only where frames are asked for do boxes contain what frames do. The certificate holds all boxes, so nobody has to trust how
+ * they were cut and joined. Rests on the lemmas `reach`, `pushes`, `recoil in steps`, `drift`, `speed limit`,
+ * `mouths` and `winds`.
  * @param fineness 0, or 1 for finer grids and larger certificates
  */
 export function proveDoomed(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {
-  const { level, maxTime } = setting;
+  const { level, maxTime, jump } = setting;
   if (!mayDoom(setting)) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
   for (const sizes of GRIDS[Math.min(fineness, FINEST_FAN)]) {
@@ -62,7 +63,7 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing, finenes
       code: 'doomed',
       about,
       reason: soonOverReason(about, layers.length * grid.frames * TICK, endedBy),
-      covers: isFarOut ? CONTINUOUS : ALL_ACCURACIES,
+      covers: jump === 0 || isFarOut ? CONTINUOUS : ALL_ACCURACIES,
       maxTime: level.recoil ? maxTime : null,
       certificate: { kind: 'doomed', grid, layers },
     };

@@ -79,6 +79,8 @@ class Fan {
   private readonly mouths: readonly Circle[];
   private readonly a = new Float64Array(4);
   private readonly blur: number;
+  /** How much later her velocity may follow a push than her place, s: a frame where frames are followed, too. */
+  private readonly lag: number;
   /** The greatest acceleration at any accuracy, px/s². */
   private readonly strongest: number;
   readonly endedBy = new Set<Blocker>();
@@ -90,6 +92,7 @@ class Fan {
     this.grid = grid;
     this.step = grid.frames * TICK;
     this.blur = recoilBlur(setting);
+    this.lag = setting.jump > 0 ? TICK : 0;
     this.strongest = setting.strongest + this.blur;
     const [ux, uy] = grid.axis;
     const turned = ({ x, y }: { x: number; y: number }, r: number): Circle => ({ x: x * ux + y * uy, y: y * ux - x * uy, r });
@@ -133,7 +136,7 @@ class Fan {
   advance(box: Box, time: number, next: Map<number, Box>): boolean {
     const { step, a } = this;
     const isFirst = time <= step;
-    const before = isFirst ? 0 : TICK;
+    const before = isFirst ? 0 : this.lag;
     this.setting.budget.look(4 + 2 * this.asteroids.length + this.fields.length);
     // All places within the step.
     const bend = bendWithin(this.strongest, step * (step + TICK)) + SLACK;
@@ -155,7 +158,7 @@ class Fan {
     const more = 0.5 * step * (step + TICK);
     const low = (v: number) => Math.min(v * less, v * more);
     const high = (v: number) => Math.max(v * less, v * more);
-    const least = isFirst ? step - TICK : step;
+    const least = isFirst ? step - this.lag : step;
     const slowest = (v: number) => Math.min(v * least, v * step);
     const fastest = (v: number) => Math.max(v * least, v * step);
     const moved: Box = [

@@ -51,7 +51,8 @@ export function mayFlow(setting: Setting, fineness: number): boolean {
  * which preserve how place and velocity depend on each other, the angle of her box is followed, and aliens are included. The
  * sets would need much room, so the certificate carries hints instead: where sets are cut, which strips hazards take off, and
  * which parts are joined. The checker computes the sets by itself and tests each hint. It is tried last, and only if random
- * plays all end within 2.5 s. Rests on the lemmas `reach`, `pushes`, `chasers`, `drift`, `speed limit` and `mouths`.
+ * plays all end within 2.5 s. Rests on the lemmas `reach`, `pushes`, `recoil in steps`, `chasers`, `drift`,
+ * `speed limit` and `mouths`.
  * @param fineness 0, or 1 for plays of up to 4 s and larger certificates
  */
 export function proveFlowpipe(setting: Setting, about: About, goal: Thing, fineness = 0): Proof | null {

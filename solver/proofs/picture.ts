@@ -56,7 +56,7 @@ export interface ProofPicture {
  * @param proof a proof that {@link proveImpossible}, {@link proveBy} or {@link proveMineralsUnreachable} found for this level
  * @returns the discs and lines to draw
  */
-export function proofPicture(level: Level, { about, certificate, maxTime }: Proof): ProofPicture {
+export function proofPicture(level: Level, { about, certificate, covers, maxTime }: Proof): ProofPicture {
   const thing = about.kind === 'blackHole' ? level.blackHole : level.minerals[about.index];
   const box = boxOf(rulesOf(level));
   const leastHalf = Math.min(box.halfWidth, box.halfHeight);
@@ -148,7 +148,7 @@ export function proofPicture(level: Level, { about, certificate, maxTime }: Proo
       const goal = thingOf(level, thing);
       const { squares, endedBy } =
         certificate.kind === 'doomed'
-          ? followFan(settingOf(level, maxTime, true), about, goal, certificate.grid, mostOf(certificate.grid))
+          ? followFan(settingOf(level, maxTime, covers.includes('arcade')), about, goal, certificate.grid, mostOf(certificate.grid))
           : followPipes(settingOf(level, maxTime, false), about, goal, certificate.grid, MOST_PIPES);
       const corner = (x: number, y: number) => ({
         x: level.astronaut.x + x * axis[0] - y * axis[1],

@@ -72,9 +72,9 @@ export const driftIn = ({ recoil, asteroids }: Level, rules: Rules, asteroid: nu
   recoil ? (1.01 * rules.recoil * square) / (4 * asteroids[asteroid].radius) : 0;
 
 /**
- * Lemma `pushes`: how much her acceleration may differ with fixed steps, px/s², from what acts on her. With recoil her velocity is
- * computed relative to the asteroid, whose own velocity is computed apart and added; each contains recoil, at most recoil /
- * diameter, and a step may give it another direction in the one than in the other.
+ * Lemma `recoil in steps`: how much her acceleration may differ with fixed steps, px/s², from what acts on her. With recoil her
+ * velocity is computed relative to the asteroid, whose own velocity is computed apart and added; each contains recoil, at most
+ * recoil / diameter, and a step may give it another direction in the one than in the other.
  */
 export const stepBlur = ({ recoil, asteroids }: Level, rules: Rules): number =>
   recoil ? asteroids.reduce((most, { radius }) => Math.max(most, rules.recoil / radius), 0) : 0;

@@ -54,8 +54,8 @@ const times = (a: Interval, b: Interval): Interval => {
  * next set, except for the parts that have ended: they lie entirely in one hazard or out of range. No set comes near the object
  * within its step, and after the last step nothing is left. How the boxes were cut and joined does not matter. A step holds for
  * every method that pushes her as the game could push her at the places of that step, once per frame or continuously (lemma
- * `pushes`). In frames a push acts on her velocity a frame later, so the places of the frame before belong to a step as well, and
- * the first step may have a frame's push less.
+ * `pushes` and `recoil in steps`). In frames a push acts on her velocity a frame later, so the places of the frame before belong
+ * to a step as well, and the first step may have a frame's push less.
  */
 export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | null {
   if (!isGrid(grid)) return 'its grid is not valid';

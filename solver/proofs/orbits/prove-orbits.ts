@@ -53,7 +53,8 @@ export function proveOrbits(setting: Setting, about: About, goal: Thing, finenes
   const { grid, boxes } = TRIES[Math.min(fineness, FINEST_ORBITS)];
   const most = Math.ceil(LONGEST / (grid.frames * TICK));
   const { closed, steps: needed, endedBy } = followOrbits(setting, about, goal, grid, { steps: most, boxes });
-  if (!closed) return null;
+  // What is over at the start is for the provers of the start.
+  if (!closed || needed === 0) return null;
   const steps = Math.ceil(SPARE[0] * needed) + SPARE[1];
   const seconds = steps * grid.frames * TICK;
   return {

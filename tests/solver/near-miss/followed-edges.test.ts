@@ -106,16 +106,16 @@ const edges: Readonly<Record<string, Edge>> = {
     grid: { steps: 20 },
     asked: SECONDS,
     safe: 'above',
-    doomed: 20.643,
-    flowpipe: 20.618,
+    doomed: 20.81,
+    flowpipe: 20.783,
   },
   'out of two ranges that recoil moves': {
     of: (v) => ({ v: [-v, 0], asteroids: [at(225, 30, 4), at(225, -40, 6)], recoil: true }),
     grid: { steps: 20 },
     asked: SECONDS,
     safe: 'above',
-    doomed: 19.158,
-    flowpipe: 19.136,
+    doomed: 19.346,
+    flowpipe: 19.321,
   },
   'out of the ranges of two that are as near': {
     of: (v) => ({ v: [-v, 0], asteroids: [at(150, 180), at(150, -180)] }),
@@ -142,7 +142,7 @@ const edges: Readonly<Record<string, Edge>> = {
     of: (v) => ({ v: [-v, 0], asteroids: [at(225, 0)], repulsors: [at(30, 0, 300)] }),
     grid: { steps: 20 },
     safe: 'above',
-    doomed: 6.094,
+    doomed: 6.063,
     flowpipe: 5.638,
   },
   'a nova ahead': {
@@ -199,13 +199,13 @@ const edges: Readonly<Record<string, Edge>> = {
     of: (x) => ({ v: LEFT, asteroids: [at(50, 0), hot(-x, 0, 5)], recoil: true }),
     asked: SECONDS,
     safe: 'below',
-    flowpipe: 46.88,
+    flowpipe: 46.814,
   },
   'a hot asteroid aside, with recoil': {
     of: (y) => ({ v: LEFT, asteroids: [at(50, 0), hot(-35, y, 20)], recoil: true }),
     asked: SECONDS,
     safe: 'below',
-    flowpipe: 29.69,
+    flowpipe: 29.665,
   },
   'a second asteroid that is never the nearest': {
     of: (x) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-x, 0, 4)], novae: [at(25, 60, 35)] }),
@@ -216,7 +216,7 @@ const edges: Readonly<Record<string, Edge>> = {
     of: (x) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-x, 0, 4)], novae: [at(25, 60, 35)], recoil: true }),
     asked: SECONDS,
     safe: 'above',
-    flowpipe: 60.975,
+    flowpipe: 61.084,
   },
   'a second asteroid above that is never the nearest': {
     of: (y) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-60, -y, 4)], novae: [at(25, 60, 35)] }),
@@ -227,24 +227,24 @@ const edges: Readonly<Record<string, Edge>> = {
     of: (y) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-60, -y, 4)], novae: [at(25, 60, 35)], recoil: true }),
     asked: SECONDS,
     safe: 'above',
-    flowpipe: 5.358,
+    flowpipe: 5.372,
   },
   'a second asteroid below that becomes the nearest late': {
     of: (y) => ({ v: [0, 30], asteroids: [at(60, 0, 4), at(-40, y, 4)], novae: [at(25, 60, 35)], recoil: true }),
     asked: SECONDS,
     safe: 'above',
-    flowpipe: 66.604,
+    flowpipe: 66.754,
   },
   'a nova behind an asteroid that she flies through': {
     of: (x) => ({ v: [40, 0], asteroids: [at(20, 0)], novae: [at(x, 0, 30)] }),
     safe: 'below',
-    doomed: 66.271,
+    doomed: 68.577,
     flowpipe: 67.348,
   },
   'a nova aside, behind an asteroid that she flies through': {
     of: (y) => ({ v: [40, 0], asteroids: [at(20, 0)], novae: [at(60, y, 30)] }),
     safe: 'below',
-    doomed: 18.426,
+    doomed: 21.253,
     flowpipe: 20.717,
   },
   'a nova aside, behind an asteroid that recoil moves': {
@@ -252,8 +252,8 @@ const edges: Readonly<Record<string, Edge>> = {
     grid: { steps: 10 },
     asked: SECONDS,
     safe: 'below',
-    doomed: 38.406,
-    flowpipe: 39.929,
+    doomed: 38.371,
+    flowpipe: 39.876,
   },
   'a nova below, between two asteroids': {
     of: (y) => ({ v: [0, 30], asteroids: [at(60, 0), at(-60, 10)], novae: [at(0, y, 60)] }),
@@ -334,7 +334,7 @@ const edges: Readonly<Record<string, Edge>> = {
   'a nova for what a field around her pushes': {
     of: (x) => ({ v: LEFT, asteroids: BEHIND, novae: [at(-x, 0, 30)], repulsors: [at(-5, 8, 80)] }),
     safe: 'below',
-    doomed: 72.425,
+    doomed: 72.442,
     flowpipe: 72.583,
   },
   'a nova for what a field about her way pushes anywhere': {
