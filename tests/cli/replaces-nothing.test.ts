@@ -164,26 +164,23 @@ describe('output of a command', () => {
     ['export', (out) => ['export', 'levels/a.level.json', '--to', 'gravityquest', '--drop', '--force', '-o', out], 'json'],
   ];
 
-  it.each(COMMANDS)(
-    'of gq %s replaces nothing that it reads, nor another level, by no name',
-    async (_, command, ending = 'svg') => {
-      linkSync(join(repo, 'levels/a.level.json'), join(repo, `hard.${ending}`));
-      const names = [`hard.${ending}`];
-      if (process.platform !== 'win32') {
-        symlinkSync('levels/a.level.json', join(repo, `soft.${ending}`));
-        symlinkSync('levels/b.level.json', join(repo, `second.${ending}`));
-        names.push(`soft.${ending}`, `second.${ending}`);
-      }
-      const before = [textOf('levels/a.level.json'), textOf('levels/b.level.json')];
-      for (const name of names) {
-        const { code, stderr } = await run(command(name));
-        expect({ name, code, stderr }).toEqual({
-          name,
-          code: 2,
-          stderr: expect.stringMatching(/replace|is no plan|this is none/),
-        });
-        expect([textOf('levels/a.level.json'), textOf('levels/b.level.json')]).toEqual(before);
-      }
-    },
-  );
+  it.each(COMMANDS)('of gq %s replaces nothing that it reads, nor another level, by no name', async ({ command, ending }) => {
+    linkSync(join(repo, 'levels/a.level.json'), join(repo, `hard.${ending}`));
+    const names = [`hard.${ending}`];
+    if (process.platform !== 'win32') {
+      symlinkSync('levels/a.level.json', join(repo, `soft.${ending}`));
+      symlinkSync('levels/b.level.json', join(repo, `second.${ending}`));
+      names.push(`soft.${ending}`, `second.${ending}`);
+    }
+    const before = [textOf('levels/a.level.json'), textOf('levels/b.level.json')];
+    for (const name of names) {
+      const { code, stderr } = await run(command(name));
+      expect({ name, code, stderr }).toEqual({
+        name,
+        code: 2,
+        stderr: expect.stringMatching(/replace|is no plan|this is none/),
+      });
+      expect([textOf('levels/a.level.json'), textOf('levels/b.level.json')]).toEqual(before);
+    }
+  });
 });
