@@ -17,17 +17,19 @@ const fixedPart = (pattern: string): string => pattern.replace(/(?:^|[\\/])[^\\/
  * what is around it. Links count by where they lead.
  * @param folder the folder of the configuration, to which the path is relative
  * @param path a path, or a pattern of paths
+ * @param read a folder besides, from which is only read: with `--config`, a configuration may be for levels beside it; null: none
  * @returns null if the path stays in the repository, outside of git's own files
  */
-export function whyOutside(folder: string, path: string): string | null {
+export function whyOutside(folder: string, path: string, read: string | null): string | null {
   if (OF_WINDOWS.test(path) && !isAbsolute(path)) return 'is an absolute path of Windows';
   try {
     const root = repositoryOf(realTarget(folder));
     const target = realTarget(resolve(folder, fixedPart(path)));
-    const inside = relative(root, target);
-    const parts = inside.split(sep);
-    if (isAbsolute(inside) || parts[0] === '..') return `leads to ${target}, outside of ${root}`;
-    return parts.some((part) => OF_GIT.test(part)) ? `leads to ${target}, among git's own files` : null;
+    const inside = [root, ...(read === null ? [] : [realTarget(read)])]
+      .map((one) => relative(one, target))
+      .find((way) => !isAbsolute(way) && way.split(sep)[0] !== '..');
+    if (inside === undefined) return `leads to ${target}, outside of ${root}`;
+    return inside.split(sep).some((part) => OF_GIT.test(part)) ? `leads to ${target}, among git's own files` : null;
   } catch (error) {
     return `leads to nowhere: ${systemReason(error)}`;
   }

@@ -7,8 +7,13 @@ import { realTarget } from './real-target.ts';
 /** The files that a command reads, by what each of them is in words; null: there is none. */
 export type Inputs = Readonly<Record<string, string | readonly string[] | null>>;
 
-/** The levels that a command reads, as {@link Inputs}. An entry of a pack stands for its pack. */
-export const levelsRead = (files: readonly string[]): Inputs => ({ 'a level that is read': files.map(fileOf) });
+/**
+ * The levels that a command reads, as {@link Inputs}. An entry of a pack stands for its pack.
+ * @param done what is done with them, for messages
+ */
+export const levelsRead = (files: readonly string[], done: 'checked' | 'read'): Inputs => ({
+  [`a level that is ${done}`]: files.map(fileOf),
+});
 
 function fileOf(level: string): string {
   const entry = existsSync(level) ? null : entryName(level);

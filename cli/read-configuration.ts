@@ -34,13 +34,15 @@ export function readConfiguration(options: ConfigOptions, folder: string = proce
  * @throws Failure with the place of the first that does not
  */
 function expectInside(file: string, bytes: Uint8Array, { levels, reporters, lock, cache }: ConfigFile): void {
-  const paths: readonly (readonly [text: string, path: string])[] = [
-    ...listOf(levels ?? []).map((path) => [path, path] as const),
-    ...(reporters ?? []).filter((text) => text.includes('=')).map((text) => [text, text.slice(text.indexOf('=') + 1)] as const),
-    ...[lock, cache].filter((path) => typeof path === 'string').map((path) => [path, path] as const),
+  const paths: readonly (readonly [text: string, path: string, read: string | null])[] = [
+    ...listOf(levels ?? []).map((path) => [path, path, process.cwd()] as const),
+    ...(reporters ?? [])
+      .filter((text) => text.includes('='))
+      .map((text) => [text, text.slice(text.indexOf('=') + 1), null] as const),
+    ...[lock, cache].filter((path) => typeof path === 'string').map((path) => [path, path, null] as const),
   ];
-  for (const [text, path] of paths) {
-    const why = whyOutside(dirname(resolve(file)), path);
+  for (const [text, path, read] of paths) {
+    const why = whyOutside(dirname(resolve(file)), path, read);
     if (why === null) continue;
     throw new Failure(
       `nothing was done: ${namedPath(file)}${placeOf(bytes, text)}: ${JSON.stringify(text)} ${why}: expected a path inside of the repository of the configuration; an argument of the command line may name any path`,

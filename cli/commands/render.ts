@@ -128,7 +128,8 @@ async function render(file: string, options: Options, command: Command): Promise
   }
   expectOneView(options);
   expectUsed(command, options);
-  if (output !== '-') expectOutput(`-o ${output}`, output, { ...levelsRead([file]), 'the configuration': configuration.file });
+  if (output !== '-')
+    expectOutput(`-o ${output}`, output, { ...levelsRead([file], 'read'), 'the configuration': configuration.file });
   const renderPng = kind === '.png' ? await loadPngRenderer() : null;
   const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;

@@ -204,7 +204,7 @@ async function check(
   // a level from standard input without a name is in no lock
   const configuredLock = input !== null && options.stdinPath === undefined ? null : configuration.lock;
   const lockFile = (options.lock ?? configuredLock) || (options.updateLock ? 'gq.lock.json' : null);
-  const inputs = { ...levelsRead(files), 'the lock': lockFile, 'the configuration': configuration.file };
+  const inputs = { ...levelsRead(files, 'checked'), 'the lock': lockFile, 'the configuration': configuration.file };
   expectReportFiles(reports, { ...inputs, 'the order of a pack': found.map(({ file }) => file) }, options.force === true);
   const pack = input === null ? firstPack(files) : undefined;
   if (pack !== undefined) refuseForPacks(pack, { ...options, lock: lockFile });

@@ -138,7 +138,7 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     if (unreadable.length > 0) throw unreadableFolders(unreadable);
     return reportWhole('difficulty', asked, files, [{ name: format, file: null }], 'measured', { jobs });
   }
-  const inputs = { ...levelsRead(files), 'the configuration': configuration.file, 'a play': options.plays ?? null };
+  const inputs = { ...levelsRead(files, 'read'), 'the configuration': configuration.file, 'a play': options.plays ?? null };
   for (const [option, file] of Object.entries({ svg, picture }))
     if (file !== undefined) expectOutput(`--${option} ${file}`, file, inputs);
   const plays = options.plays === undefined ? null : await readPlays(options.plays, files, settings, jobs);

@@ -125,7 +125,7 @@ async function exportLevels(paths: readonly string[], options: ExportOptions): P
     const message = `nothing was written: the original game does not have what these levels have; --drop leaves ${thing} out\n`;
     return { messages: shown(made.refused) + message, exitCode: 1 };
   }
-  const inputs = { ...levelsRead(files), 'the configuration': configuration.file };
+  const inputs = { ...levelsRead(files, 'read'), 'the configuration': configuration.file };
   for (const { file } of made.files) if (file !== '-') expectOutput(`-o ${file}`, file, inputs);
   return write(made, options);
 }

@@ -101,7 +101,11 @@ async function merge(folders: readonly string[], options: Options): Promise<Comm
     one.file === null && options.output !== undefined ? { ...one, file: options.output } : one,
   );
   expectFormats(plan.job, asked);
-  const inputs = { ...levelsRead(await levelsOf(plan, asked)), 'the plan': options.plan, 'a result': resultsIn(folders) };
+  const inputs = {
+    ...levelsRead(await levelsOf(plan, asked), 'checked'),
+    'the plan': options.plan,
+    'a result': resultsIn(folders),
+  };
   expectReportFiles(asked, inputs, options.force === true);
   const gathered = await gather(plan, folders);
   const notes = [...gathered.notes, ...gathered.conflicts].map((note) => `${note}\n`).join('');

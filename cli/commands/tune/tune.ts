@@ -105,7 +105,8 @@ async function tune(paths: readonly string[], options: Options, command: Command
     search: options.solve ? { limits: limitsOf(options), seed: options.seed } : null,
   };
   const { files, unreadable } = await findConfigured(paths, configuration);
-  if (svg !== undefined) expectOutput(`--svg ${svg}`, svg, { ...levelsRead(files), 'the configuration': configuration.file });
+  if (svg !== undefined)
+    expectOutput(`--svg ${svg}`, svg, { ...levelsRead(files, 'read'), 'the configuration': configuration.file });
   const progress = createProgress('tuned', files.length);
   let levels: TunedLevel[];
   try {
