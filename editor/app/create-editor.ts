@@ -213,11 +213,10 @@ export async function createEditor(): Promise<Editor> {
     const place = `${workspace.store.getState().list?.folder.id ?? ''}/${opened.id()}`;
     editor.marks.set(place);
     const parts = openParts(editor, opened);
-    const stop = attempts.follow(place, parts.level.attempts);
+    attempts.follow(place, parts.level.attempts);
     const cancel = onceDrawn(() => editor.marks.clear(place));
     const close = () => {
       cancel();
-      stop();
       editor.marks.clear(place);
       parts.close();
     };

@@ -10,8 +10,12 @@ type Work = () => Promise<unknown>;
 export interface AttemptKeeper {
   /** Why attempts are not kept, and what to do; null: they are. */
   readonly trouble: StoreApi<string | null>;
-  /** Adds the attempts of earlier pages at a level, and keeps those that are made. @param place a name of the level. @returns stops it */
-  follow(place: string, attempts: Attempts): () => void;
+  /**
+   * Adds the attempts of earlier pages at a level, and keeps those that are made from now on, also once the level is closed: a play
+   * may end after it. Call it again when the level is opened again.
+   * @param place a name of the level
+   */
+  follow(place: string, attempts: Attempts): void;
   /** Levels got other places: they were renamed, deleted or restored. */
   moved(moves: readonly Move[]): void;
   /** The browser's database answers after all: from now on attempts are kept there. */
@@ -42,7 +46,7 @@ export function createAttemptKeeper(
   let kept = store ?? createMemoryAttempts();
   let isLasting = store !== null;
   const trouble = createStore<string | null>(() => (isLasting ? null : MISSING));
-  const followed = new Set<Followed>();
+  const followed = new Map<Attempts, Followed>();
   let cancelRetry = () => {};
   /** What failed, oldest first: it is tried again whenever the database answers. */
   let failed: Work[] = [];
@@ -71,35 +75,29 @@ export function createAttemptKeeper(
   return {
     trouble,
     follow(place, attempts) {
-      const one = new Followed(place, attempts, () => kept, inTurn);
-      followed.add(one);
-      return () => {
-        one.close();
-        followed.delete(one);
-        // the page may be about to end
-        tryAgain();
-      };
+      const known = followed.get(attempts);
+      if (known === undefined) followed.set(attempts, new Followed(place, attempts, () => kept, inTurn));
+      else known.openedAgain(place);
     },
     moved: (moves) =>
       inTurn(async () => {
         await kept.move(moves);
-        for (const one of followed) one.moved(moves);
+        for (const one of followed.values()) one.moved(moves);
       }),
     adopt(found) {
       if (isLasting) return;
       isLasting = true;
       kept = found;
-      for (const one of followed) one.keepAll();
+      for (const one of followed.values()) one.keepAll();
     },
   };
 }
 
-/** The attempts at one level that is open. */
+/** The attempts at one level that is or was open. */
 class Followed {
   /** The numbers of those that are stored or on their way, by id. */
   private known = new Map<string, number>();
   private opened: { readonly in: AttemptStore; readonly list: Promise<number> } | null = null;
-  private readonly stop: () => void;
 
   constructor(
     private place: string,
@@ -107,7 +105,7 @@ class Followed {
     private readonly store: () => AttemptStore,
     private readonly inTurn: (act: Work) => void,
   ) {
-    this.stop = attempts.store.subscribe(() => this.follow());
+    attempts.store.subscribe(() => this.follow());
     this.keepAll();
   }
 
@@ -126,8 +124,10 @@ class Followed {
     this.place = moves.find(({ from }) => from === this.place)?.to ?? this.place;
   }
 
-  close(): void {
-    this.stop();
+  openedAgain(place: string): void {
+    this.place = place;
+    this.opened = null;
+    this.keepAll();
   }
 
   private list(): Promise<number> {

@@ -250,4 +250,34 @@ inChromium('playing in Chromium', ({ on }) => {
       },
     ),
   );
+
+  it(
+    'an attempt is there again after a reload right at its end, and at its level only',
+    on({ '01': quick(), '02': straight() }, async ({ page, saved }) => {
+      await saved();
+      await hurry(page, FAST);
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await theEnd(page).waitFor();
+      await page.reload();
+      await saved();
+      const attempts = page.getByRole('tree', { name: 'Attempts at the level' });
+      const listed = async () => {
+        await page.getByRole('tab', { name: 'Attempts' }).click();
+        await until(async () => expect(await attempts.getByRole('treeitem').count()).toBe(1));
+      };
+      await listed();
+      // another level has none
+      const levels = page.getByRole('tree', { name: 'Levels' });
+      await levels
+        .getByRole('treeitem', { name: /Straight/ })
+        .nth(1)
+        .click();
+      await until(async () => expect(await attempts.count()).toBe(0));
+      await levels
+        .getByRole('treeitem', { name: /Straight/ })
+        .nth(0)
+        .click();
+      await listed();
+    }),
+  );
 });

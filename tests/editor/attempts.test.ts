@@ -29,11 +29,10 @@ describe('attempts of earlier pages', () => {
   it('are there again, before those of this page, and numbers go on', async () => {
     const store = createMemoryAttempts();
     const first = createAttempts();
-    const stop = createAttemptKeeper(store, never).follow('f/a', first);
+    createAttemptKeeper(store, never).follow('f/a', first);
     for (const tick of [10, 20, 30]) first.add(attemptOf(tick));
     first.remove(2);
     await breathe();
-    stop();
     const second = createAttempts();
     createAttemptKeeper(store, never).follow('f/a', second);
     // before the list is read
@@ -112,6 +111,20 @@ describe('attempts of earlier pages', () => {
   });
 });
 
+it('an attempt that ends after its level was closed is kept at its level', async () => {
+  const store = createMemoryAttempts();
+  const keeper = createAttemptKeeper(store, never);
+  const [one, other] = [createAttempts(), createAttempts()];
+  keeper.follow('f/a', one);
+  keeper.follow('f/b', other);
+  one.add(attemptOf(1));
+  await breathe();
+  const next = createAttempts();
+  createAttemptKeeper(store, never).follow('f/a', next);
+  await breathe();
+  expect(ticksOf(next.store.getState())).toEqual([1]);
+});
+
 describe('whatever is done, in any order', () => {
   const level = fc.constantFrom('a', 'b', 'c');
   const page = fc.nat(1);
@@ -150,15 +163,12 @@ describe('whatever is done, in any order', () => {
           });
           const keeper = createAttemptKeeper(store, (ms, call) => clock.after(ms, call));
           workspace.onMoved(keeper.moved);
-          let last: { opened: OpenedLevel; stop: () => void } | null = null;
+          let last: OpenedLevel | null = null;
           // as the page does it
           workspace.store.subscribe(({ opened, list }) => {
-            if (opened === (last?.opened ?? null)) return;
-            last?.stop();
-            last =
-              opened === null
-                ? null
-                : { opened, stop: keeper.follow(`${list?.folder.id}/${opened.id()}`, attemptsAt(opened.level)) };
+            if (opened === last) return;
+            last = opened;
+            if (opened !== null) keeper.follow(`${list?.folder.id}/${opened.id()}`, attemptsAt(opened.level));
           });
           await workspace.start();
           return { workspace, keeper };
