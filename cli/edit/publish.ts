@@ -1,6 +1,5 @@
 import { lstatSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
-import { DEFAULT_MAX_TIME, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { LEVEL_ID_PART, type PublishRequest, type PublishResponse, type RefusedLevel } from '../../schema/index.ts';
 import {
   type BuiltPack,
@@ -68,8 +67,8 @@ async function publish(
     const found = level === null ? await findPack([shown], configuration) : null;
     const files = found?.files ?? [fileOf(root, shown, level ?? '')];
     const pack = await checkPack(files, configuration, {
-      // slack is not asked for, which would take long
-      asked: { seed: 0, maxTime: DEFAULT_MAX_TIME, maxWork: DEFAULT_MAX_WORK, requireSlack: false },
+      // under the terms of the configuration; slack is not asked for, which would take long
+      asked: { seed: 0, requireSlack: false },
       cache: configuration.cache,
       // few threads: the page that asks is on the same machine
       jobs: 2,
