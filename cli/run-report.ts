@@ -1,22 +1,18 @@
+import { termsReport } from '../check/words/index.ts';
 import { type Run, type Scene, STATE_SIZE, simulate, WorkBudget, WorkLimitReached } from '../engine/index.ts';
-import type { Hold, Level, RunReport } from '../schema/index.ts';
+import type { Hold, RunReport } from '../schema/index.ts';
 import { Failure } from './failure.ts';
 
 /**
  * A run as in the output of `gq simulate --format json`.
  * @param sampleRate samples per second, at k / sampleRate s from the start to the end of the run; null for none
  */
-export function reportRun(
-  level: Level,
-  accuracy: string,
-  holds: readonly Hold[],
-  run: Run,
-  sampleRate: number | null,
-): RunReport {
+export function reportRun(scene: Scene, holds: readonly Hold[], run: Run, sampleRate: number | null): RunReport {
   const { x, y, vx, vy, cos, sin } = run.final;
   return {
-    level: level.name,
-    accuracy,
+    level: scene.level.name,
+    accuracy: scene.accuracy.name,
+    terms: termsReport(scene),
     holds: holds.map(([press, release]) => [press, release]),
     outcome: run.outcome,
     with: run.with,

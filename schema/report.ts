@@ -17,6 +17,7 @@ const kind = z.enum(['nova', 'asteroid', 'alien', 'blackHole']);
 export const runReportSchema = z.strictObject({
   level: z.string(),
   accuracy: z.string(),
+  terms,
   holds: z.array(z.tuple([z.int(), z.int()])).describe('[press, release) in ticks of 1/60 s.'),
   outcome: z.enum(['completed', 'collided', 'lost', 'timeout']),
   with: z.strictObject({ kind, index }).nullable(),
@@ -36,7 +37,7 @@ export const runReportSchema = z.strictObject({
 });
 
 /** The zod schema of what `gq simulate` prints as JSON. */
-export const simulateReportSchema = z.strictObject({ version, ...runReportSchema.shape, terms });
+export const simulateReportSchema = z.strictObject({ version, ...runReportSchema.shape });
 
 /** What `gq simulate` prints as JSON. */
 export type SimulateReport = z.infer<typeof simulateReportSchema>;

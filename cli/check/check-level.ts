@@ -193,7 +193,7 @@ const chosen = (runs: readonly ScriptedRun[], played: readonly Run[], index: num
 
 /** The shown run, in brief and on request in full; null if the run was stopped or a report would cost too much work. */
 function inWords(
-  { level, accuracy }: Scene,
+  scene: Scene,
   shown: PlayedRun | null,
   { inFull }: CheckSettings,
   budget: WorkBudget,
@@ -201,7 +201,7 @@ function inWords(
   if (shown === null || shown.run.stopped !== null) return { run: null, report: null };
   const brief = withinWork(budget, () => inBrief(shown));
   if (brief === null || !inFull) return { run: brief, report: null };
-  return { run: brief, report: withinWork(budget, () => reportRun(level, accuracy.name, shown.holds, shown.run, null)) };
+  return { run: brief, report: withinWork(budget, () => reportRun(scene, shown.holds, shown.run, null)) };
 }
 
 function inBrief({ name, run }: PlayedRun): RunInBrief {

@@ -12,9 +12,12 @@ import {
   VERDICTS,
 } from '../../schema/index.ts';
 
+const terms = { accuracy: 'precise', maxTime: 120, maxWork: 400_000, rules: { pull: 42 } };
+
 const run: RunReport = {
   level: 'levels/01-first-swing.level.json',
   accuracy: 'precise',
+  terms,
   holds: [[12, 96]],
   outcome: 'collided',
   with: { kind: 'nova', index: 0 },
@@ -30,8 +33,6 @@ const run: RunReport = {
   samples: [[0, 1, 2, 0, 0, 0]],
   hash: '9f3c2a',
 };
-
-const terms = { accuracy: 'precise', maxTime: 120, maxWork: 400_000, rules: { pull: 42 } };
 
 const report: CheckReport = {
   version: 1,
@@ -86,7 +87,9 @@ const robustness = {
   intervals: { p30: [0, 0], p40: [0, 0], p60: [0, 0], p80: [0, 0] },
 };
 const place = { kind: 'nova', index: 0 };
+const leastTerms = { accuracy: '', maxTime: 0, maxWork: 1, rules: {} };
 const leastRun = {
+  terms: leastTerms,
   ...{ level: '', accuracy: '', holds: [[-7, -7]], outcome: 'lost', with: place, time: 0, tick: 0 },
   minerals: [{ index: 0, time: 0 }],
   events: [{ time: 0, type: '' }],
@@ -95,7 +98,6 @@ const leastRun = {
   samples: [Array(6).fill(-7)],
   hash: '',
 };
-const leastTerms = { accuracy: '', maxTime: 0, maxWork: 1, rules: {} };
 const found = { holds: [[-7, -7]], time: 0, tick: 0, minerals: [0] };
 const solution = {
   terms: leastTerms,

@@ -1,6 +1,5 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { termsReport } from '../../../check/words/index.ts';
 import { compile } from '../../../engine/index.ts';
 import type { Hold, Level, SimulateReport } from '../../../schema/index.ts';
 import { chooseRun } from '../../chosen-run.ts';
@@ -71,11 +70,11 @@ function play(file: string, options: SimulateOptions): CommandResult {
   const scene = compile(level, terms);
   const { run, report } = withinWorkOf(scene, holds, (played) => ({
     run: played,
-    report: reportRun(level, terms.accuracy.name, holds, played, sample ?? null),
+    report: reportRun(scene, holds, played, sample ?? null),
   }));
   const output =
     options.format === 'json'
-      ? `${JSON.stringify({ version: 1, ...report, terms: termsReport(scene) } satisfies SimulateReport)}\n`
+      ? `${JSON.stringify({ version: 1, ...report } satisfies SimulateReport)}\n`
       : simulatePretty(level, name, run, report, colorsFor(process.stdout));
   return { output, exitCode: 0 };
 }
