@@ -4,9 +4,9 @@
  *
  * @module
  */
-export { type Brief, brief, briefInSteps } from './brief.ts';
+export { brief, briefInSteps } from './brief.ts';
 export { ticksToAgree } from './certified-ticks.ts';
-export { type ExamineOptions, examineRuns, playRuns } from './examine-runs.ts';
+export { examineRuns, playRuns } from './examine-runs.ts';
 export {
   type Findings,
   findingsOf,

@@ -1,10 +1,10 @@
-import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Editor } from '../../editor/context/index.ts';
 import { type PublishWish, publish } from '../../editor/dialogs/publish.ts';
 import { fetchGame, playPageOf, singlePage } from '../../editor/share/index.ts';
+import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 
 const PAGE = `<!doctype html>

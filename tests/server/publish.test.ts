@@ -1,8 +1,9 @@
 import { existsSync, mkdirSync, readFileSync, realpathSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { EDIT_API, errorResponseSchema, type PublishRequest, publishResponseSchema } from '../../schema/index.ts';
+import { EDIT_API, errorResponseSchema, formatLevel, type PublishRequest, publishResponseSchema } from '../../schema/index.ts';
 import { fallThrough } from '../cli/gq.ts';
+import { GRAZE, SLOW } from '../editor/terms-levels.ts';
 import { everythingIn, makeFolder, serve } from './running.ts';
 
 let made: ReturnType<typeof makeFolder>;
@@ -48,6 +49,21 @@ describe('POST PUBLISH', () => {
     expect((await publish({ level: '1-good', withRuns: false, title: 'Other' })).status).toBe(200);
     expect(pack()).toContain('"title": "Other"');
     expect(pack()).not.toContain('"runs"');
+  });
+
+  it('judges levels under the terms of the folder', async () => {
+    const levels = join(made.folder, 'game/levels');
+    writeFileSync(join(levels, 'graze.level.json'), formatLevel(GRAZE));
+    writeFileSync(join(levels, 'slow.level.json'), formatLevel(SLOW));
+    const statusOf = async (level: string, terms: object) => {
+      writeFileSync(join(levels, 'gq.config.json'), JSON.stringify(terms));
+      return (await publish({ level })).status;
+    };
+    expect(await statusOf('graze', {})).toBe(200);
+    expect(await statusOf('graze', { accuracy: 'arcade' })).toBe(409);
+    expect(await statusOf('graze', { maxWork: 3 })).toBe(409);
+    expect(await statusOf('slow', {})).toBe(409);
+    expect(await statusOf('slow', { maxTime: 120 })).toBe(200);
   });
 
   it('makes one page after the other: two into one folder do not meet', async () => {
