@@ -17,27 +17,27 @@ const LIMITS = [
   { what: 'one constant', source: "export { TICK } from './engine/index.ts';", most: 1000 },
   // 4.1 and 4.0 kB
   { what: '`readLevel`', source: "export { readLevel } from './game/index.ts';", most: 4300 },
-  // 37.7 and 36.7 kB
+  // 39.1 and 38.1 kB
   {
     what: '`readLevel` and a player of no other part',
     source: `import { composePlayer } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer();`,
-    most: 39_000,
+    most: 40_000,
   },
-  // 45.0 and 43.9 kB
+  // 46.6 and 45.5 kB
   {
     what: '`readLevel` and a player of every part that the shipped levels call for',
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 46_000,
+    most: 47_500,
   },
-  // 60.0 and 58.2 kB
+  // 62.6 and 60.7 kB
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 61_100,
+    most: 63_500,
   },
 ];
 
