@@ -12,7 +12,8 @@ export function glideBy(whole: Whole): Glide {
     let time = start;
     for (;;) {
       const h = closePass(flow, x, y, untilGrid(time, rate));
-      if (!(time + h <= end) || isInCentre(flow, x, y)) return time;
+      // a step so short that it does not change the time would not end by `end`
+      if (!(time + h <= end && time + h > time) || isInCentre(flow, x, y)) return time;
       if (flow.kind === LINEAR) flow.moveTo(x[0], y[0]);
       whole(flow, x, y, h, end4);
       if (flow.kind === LINEAR) ontoLine(flow.steep, flow.slope, end4, 0);

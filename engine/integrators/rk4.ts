@@ -71,7 +71,7 @@ const glideRungeKutta: Glide = (flow, xs, ys, start, end, rate, count) => {
   let steps = 0;
   for (;;) {
     const h = stepNear(x, y, vx, vy, strength, untilGrid(time, rate));
-    if (!(time + h <= end) || x * x + y * y < HEAD_ON * HEAD_ON) break;
+    if (!(time + h <= end && time + h > time) || x * x + y * y < HEAD_ON * HEAD_ON) break;
     const half = h / 2;
     const quarter = half * half;
     let f = alpha / Math.sqrt(x * x + y * y) + beta;

@@ -44,7 +44,7 @@ const glideVerlet: Glide = (flow, xs, ys, start, end, rate, count) => {
   let steps = 0;
   for (;;) {
     const h = stepNear(x, y, vx, vy, strength, untilGrid(time, rate));
-    if (!(time + h <= end) || x * x + y * y < HEAD_ON * HEAD_ON) break;
+    if (!(time + h <= end && time + h > time) || x * x + y * y < HEAD_ON * HEAD_ON) break;
     x = (ax * h + vx) * h + x;
     y = (ay * h + vy) * h + y;
     f = alpha / Math.sqrt(x * x + y * y) + beta;

@@ -108,6 +108,21 @@ describe.each(continuousNames)('a rim through the centre of the target, %s', (ac
     );
   });
 
+  it('is crossed in the same way if steps are skipped, also where they are shorter than the last digit of the time', () => {
+    const level: Level = {
+      ...plainLevel({ astronaut: { x: 95, y: 0, vy: -1e-13 }, asteroids: [{ x: 30, y: 0, radius: 16 }], range: 1000 }),
+      wormholes: [{ id: null, x: 30 - 0.8 * 48, y: 0.6 * 48, toX: 180, toY: 90, radius: 48 }],
+    };
+    const scene = compile(level, accuracy);
+    const holds: Hold[] = [[3600, 3720]];
+    const silent = createSimulation(scene);
+    playScript(silent, holds, 3750);
+    const state = new Float64Array(STATE_SIZE);
+    silent.readState(state);
+    const { x, y, vx, vy, cos, sin } = simulate(scene, holds, { maxTime: 3750 / 60 }).final;
+    expect(state).toEqual(Float64Array.of(x, y, vx, vy, cos, sin));
+  });
+
   it('or she comes to it all but at rest, out of a wormhole that took her at the start', () => {
     const level: Level = {
       ...plainLevel({ asteroids: [{ x: 0, y: 40, radius: 16 }], range: 300 }),
