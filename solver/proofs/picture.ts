@@ -148,7 +148,13 @@ export function proofPicture(level: Level, { about, certificate, covers, maxTime
       const goal = thingOf(level, thing);
       const { squares, endedBy } =
         certificate.kind === 'doomed'
-          ? followFan(settingOf(level, maxTime, covers.includes('arcade')), about, goal, certificate.grid, mostOf(certificate.grid))
+          ? followFan(
+              settingOf(level, maxTime, covers.includes('arcade')),
+              about,
+              goal,
+              certificate.grid,
+              mostOf(certificate.grid),
+            )
           : followPipes(settingOf(level, maxTime, false), about, goal, certificate.grid, MOST_PIPES);
       const corner = (x: number, y: number) => ({
         x: level.astronaut.x + x * axis[0] - y * axis[1],

@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { seeded } from '../../bench/scenes/seeded.ts';
-import { mixedLevel, playLevel, STYLES } from '../../bench/soak/attack/index.ts';
+import { mixedLevel, type Prover, playLevel, STYLES } from '../../bench/soak/attack/index.ts';
 import { type AccuracyName, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
-import { type Prover, proveBy } from '../../solver/index.ts';
+import { proveBy } from '../../solver/index.ts';
 import { at, level } from './impossible-levels.ts';
 import { type Moment, momentsOf } from './traced/moments.ts';
 import { fanSets, firstOutside, orbitSets, pipeSets, type Sets, staysWithin } from './traced/sets.ts';
@@ -100,7 +100,7 @@ describe('every state of play lies where the proof says that she stays', () => {
             if (stays === null) continue;
             for (const moments of playsOf(of, accuracy, seed)) {
               looks[prover] += moments.length;
-              const outside = moments.find((now) => !stays(now));
+              const outside: Moment | undefined = moments.find((now) => !stays(now));
               if (outside !== undefined) expect.fail(`${prover}, ${accuracy}: she has left it at tick ${outside.tick}`);
             }
           }

@@ -31,7 +31,8 @@ export function momentsOf(level: Level, accuracy: AccuracyName | Accuracy, holds
   const state = new Float64Array(STATE_SIZE);
   const isHeld = (tick: number) => holds.some(([press, release]) => press <= tick && tick < release);
   const seen: Omit<Moment, 'speeds'>[] = [];
-  while (simulation.ending === null && seen.length <= ticks) {
+  const endedAt = () => simulation.ending?.time ?? Number.POSITIVE_INFINITY;
+  while (endedAt() === Number.POSITIVE_INFINITY && seen.length <= ticks) {
     simulation.readState(state);
     const [x, y, vx, vy, cos, sin] = state;
     const rocks = new Float64Array(2 * level.asteroids.length);
@@ -40,7 +41,7 @@ export function momentsOf(level: Level, accuracy: AccuracyName | Accuracy, holds
     simulation.readAliens(aliens);
     const { tick } = simulation;
     simulation.advance(1, isHeld(tick));
-    if (simulation.ending !== null && simulation.ending.time <= tick * TICK) break;
+    if (endedAt() <= tick * TICK) break;
     seen.push({ tick, x, y, vx, vy, cos, sin, rocks, aliens });
   }
   return seen.map((now, n): Moment => {
