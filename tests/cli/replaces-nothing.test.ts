@@ -153,18 +153,18 @@ describe('a report', () => {
 });
 
 describe('output of a command', () => {
-  const COMMANDS: readonly (readonly [string, (out: string) => readonly string[], ('svg' | 'json')?])[] = [
-    ['check', (out) => ['check', 'levels/a.level.json', '--force', '--reporter', `json=${out}`]],
-    ['render', (out) => ['render', 'levels/a.level.json', '-o', out]],
-    ['accuracy', (out) => ['accuracy', 'levels/a.level.json', '--svg', out]],
-    ['tune', (out) => ['tune', 'levels/a.level.json', '--set', 'pull=1.1x', '--svg', out]],
-    ['difficulty', (out) => ['difficulty', 'levels/a.level.json', '--svg', out]],
-    ['diff', (out) => ['diff', 'levels/a.level.json', 'levels/b.level.json', '-o', out]],
-    ['plan', (out) => ['plan', 'levels/a.level.json', '--shards', '2', '--force', '-o', out]],
+  const COMMANDS: readonly (readonly [string, (out: string) => readonly string[], 'svg' | 'json'])[] = [
+    ['check', (out) => ['check', 'levels/a.level.json', '--force', '--reporter', `json=${out}`], 'svg'],
+    ['render', (out) => ['render', 'levels/a.level.json', '-o', out], 'svg'],
+    ['accuracy', (out) => ['accuracy', 'levels/a.level.json', '--svg', out], 'svg'],
+    ['tune', (out) => ['tune', 'levels/a.level.json', '--set', 'pull=1.1x', '--svg', out], 'svg'],
+    ['difficulty', (out) => ['difficulty', 'levels/a.level.json', '--svg', out], 'svg'],
+    ['diff', (out) => ['diff', 'levels/a.level.json', 'levels/b.level.json', '-o', out], 'svg'],
+    ['plan', (out) => ['plan', 'levels/a.level.json', '--shards', '2', '--force', '-o', out], 'svg'],
     ['export', (out) => ['export', 'levels/a.level.json', '--to', 'gravityquest', '--drop', '--force', '-o', out], 'json'],
   ];
 
-  it.each(COMMANDS)('of gq %s replaces nothing that it reads, nor another level, by no name', async ({ command, ending }) => {
+  it.each(COMMANDS)('of gq %s replaces nothing that it reads, nor another level, by no name', async (_, command, ending) => {
     linkSync(join(repo, 'levels/a.level.json'), join(repo, `hard.${ending}`));
     const names = [`hard.${ending}`];
     if (process.platform !== 'win32') {
