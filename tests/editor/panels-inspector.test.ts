@@ -213,7 +213,7 @@ describe('the effect of the run on an object', () => {
     expect(proof.full?.events.filter(({ type }) => type === 'effect')).toEqual([]);
     expect(nearestPass(proof, wind, 51, 'box')?.gap).toBeLessThan(0);
     expect(runFactsOf(proof, wind, 51).map(({ label, value }) => `${label}: ${value}`)).toEqual([
-      'blows on her: never: her centre stays outside',
+      'her centre is inside: never: she stays outside',
       expect.stringMatching(/^closest distance: \d+(\.\d+)? px from her centre at \d\.\d\d s$/),
     ]);
   });

@@ -1,9 +1,9 @@
-import { boxCircleGap, STATE_SIZE, TICK } from '../../../engine/index.ts';
+import { boxCircleGap, effectEventInWords, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import { appearanceOfObject } from '../../../schema/index.ts';
 import { type FoundObject, placesOf } from '../../document/index.ts';
 import { endInWords, type LiveProof } from '../../proof/index.ts';
 import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
-import { blowsIn, chasesIn, jumpsIn, lengthOf, pullsIn, pushesIn, type Stretch, tickOf } from './stretches.ts';
+import { chasesIn, insideIn, lengthOf, type OwnEvent, ownEvents, pullsIn, pushesIn, type Stretch, tickOf } from './stretches.ts';
 
 const at = (time: number): string => `at ${seconds(time)}`;
 
@@ -95,15 +95,23 @@ function centreFact(proof: LiveProof, found: FoundObject, radius: number): Fact[
 function discFacts(proof: LiveProof, found: FoundObject, radius: number, label: string, stretches: readonly Stretch[]): Fact[] {
   if (stretches.length > 0) return [stretchFact(label, stretches, 'never')];
   const near = centreFact(proof, found, radius);
-  return [stretchFact(label, [], near.length > 0 ? 'never: her centre stays outside' : 'never'), ...near];
+  return [stretchFact(label, [], near.length > 0 ? 'never: she stays outside' : 'never'), ...near];
 }
 
-function jumpFacts(proof: LiveProof, found: FoundObject, radius: number, times: readonly number[]): Fact[] {
-  const label = 'carries her';
-  if (times.length === 0) return discFacts(proof, found, radius, label, []);
-  const [first] = times;
-  const value = times.length === 1 ? at(first) : `${times.length} times, first ${at(first)}`;
-  return [{ label, value, tick: tickOf(first) }];
+/** What an object with an effect of its own does: what the effect tells, and when her centre is inside. */
+function ownFacts(proof: LiveProof, found: FoundObject, radius: number, own: readonly OwnEvent[]): Fact[] {
+  const label = 'her centre is inside';
+  const acts = own.filter(({ what }) => what !== 'enter' && what !== 'leave');
+  if (acts.length > 0) {
+    const [first] = acts;
+    const many = acts.length === 1 ? '' : `, ${acts.length} times in all`;
+    return [{ label: 'she', value: `${effectEventInWords(first)} ${at(first.time)}${many}`, tick: tickOf(first.time) }];
+  }
+  if (own.length > 0) return [stretchFact(label, insideIn(own, proof.run.time), 'never')];
+  // nothing is told of an object that she begins in and never leaves
+  const pass = nearestPass(proof, found, radius, 'centre');
+  if (pass !== null && pass.gap < 0) return [{ label, value: at(pass.tick * TICK), tick: pass.tick }];
+  return discFacts(proof, found, radius, label, []);
 }
 
 /** Whether and when the run ends at this object. */
@@ -135,18 +143,6 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
     }
     case 'repulsor':
       return discFacts(proof, found, radius, 'pushes her', pushesIn(proof, events, index));
-    case 'wind': {
-      const { ax, ay } = level.winds[index];
-      return discFacts(
-        proof,
-        found,
-        radius,
-        ax === 0 && ay === 0 ? 'has her in it' : 'blows on her',
-        blowsIn(proof, events, index),
-      );
-    }
-    case 'wormhole':
-      return jumpFacts(proof, found, radius, jumpsIn(events, index));
     case 'alien': {
       const burst = events.find((event) => event.type === 'explosion' && event.aliens.includes(index));
       const awake = stretchFact('awake', chasesIn(proof, events, index), 'never: it does not see her');
@@ -157,8 +153,11 @@ export function runFactsOf(proof: LiveProof, found: FoundObject, radius: number 
           : [{ label: 'explodes', value: `with alien ${other + 1} ${at(burst.time)}`, tick: tickOf(burst.time) }];
       return [...end, awake, ...bursts, ...(end.length > 0 ? [] : passFact(proof, found, radius, true))];
     }
-    default:
+    case 'nova':
+    case 'blackHole':
       return end.length > 0 ? end : passFact(proof, found, radius, appearanceOfObject(kind, object).deadly);
+    default:
+      return ownFacts(proof, found, radius, ownEvents(events, found.list, index));
   }
 }
 

@@ -97,18 +97,21 @@ export function pushesIn(proof: LiveProof, events: readonly RunEvent[], index: n
 export const pullsIn = (proof: LiveProof, events: readonly RunEvent[], asteroid: number): readonly Stretch[] =>
   outsideOfFirst(proof, events, targetedIn(events, asteroid, proof.run.time), proof.level.repulsors.length);
 
-/** When her centre is in a wind. */
-export function blowsIn(proof: LiveProof, events: readonly RunEvent[], index: number): Stretch[] {
-  const wind = proof.level.winds[index];
-  const is = (what: string) => (event: RunEvent) =>
-    event.type === 'effect' && event.effect === 'winds' && event.what === what && event.index === index;
-  return between(events, {
-    atStart: startsWithin(proof, wind, wind.radius),
-    begins: is('enter'),
-    ends: is('leave'),
-    end: proof.run.time,
+/** An event that an effect of an object defines for itself. */
+export type OwnEvent = Extract<RunEvent, { type: 'effect' }>;
+
+/** The events that an object's own effect tells of it; the effect is called like the list. */
+export const ownEvents = (events: readonly RunEvent[], list: string | null, index: number): OwnEvent[] =>
+  events.flatMap((event) => (event.type === 'effect' && event.effect === list && event.index === index ? [event] : []));
+
+/** When her centre is inside, by events that tell of entering and leaving: one that she begins in, she leaves first. */
+export const insideIn = (own: readonly OwnEvent[], end: number): Stretch[] =>
+  between(own, {
+    atStart: own[0]?.what === 'leave',
+    begins: (event) => event.type === 'effect' && event.what === 'enter',
+    ends: (event) => event.type === 'effect' && event.what === 'leave',
+    end,
   });
-}
 
 /** When an alien chases her, until it explodes. */
 export function chasesIn(proof: LiveProof, events: readonly RunEvent[], index: number): Stretch[] {
@@ -120,12 +123,6 @@ export function chasesIn(proof: LiveProof, events: readonly RunEvent[], index: n
     end: burst?.time ?? proof.run.time,
   });
 }
-
-/** When she goes through a wormhole, s. */
-export const jumpsIn = (events: readonly RunEvent[], index: number): number[] =>
-  events.flatMap((event) =>
-    event.type === 'effect' && event.effect === 'wormholes' && event.what === 'jump' && event.index === index ? [event.time] : [],
-  );
 
 /** The tick that a time falls in. */
 export const tickOf = (time: number): number => Math.floor(time * TICK_RATE + 1e-9);
