@@ -74,7 +74,8 @@ async function measure(file: string, options: Options, command: Command): Promis
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
   const configuration = readConfiguration(options);
-  if (svg !== undefined) expectOutput(`--svg ${svg}`, svg, { ...levelsRead([file], 'read'), 'the configuration': configuration.file });
+  if (svg !== undefined)
+    expectOutput(`--svg ${svg}`, svg, { ...levelsRead([file], 'read'), 'the configuration': configuration.file });
   const terms = termsFrom(options, configuration);
   const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;

@@ -86,9 +86,12 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
     const chapter = chapters?.get(level.id);
     return chapter === undefined ? level : { ...level, chapter };
   });
-  const blob = new Blob([singlePage(game, { title, accuracy: accuracyNameOf(terms), maxTime: terms.maxTime, levels: inChapters })], {
-    type: 'text/html',
-  });
+  const blob = new Blob(
+    [singlePage(game, { title, accuracy: accuracyNameOf(terms), maxTime: terms.maxTime, levels: inChapters })],
+    {
+      type: 'text/html',
+    },
+  );
   const name = `${slugOf(title)}.html`;
   downloadFile({ name, blob });
   const message = `Downloaded ${name}: ${plural(levels.length, 'level')}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;

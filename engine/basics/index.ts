@@ -2,8 +2,7 @@
 // reports are all in the cache needs no engine.
 export { ACCURACIES, ACCURACY_LIMITS, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from '../accuracy.ts';
 export { accuracyOf } from '../accuracy-of.ts';
-export { DEFAULT_MAX_TIME, TICK, TICK_RATE } from '../constants.ts';
+export { TICK, TICK_RATE } from '../constants.ts';
 export { MORE_WARNINGS } from '../more-warnings.ts';
 export { joinHolds } from '../script.ts';
 export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf, unusualTerms } from '../terms.ts';
-export { DEFAULT_MAX_WORK } from '../work-budget.ts';

@@ -22,7 +22,7 @@ describe('the script of a pack', () => {
         text,
         fc.array(fc.record({ id: text, level: fc.record({ name: text }) }), { maxLength: 3 }),
         (title, levels) => {
-          const pack = { title, accuracy: 'precise' as const, levels };
+          const pack = { title, accuracy: 'precise' as const, maxTime: 60, levels };
           const script = packScript(pack);
           expect(run(script)).toEqual(pack);
           expect(script).not.toMatch(/[<\u2028\u2029]/);

@@ -1,6 +1,7 @@
 import { webcrypto } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import { createAccess, newKey } from '../../cli/edit/access.ts';
+import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { createPageKey } from '../../editor/files/page-key.ts';
 import { createServerStorage } from '../../editor/files/server-storage.ts';
 import { EDIT_API, type ListResponse } from '../../schema/index.ts';
@@ -12,7 +13,7 @@ const LIST: ListResponse = {
   folders: [''],
   levels: [],
   unread: 0,
-  rules: { file: null, own: {}, problems: [] },
+  terms: NO_FOLDER_TERMS,
   troubles: [],
 };
 

@@ -9,7 +9,7 @@ import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspec
 import { nearestPass, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
 import { targetedIn } from '../../editor/panels/inspector/stretches.ts';
 import { createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
+import { ACCURACIES, compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import {
   fieldsOf as fieldsOfKind,
   isRequired,
@@ -238,7 +238,11 @@ describe('the effect of the run on an object', () => {
   it.each(['precise', 'arcade'] as const)('says of each disc and alien what the way of the run shows, as %s', (accuracy) => {
     fc.assert(
       fc.property(crowded, (file) => {
-        const proof = createProver(() => 0).prove({ file: createEditedLevel(file).file(), run: null, accuracy });
+        const proof = createProver(() => 0).prove({
+          file: createEditedLevel(file).file(),
+          run: null,
+          terms: { ...DEFAULT_TERMS, accuracy: ACCURACIES[accuracy] },
+        });
         const { way } = proof.run;
         const { level } = proof;
         /** Ticks at which a statement about her place holds. */

@@ -29,7 +29,7 @@ describe('one file with a page, its game and a pack', () => {
       fc.property(text, text, (title, words) => {
         const game = { page: PAGE, scripts: new Map([['./game.js', `globalThis.words = ${JSON.stringify(words)};`]]) };
         const level = { id: words, level: { name: title } };
-        const page = singlePage(game, { title, accuracy: 'precise', levels: [level] });
+        const page = singlePage(game, { title, accuracy: 'precise', maxTime: 60, levels: [level] });
         expect(page).not.toMatch(/\bsrc=/);
         expect(page.indexOf('id="app"')).toBeLessThan(page.indexOf('<script>'));
         // as a browser splits it
@@ -43,7 +43,7 @@ describe('one file with a page, its game and a pack', () => {
         const found: { words?: string; GRAVITY_QUEST_PACK?: unknown } = {};
         run(found);
         expect(found.words).toBe(words);
-        expect(found.GRAVITY_QUEST_PACK).toEqual({ title, accuracy: 'precise', levels: [level] });
+        expect(found.GRAVITY_QUEST_PACK).toEqual({ title, accuracy: 'precise', maxTime: 60, levels: [level] });
       }),
     );
   });

@@ -6,6 +6,7 @@ import {
   createVerifier,
   decodePlay,
   encodePlay,
+  PLAY_VERDICTS,
   type Play,
   type PlayVerdict,
   type PlayVerifier,
@@ -165,7 +166,7 @@ export function attack(count: number, seed: number): AttackResult {
   const all = targets();
   const next = seeded(seed);
   const random: Random = (below) => Math.floor(next() * below);
-  const verdicts = { ok: 0, 'claim-differs': 0, 'stale-level': 0, 'unknown-engine': 0, malformed: 0, 'too-long': 0 };
+  const verdicts = Object.fromEntries(PLAY_VERDICTS.map((verdict) => [verdict, 0])) as Record<PlayVerdict, number>;
   const failures: string[] = [];
   let acceptedOthers = 0;
   let mostWork = 0;
