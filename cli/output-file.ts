@@ -33,7 +33,7 @@ export class Outputs {
 
   /** What output at a path would replace, in words; null if nothing that must stay. */
   wouldReplace(path: string): string | null {
-    const stats = statSync(path, { throwIfNoEntry: false });
+    const stats = statsOf(path);
     // a device has nothing to lose
     if (stats !== undefined && !stats.isFile()) return null;
     return this.input(path, stats) ?? (stats !== undefined && standing(path) === 'level' ? 'a level' : null);
@@ -41,7 +41,7 @@ export class Outputs {
 
   /** The same for output that is levels: only what the command reads must stay. */
   wouldReplaceInput(path: string): string | null {
-    return this.input(path, statSync(path, { throwIfNoEntry: false }));
+    return this.input(path, statsOf(path));
   }
 
   private input(path: string, stats: Stats | undefined): string | null {
@@ -52,7 +52,7 @@ export class Outputs {
   private byOtherName(stats: Stats): string | null {
     if (stats.nlink < 2) return null;
     this.names ??= this.inWords((path) => {
-      const input = statSync(path, { throwIfNoEntry: false });
+      const input = statsOf(path);
       return input === undefined ? '' : idOf(input);
     });
     return this.names.get(idOf(stats)) ?? null;
@@ -70,6 +70,16 @@ export class Outputs {
       }
     }
     return words;
+  }
+}
+
+/** undefined: there is nothing, and perhaps there can't be, since a part of the path is a file; writing says so. */
+function statsOf(path: string): Stats | undefined {
+  try {
+    return statSync(path, { throwIfNoEntry: false });
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === 'ENOTDIR') return undefined;
+    throw error;
   }
 }
 

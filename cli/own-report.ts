@@ -15,11 +15,20 @@ const BEGINS = [
   // SARIF
   /^\s*\{\s*"\$schema":[^{}]*sarif[^{}]*"runs":\s*\[\s*\{\s*"tool":\s*\{\s*"driver":\s*\{\s*"name":\s*"gq"/,
   // Markdown
-  /^#+ .*\blevels?\b/,
+  /^### [✅❌] .+\n\n(?:0 levels\n|\d[\d,]* levels?: \d)/u,
 ];
 
-/** The line of a summary in reports for people and for GitHub: `22 levels: 22 completable`. */
-const SUMMARY = /^\d[\d,]* (?:levels?|plays?)(?:: \d[\d,]* \w+|$)/m;
+/** Every verdict on levels and plays, written out: most commands that ask here need neither schema nor game. */
+export const SUMMED_UP =
+  'completable broken unproven impossible invalid crashed ok claim-differs stale-level other-accuracy unknown-engine malformed too-long';
+
+/** The line with which reports for people and for GitHub end: `22 levels, at arcade: 21 completable, 1 broken`. */
+const SUMMARY = new RegExp(
+  `^(?:0 levels|\\d[\\d,]* (?:levels?|plays?)(?:, [^:]+)?: \\d[\\d,]* (?:${SUMMED_UP.replaceAll(' ', '|')})\\b.*)$`,
+);
+
+/** Lines that may follow it: what was not checked, what is not listed. */
+const LINES_AFTER = 20;
 
 /** What files are that no report may replace. */
 const LEVEL = [/"astronaut"\s*:\s*\{/, /"blackHole"\s*:\s*\{/];
@@ -40,11 +49,18 @@ export function whatStands(path: string): Standing {
     const end = size <= NEAR ? begin : textAt(descriptor, size - NEAR);
     if (BEGINS.some((form) => form.test(begin))) return 'report';
     if (/\.level\.json$/i.test(path) || (/^\s*\{/.test(begin) && LEVEL.every((key) => key.test(begin)))) return 'level';
-    return SUMMARY.test(end) && !/^\s*[{[]/.test(begin) ? 'report' : 'other';
+    return endsInSummary(end) && !/^\s*[{[]/.test(begin) ? 'report' : 'other';
   } finally {
     closeSync(descriptor);
   }
 }
+
+const endsInSummary = (text: string): boolean =>
+  text
+    .trimEnd()
+    .split('\n')
+    .slice(-LINES_AFTER)
+    .some((line) => SUMMARY.test(line));
 
 function textAt(descriptor: number, position: number): string {
   const bytes = Buffer.alloc(NEAR);

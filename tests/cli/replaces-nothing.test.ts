@@ -2,7 +2,10 @@ import { existsSync, linkSync, mkdirSync, readFileSync, symlinkSync, writeFileSy
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import { SUMMED_UP } from '../../cli/own-report.ts';
 import { REPORTER_NAMES } from '../../cli/reporters/reporter.ts';
+import { PLAY_VERDICTS } from '../../game/index.ts';
+import { VERDICTS } from '../../schema/report.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 const removals: (() => void)[] = [];
@@ -99,10 +102,14 @@ describe('paths of a configuration', () => {
   });
 });
 
+it('every verdict may stand in the last line of a report', () => {
+  expect(SUMMED_UP.split(' ').sort()).toEqual([...VERDICTS, ...PLAY_VERDICTS].sort());
+});
+
 describe('a report', () => {
   it('replaces an earlier report of any kind, an empty file and none', async () => {
     put('broken.level.json', fallThrough({ runs: [] }));
-    for (const paths of [['levels'], ['broken.level.json']])
+    for (const paths of [['levels'], ['broken.level.json'], ['levels', '--accuracy', 'arcade', '--max-time', '90']])
       for (const before of REPORTER_NAMES)
         for (const after of ['json', 'pretty']) {
           await run(['check', ...paths, '--reporter', `${before}=r.txt`, '--reporter', 'json=j.json']);
@@ -116,6 +123,10 @@ describe('a report', () => {
 
   it.each([
     ['notes.md', '# Notes\n\n22 levels are a lot.\n'],
+    ['README.md', '# My levels\n\nThree of them.\n'],
+    ['plan.md', '### ✅ Done\n\n3 levels, all of them\n'],
+    ['todo.txt', 'To do:\n3 levels: 2 hard\n'],
+    ['long.txt', `3 levels: 3 completable\n${'Then I wrote much more.\n'.repeat(30)}`],
     ['.bashrc', BASHRC],
     ['package.json', '{ "version": "1.0.0", "levels": [] }\n'],
     ['pack.json', '{ "version": 1, "levels": [{ "level": "a" }] }\n'],
