@@ -171,7 +171,9 @@ export class Instants {
   happen(same: readonly Happening[], isLater: boolean): void {
     if (isLater) this.#flips.clear();
     const order = ({ kind }: Happening) => KINDS.indexOf(kind);
-    const sorted = [...same].sort((a, b) => order(a) - order(b) || a.index - b.index);
+    // A rim that is crossed back at once was crossed for no time: nothing else follows from that.
+    const back = same.filter(({ kind, index }) => this.#flips.has(`${kind} ${index}`));
+    const sorted = [...(back.length > 0 ? back : same)].sort((a, b) => order(a) - order(b) || a.index - b.index);
     const world = this.#world;
     const targets = sorted.filter(({ kind }) => kind === 'target');
     for (const happening of sorted) {
