@@ -21,7 +21,16 @@ function follow(path: string, left: number): string {
   const above = dirname(path);
   if (above === path) return path;
   const folder = follow(above, left);
-  const isLink = lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink() === true;
   // the link is broken: a file that is written through it comes to where it leads
-  return isLink ? follow(resolve(folder, readlinkSync(path)), left - 1) : join(folder, basename(path));
+  return isLink(path) ? follow(resolve(folder, readlinkSync(path)), left - 1) : join(folder, basename(path));
+}
+
+function isLink(path: string): boolean {
+  try {
+    return lstatSync(path, { throwIfNoEntry: false })?.isSymbolicLink() === true;
+  } catch (error) {
+    // a part of the path is a file, so there is nothing
+    if ((error as NodeJS.ErrnoException).code === 'ENOTDIR') return false;
+    throw error;
+  }
 }
