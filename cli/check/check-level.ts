@@ -172,8 +172,9 @@ function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): 
   const searched = search.claimed === undefined ? searchLevel(scene, search, settings) : unsearched(search.claimed);
   if (searched.found === null) return { ...NOT_NEEDED, impossible: searched.impossible, searched };
   const holds = searched.found;
-  const run = simulate(scene, holds);
-  if (search.claimed !== undefined && run.outcome !== 'completed')
+  const run = simulate(scene, holds, { budget: new WorkBudget(scene.terms.maxWork) });
+  // a run of the file that costs as much proves nothing either
+  if (run.stopped !== null || (search.claimed !== undefined && run.outcome !== 'completed'))
     return { ...NOT_NEEDED, searched: { ...searched, found: null } };
   if (run.outcome !== 'completed') throw new Error(`a run that was found does not complete the level: ${JSON.stringify(holds)}`);
   return { impossible, searched, found: { name: null, holds, run } };
