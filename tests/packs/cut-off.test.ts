@@ -171,11 +171,15 @@ describe('a frame of zstd', () => {
     );
   });
 
-  // Node has it from 22.15 on
-  it.runIf('createZstdDecompress' in zlib)('packs of several are read to their end, and none that is cut', async () => {
+  it('packs of several are read to their end, and none that is cut, or Node has no zstd and they are refused', async () => {
     const line = frameOf([`${fallThrough()}\n`, { byte: 10, times: 20 }], true);
     const skipped = Buffer.from([0x50, 0x2a, 0x4d, 0x18, 2, 0, 0, 0, 7, 7]);
     const packed = Buffer.concat([line, skipped, line, line]);
+    // Node has it from 22.15 on
+    if (!('createZstdDecompress' in zlib)) {
+      await expect(countLevels('z.ndjson.zst', packed)).rejects.toThrow('expected Node 22.15 or newer, or a pack as .gz');
+      return;
+    }
     expect(await countLevels('z.ndjson.zst', packed)).toBe(3);
     expect(readEntry(join(place.directory, 'z.ndjson.zst'), '43').length).toBeGreaterThan(100);
     await fc.assert(
