@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { checkReportSchema, runReportSchema, VERDICTS } from './report.ts';
-import { terms } from './report-parts.ts';
+import { termsReportSchema } from './report-parts.ts';
 
 const index = z.int().min(0).describe('From 0.');
 const fieldChange = z
@@ -50,7 +50,7 @@ const { outcome, holds, tick, time } = runReportSchema.shape;
 const version = z.strictObject({
   file: z.string(),
   name: z.string(),
-  terms,
+  terms: termsReportSchema,
   verdict: z.enum(VERDICTS),
   problems: checkReportSchema.shape.levels.element.shape.problems.describe('Why it is not a valid level.'),
   mineralCount: z.int().min(0).nullable(),

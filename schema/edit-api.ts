@@ -288,11 +288,19 @@ export const runResponseSchema = z.strictObject({
 /**
  * What the server proves by an HMAC-SHA256 with the key that it has it. It contains the port, so that a program which listens on the
  * port of an earlier run can't pass the question on to the server.
+ * @param port on which the server listens
+ * @param challenge what the page has sent
+ * @param nonce that of the run
+ * @returns the text to sign
  */
 export const runMessage = (port: number, challenge: string, nonce: string): string =>
   `gq edit, run\n${port}\n${challenge}\n${nonce}`;
 
-/** The HMAC-SHA256 of this with the key is the token of a run. */
+/**
+ * The HMAC-SHA256 of this with the key is the token of a run.
+ * @param nonce that of the run
+ * @returns the text to sign
+ */
 export const tokenMessage = (nonce: string): string => `gq edit, token\n${nonce}`;
 
 const by = client.nullable().describe('Who did it: null for another program.');

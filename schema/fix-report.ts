@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { VERDICTS } from './report.ts';
-import { terms, version } from './report-parts.ts';
+import { termsReportSchema, version } from './report-parts.ts';
 
 const index = z.int().min(0);
 const ticks = z.int().min(0);
@@ -54,7 +54,7 @@ export const fixReportSchema = z.strictObject({
   version,
   level: z.string(),
   accuracy: z.string(),
-  terms,
+  terms: termsReportSchema,
   verdict: z.enum(VERDICTS).describe('On the level as it is. With `completable` there is nothing to fix.'),
   completedBy: z.string().nullable().describe('A run that completes the level as it is; null if none of its own does.'),
   impossible: z.strictObject({ code: z.string(), reason: z.string() }).nullable().describe('The proof, if there is one.'),

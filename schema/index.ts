@@ -78,7 +78,7 @@ export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel
 export { type LockReading, readLock } from './read-lock.ts';
 export { type PackReading, readPack } from './read-pack.ts';
 export * from './report.ts';
-export type { TermsReport } from './report-parts.ts';
+export { type TermsReport, termsReportSchema } from './report-parts.ts';
 export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
 export { resolveLevel } from './resolve.ts';
 export { type GameRule, RULES } from './rules.ts';

@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { runReportSchema, VERDICTS } from './report.ts';
-import { problem, terms, version } from './report-parts.ts';
+import { problem, termsReportSchema, version } from './report-parts.ts';
 
 const { holds, outcome, time } = runReportSchema.shape;
 const effect = z.strictObject({ name: z.string(), because: z.string().describe('Why it is simulated, or why not.') });
@@ -10,7 +10,7 @@ const count = z.int().min(0);
 export const inspectReportSchema = z.strictObject({
   version,
   level: z.string(),
-  terms,
+  terms: termsReportSchema,
   effects: z.strictObject({ simulated: z.array(effect), notCalledFor: z.array(effect) }),
   counts: z.record(z.string(), count).describe('Objects of each kind, and runs.'),
   modes: z
@@ -32,7 +32,7 @@ const px = z.number().min(0).describe('px');
 export const accuracyReportSchema = z.strictObject({
   version,
   level: z.string(),
-  terms,
+  terms: termsReportSchema,
   holds,
   reference: z.strictObject({
     tolerance: px,
@@ -164,7 +164,7 @@ export const buildReportSchema = z.strictObject({
         id: z.string().describe('The name under which the page keeps progress.'),
         file: z.string(),
         name: z.string(),
-        terms,
+        terms: termsReportSchema,
         verdict: z.enum(VERDICTS),
         refused: z.boolean().describe('Whether nothing was written because of this level.'),
         problems: z.array(problem),

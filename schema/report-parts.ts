@@ -25,8 +25,8 @@ export const playVerdict = z.enum([
   'too-long',
 ]);
 
-/** Under which terms a report says something about a level. */
-export const terms = z
+/** The zod schema of the terms under which a report says something about a level. */
+export const termsReportSchema = z
   .strictObject({
     accuracy: z.string().describe('How exactly it is simulated: the name of an accuracy, or of a custom setting.'),
     maxTime: z.number().min(0).describe('Simulated time after which a run is a timeout, s.'),
@@ -38,4 +38,4 @@ export const terms = z
   .describe('Under which terms all this holds.');
 
 /** Under which terms a report says something about a level. */
-export type TermsReport = z.infer<typeof terms>;
+export type TermsReport = z.infer<typeof termsReportSchema>;

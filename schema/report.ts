@@ -1,7 +1,7 @@
 import * as z from 'zod';
 import { forecastReportSchema } from './forecast-report.ts';
 import { playersReportSchema, playsReportSchema } from './plays-report.ts';
-import { problem, terms, version } from './report-parts.ts';
+import { problem, termsReportSchema, version } from './report-parts.ts';
 
 /** The verdicts on a level. All but the first need attention. */
 export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
@@ -17,7 +17,7 @@ const kind = z.enum(['nova', 'asteroid', 'alien', 'blackHole']);
 export const runReportSchema = z.strictObject({
   level: z.string(),
   accuracy: z.string(),
-  terms,
+  terms: termsReportSchema,
   holds: z.array(z.tuple([z.int(), z.int()])).describe('[press, release) in ticks of 1/60 s.'),
   outcome: z.enum(['completed', 'collided', 'lost', 'timeout']),
   with: z.strictObject({ kind, index }).nullable(),
@@ -83,7 +83,7 @@ export type SoftlockReport = z.infer<typeof softlockReportSchema>;
 const levelReport = z.strictObject({
   file: z.string(),
   name: z.string(),
-  terms,
+  terms: termsReportSchema,
   verdict: z.enum(VERDICTS),
   run: runReportSchema.nullable(),
   problems: z.array(problem),
@@ -173,7 +173,7 @@ const impossible = z.strictObject({
 const solution = z.strictObject({
   level: z.string(),
   accuracy: z.string(),
-  terms,
+  terms: termsReportSchema,
   found: z.boolean(),
   holds: runReportSchema.shape.holds.nullable().describe('null: no run was found'),
   outcome: runReportSchema.shape.outcome.nullable(),
@@ -304,7 +304,7 @@ export const difficultyReportSchema = z.strictObject({
     z.strictObject({
       file: z.string(),
       name: z.string(),
-      terms,
+      terms: termsReportSchema,
       problems: z.array(problem),
       measured: measuredDifficulty.nullable(),
       why: z.string().nullable().describe('Why nothing was measured.'),
@@ -371,7 +371,7 @@ export const generateReportSchema = z.strictObject({
       aside: z.int().nullable().describe('Minerals that the run "solution" does not collect, and another run does.'),
     }),
   ),
-  terms: terms.describe('Under which the levels are completable. Rules are written into the levels.'),
+  terms: termsReportSchema.describe('Under which the levels are completable. Rules are written into the levels.'),
   rejected: z.int().min(0).describe('Layouts that were thrown away.'),
   reasons: z
     .record(z.string(), z.int().min(0))

@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { RULE_NAMES } from './default-rules.ts';
-import { terms, version } from './report-parts.ts';
+import { termsReportSchema, version } from './report-parts.ts';
 
 const rule = z.enum(RULE_NAMES as [string, ...string[]]);
 const isRelative = z.boolean().describe("Whether it is a share of each level's own value.");
@@ -19,7 +19,7 @@ export const tuneReportSchema = z.strictObject({
       z.strictObject({
         file: z.string(),
         name: z.string(),
-        terms: terms.describe('Under which terms all this holds, without the changes.'),
+        terms: termsReportSchema.describe('Under which terms all this holds, without the changes.'),
         run: z.string().nullable().describe('The run that is looked at: the first that completes the level.'),
         room: z
           .number()
