@@ -200,7 +200,7 @@ inChromium('published pages in Chromium', ({ on }) => {
       const { address, end } = await host(join(files.directory, 'site'));
       try {
         await dialog.getByRole('textbox', { name: 'Address of the page' }).fill(`${address}#old`);
-        await until(async () => expect(await link.inputValue()).toMatch(/#level=[\w-]+$/));
+        await until(async () => expect(await link.inputValue()).toMatch(/#level=[\w-]+&accuracy=precise&max-time=60$/));
         const url = await link.inputValue();
         expect(url.startsWith(`${address}#level=`)).toBe(true);
         await asPlayer(url, async (game) => {
