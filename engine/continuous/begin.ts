@@ -18,7 +18,7 @@ import {
   TURNS,
 } from '../motion/index.ts';
 import { SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
-import { expand } from './expand.ts';
+import { closestPass, expand } from './expand.ts';
 import { locate } from './locate.ts';
 
 const { HELD, KIND, TURN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM, LINE, LINE_STEEP, LINE_SLOPE, MEETS, STEADY_X, STEADY_Y } =
@@ -63,7 +63,7 @@ export function begin(m: Motion): void {
     if (force.swing(m, d, v) < (onLine && !m.recoil ? SMALLEST_SWING : SMALLEST_ORBIT)) {
       for (let k = 0; k < 2; k++) ux[k] = uy[k] = 0;
       s[KIND] = COAST;
-    } else if ((d > 0 || v > 0 || (isSteady && onLine)) && ((free && (onLine || !isSteady)) || d > SMALLEST_ORBIT)) {
+    } else if ((d > 0 || v > 0 || (isSteady && onLine)) && ((free && (onLine || !isSteady)) || d > closestPass(m))) {
       const isLinear = free && onLine;
       s[KIND] = isLinear ? LINEAR : CENTRAL;
       if (isLinear) s[SIDE] = sideOf(m);

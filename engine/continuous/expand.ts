@@ -15,7 +15,7 @@ import {
   STEADY,
   straighten,
 } from '../motion/index.ts';
-import { CONVERGENCE, SMALLEST_ORBIT } from '../tolerances.ts';
+import { CONVERGENCE, SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
 
 const {
   START,
@@ -89,9 +89,10 @@ export function expand(m: Motion): void {
     const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
     if (speed > 0) h = Math.min(h, CROWDED_REACH / speed);
   }
-  if (kind === COAST && (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0) && (s[FIELD] >= 0 || held)) {
+  if (kind === COAST && isLimited(m) && (s[FIELD] >= 0 || held)) {
     // at the speed limit through the very centre: she leaves it straight on
-    h = Math.min(h, SMALLEST_ORBIT / m.rules.speedLimit);
+    const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
+    if (speed > 0) h = Math.min(h, closestPass(m) / speed);
   }
   if (kind === STEADY) {
     h = expandSteady(m, h);
@@ -117,6 +118,14 @@ export function expand(m: Motion): void {
   s[LENGTH_H] = h;
 }
 
+const isLimited = ({ s }: Motion): boolean => s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0;
+
+/**
+ * Within this of the centre of a force that she does not pass on a line, the force has no direction, px. At the speed limit the
+ * force reverses there and releases her: a piece across the centre delays that.
+ */
+export const closestPass = (m: Motion): number => (isLimited(m) ? SMALLEST_SWING : SMALLEST_ORBIT);
+
 /** Only a steady force acts, or she passes so near to another force's centre that this has no direction: an exact parabola. */
 function expandSteady(m: Motion, longest: number): number {
   const { s, flow, ux, uy, px, py } = m;
@@ -127,7 +136,7 @@ function expandSteady(m: Motion, longest: number): number {
   s[ACCELERATION] = flow.steadyStrength;
   const speed = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
   const isPass = actingForce(m) !== null;
-  return Math.min(longest, isPass && speed > 0 ? SMALLEST_ORBIT / speed : LONGEST_STEADY);
+  return Math.min(longest, isPass && speed > 0 ? closestPass(m) / speed : LONGEST_STEADY);
 }
 
 /** On an axis that the speed limit holds, her own velocity stays, whatever recoil does to the base. */

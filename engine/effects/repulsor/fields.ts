@@ -1,27 +1,26 @@
 import { type Motion, SLOTS } from '../../motion/index.ts';
+import { ENTERING, OUTSIDE, placeInCircle } from '../rims/index.ts';
 
-const { FIELD, BASE_X, BASE_Y } = SLOTS;
+const { FIELD } = SLOTS;
 
 /** Flags the repulsors that contain her at the start. */
 export function enterFields(m: Motion): void {
-  const { s, scene } = m;
+  const { s, scene, recorder } = m;
   const { repulsors } = scene;
   for (let i = 0; i < repulsors.count; i++) {
-    const dx = repulsors.x[i] - m.originX;
-    const dy = repulsors.y[i] - m.originY;
-    s[m.inside + i] = dx * dx + dy * dy < repulsors.r[i] * repulsors.r[i] ? 1 : 0;
+    const place = placeInCircle(m, repulsors, i);
+    s[m.inside + i] = place === OUTSIDE ? 0 : 1;
+    if (place === ENTERING) recorder?.event({ time: 0, type: 'enter', index: repulsors.index[i] });
   }
   s[FIELD] = actingField(m);
 }
 
 /** She was moved: she may have left fields and be in others. */
 export function changeFields(m: Motion, time: number): void {
-  const { s, scene, ux, uy } = m;
+  const { s, scene } = m;
   const { repulsors } = scene;
   for (let i = 0; i < repulsors.count; i++) {
-    const dx = repulsors.x[i] - m.originX - s[BASE_X] - ux[0];
-    const dy = repulsors.y[i] - m.originY - s[BASE_Y] - uy[0];
-    const inside = dx * dx + dy * dy < repulsors.r[i] * repulsors.r[i] ? 1 : 0;
+    const inside = placeInCircle(m, repulsors, i) === OUTSIDE ? 0 : 1;
     if (s[m.inside + i] === inside) continue;
     s[m.inside + i] = inside;
     m.recorder?.event({ time, type: inside === 1 ? 'enter' : 'leave', index: repulsors.index[i] });

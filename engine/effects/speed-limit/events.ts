@@ -66,5 +66,4 @@ export function limitStart(m: Motion): void {
   const limit = (v: number) => (v >= m.rules.speedLimit ? 1 : v <= -m.rules.speedLimit ? -1 : 0);
   m.s[LIMIT_X] = limit(m.ux[1]);
   m.s[LIMIT_Y] = limit(m.uy[1]);
-  holdLimits(m);
 }

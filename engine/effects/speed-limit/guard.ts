@@ -1,5 +1,17 @@
 import { crossing, lookNext, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
-import { CENTRAL, LINEAR, LONGEST_SERIES, type Motion, pairAt, SLIDE, SLOTS, shift, valueAt } from '../../motion/index.ts';
+import {
+  actingForce,
+  CENTRAL,
+  LINEAR,
+  LONGEST_SERIES,
+  type Motion,
+  pairAt,
+  SLIDE,
+  SLOTS,
+  STEADY,
+  shift,
+  valueAt,
+} from '../../motion/index.ts';
 import { SHORTEST_LAPSE } from '../../tolerances.ts';
 import { letGoTime } from '../repulsor/index.ts';
 
@@ -49,10 +61,13 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
 export function freeTime(m: Motion, axis: number, held: number, from: number): number {
   if (m.flow.kind === SLIDE) return letGoTime(m, axis, from);
   // on a line both axes are free; without a force nothing drives her back
-  if (m.flow.isSteady) return turnTime(m, axis, held, from);
+  if (m.flow.isSteady) return passesCentre(m) ? -1 : turnTime(m, axis, held, from);
   if (m.flow.kind !== CENTRAL) return -1;
   return firstBelow(m, placeGuard(m, axis, m.flow.alpha > 0 ? held : -held), from, false);
 }
+
+/** Whether she is so near to the centre of a force that this has no direction: a steady force alone does not tell what drives her. */
+const passesCentre = (m: Motion): boolean => m.flow.kind === STEADY && actingForce(m) !== null;
 
 /**
  * When the drive along an axis falls below 0, with a steady force: there her place does not tell in which direction she is

@@ -1,9 +1,9 @@
 import { eventRule, listRims, quietAtRim } from '../../events/index.ts';
 import { GOES_ON, type Motion, SLOTS, type SteadyForce } from '../../motion/index.ts';
-import { countCrossing, offerCrossing } from '../rims/index.ts';
+import { countCrossing, ENTERING, OUTSIDE, offerCrossing, placeInCircle } from '../rims/index.ts';
 import { preparedWinds, strongestWind } from './discs.ts';
 
-const { BASE_X, BASE_Y, LAST_EVENT, LAST_A } = SLOTS;
+const { LAST_EVENT, LAST_A } = SLOTS;
 
 /** Length of the state: the number of winds that blow on her, then a flag for each wind. */
 export const stateLength = ({ level }: { readonly level: { readonly winds: readonly unknown[] } }): number =>
@@ -65,17 +65,17 @@ function cross(m: Motion, i: number, entering: boolean, time: number): number {
 
 /**
  * Determines the winds at her place after she came there other than by her own motion.
- * @param time - time of the events that report changed winds, s; null for no events
+ * @param time - time of the events that report changed winds, s; null at the start, where only what she enters then is reported
  */
 export function feelWinds(m: Motion, time: number | null): void {
-  const { s, ux, uy } = m;
-  const { count, x, y, r } = preparedWinds(m.scene);
-  for (let i = 0; i < count; i++) {
-    const dx = x[i] - m.originX - s[BASE_X] - ux[0];
-    const dy = y[i] - m.originY - s[BASE_Y] - uy[0];
-    const isInside = dx * dx + dy * dy < r[i] * r[i];
+  const winds = preparedWinds(m.scene);
+  for (let i = 0; i < winds.count; i++) {
+    const place = placeInCircle(m, winds, i);
+    const isInside = place !== OUTSIDE;
     if (isInside === blows(m, i)) continue;
     set(m, i, isInside);
-    if (time !== null) m.recorder?.event({ time, type: 'effect', effect: 'winds', what: isInside ? 'enter' : 'leave', index: i });
+    if (time === null && place !== ENTERING) continue;
+    const what = isInside ? 'enter' : 'leave';
+    m.recorder?.event({ time: time ?? 0, type: 'effect', effect: 'winds', what, index: i });
   }
 }
