@@ -58,6 +58,21 @@ export class Instants {
     this.#noteStart();
     this.#orient(false);
     this.#settle(this.#findAnchor(false));
+    if (this.ending === null) this.#explodeAtStart();
+  }
+
+  /** Aliens that overlap at the start are gone before a press at tick 0 turns her. */
+  #explodeAtStart(): void {
+    const { aliens, level } = this.#world;
+    for (const [i, one] of aliens.entries()) {
+      for (const [j, other] of aliens.entries()) {
+        if (j <= i || one.gone || other.gone) continue;
+        const reach = twoSum(level.aliens[i].radius, level.aliens[j].radius);
+        if (subtract(length(minus(one.at, other.at)), reach).hi >= 0) continue;
+        one.gone = true;
+        other.gone = true;
+      }
+    }
   }
 
   /** Ends the run if her box, as it stands, touches something, or if she is out of range. */

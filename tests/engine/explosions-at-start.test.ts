@@ -20,3 +20,19 @@ it.each(continuousNames)('two overlapping sleeping aliens explode at the start, 
     [0, 2, 3],
   ]);
 });
+
+it.each(continuousNames)('they touch the box as it stands, and are gone before a press at tick 0 turns it: %s', (accuracy) => {
+  // turned upwards, her long side reaches 16 px to the right; as it stands, 10 px
+  const endOf = (x: number, other: number) => {
+    const level = plainLevel({
+      asteroids: [{ x: 0, y: -150, radius: 16 }],
+      aliens: [x, other].map((at) => ({ x: at, y: 0, radius: 13 })),
+    });
+    const { outcome, time } = simulate(compile(level, accuracy), [[0, 30]], { maxTime: 0.5 });
+    return [outcome, time];
+  };
+  expect(endOf(27, 40)).toEqual(['timeout', 0.5]);
+  expect(endOf(20, 40)).toEqual(['collided', 0]);
+  // aliens apart do not explode, and the turned box touches the first
+  expect(endOf(27, 60)).toEqual(['collided', 0]);
+});
