@@ -120,11 +120,21 @@ export function expand(m: Motion): void {
 
 const isLimited = ({ s }: Motion): boolean => s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0;
 
+/** She is as good as at the speed limit when only this part of it is missing. */
+const NEARLY = 1e-6;
+
+/** Whether an axis is held at the speed limit, or is as fast: released there, she must not be driven into it again by less force. */
+function isNearLimit(m: Motion): boolean {
+  const { ux, uy, px, py } = m;
+  const fast = (1 - NEARLY) * m.rules.speedLimit;
+  return isLimited(m) || Math.abs(ux[1] + (m.recoil ? px[1] : 0)) >= fast || Math.abs(uy[1] + (m.recoil ? py[1] : 0)) >= fast;
+}
+
 /**
  * Within this of the centre of a force that she does not pass on a line, the force has no direction, px. At the speed limit the
  * force reverses there and releases her: a piece across the centre delays that.
  */
-export const closestPass = (m: Motion): number => (isLimited(m) ? SMALLEST_SWING : SMALLEST_ORBIT);
+export const closestPass = (m: Motion): number => (isNearLimit(m) ? SMALLEST_SWING : SMALLEST_ORBIT);
 
 /** Only a steady force acts, or she passes so near to another force's centre that this has no direction: an exact parabola. */
 function expandSteady(m: Motion, longest: number): number {

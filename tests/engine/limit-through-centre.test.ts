@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, simulate } from '../../engine/index.ts';
+import { compile, simulate, WorkBudget } from '../../engine/index.ts';
 import { plainLevel } from './plain-level.ts';
 
 const PULL = 39;
@@ -90,4 +90,34 @@ describe('at the speed limit straight through the centre of the target', () => {
     );
     expect(compared).toBeGreaterThan(60);
   });
+});
+
+it('a start in the centre at the limit, in any wind, goes on as one beside it', () => {
+  const speeds = fc.constantFrom(20, 50, 1000);
+  const turn = fc.integer({ min: 0, max: 15 });
+  fc.assert(
+    fc.property(
+      speeds,
+      turn,
+      fc.integer({ min: 1, max: 60 }),
+      fc.constantFrom('fast', 'standard', 'precise'),
+      (limit, k, wind, accuracy) => {
+        const angle = (Math.PI * k) / 8;
+        const endOf = (x: number) => {
+          const level = {
+            ...plainLevel({ astronaut: { x, vx: -limit }, asteroids: [{ x: 0, y: 0, radius: 5 }], range: 5000 }),
+            winds: [{ id: null, x: 0, y: 0, radius: 4000, ax: wind * Math.cos(angle), ay: wind * Math.sin(angle) }],
+            rules: { speedLimit: limit },
+          };
+          const budget = new WorkBudget(20_000);
+          const { final, stopped } = simulate(compile(level, accuracy), [[0, 60]], { maxTime: 0.5, budget });
+          expect(stopped).toBeNull();
+          return final;
+        };
+        const [here, beside] = [endOf(0), endOf(-1e-9)];
+        for (const key of ['x', 'y', 'vx', 'vy'] as const) expect(here[key]).toBeCloseTo(beside[key], 5);
+      },
+    ),
+    { numRuns: 200 },
+  );
 });
