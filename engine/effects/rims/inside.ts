@@ -9,7 +9,7 @@ export const ENTERING = 1;
 const INSIDE = 2;
 
 /**
- * Where her centre is with respect to circle `i` (px in the level) at the start of the run, or where a wormhole has brought her.
+ * Where her centre is with respect to circle `i` (px in the level) at the start of the run, or where a jump has brought her.
  * What acts there acts from then on, so an exact touch at that time is judged with it.
  */
 export function placeInCircle(m: Motion, { x, y, r }: Circles, i: number): number {
