@@ -49,6 +49,7 @@ export class Instants {
   /** The button changes. */
   press(held: boolean): void {
     this.story.push(held ? 'press' : 'release');
+    if (held && toNumber(this.#world.time) === 0) this.#explodeAtStart();
     this.#world.held = held;
     if (held) this.#world.target = nearest(this.#world);
   }
@@ -58,7 +59,6 @@ export class Instants {
     this.#noteStart();
     this.#orient(false);
     this.#settle(this.#findAnchor(false));
-    if (this.ending === null) this.#explodeAtStart();
   }
 
   /** Aliens that overlap at the start are gone before a press at tick 0 turns her. */
