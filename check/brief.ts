@@ -1,7 +1,7 @@
 import { compile, type Run, type Scene, simulate, type Terms, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import type { Proof } from '../solver/index.ts';
-import { type RunFindings, unproved, verdictOfFindings } from './findings.ts';
+import { type RunFindings, scriptEnds, unproved, verdictOfFindings } from './findings.ts';
 import { proveGoalImpossible } from './proofs.ts';
 import type { LevelVerdict } from './verdict.ts';
 
@@ -38,14 +38,7 @@ export function* briefInSteps(level: Level, terms: Terms): Generator<null, Brief
   const completing = runs.findIndex(({ outcome }) => outcome === 'completed');
   if (completing < 0) yield null;
   const impossible = completing < 0 ? proveGoalImpossible(scene, { minerals: 'any' }) : null;
-  const ends = runs.map(({ outcome, with: touched, time, tick, stopped }, i) => ({
-    name: level.runs[i].name,
-    outcome,
-    with: touched,
-    time,
-    tick,
-    isStopped: stopped !== null,
-  }));
+  const ends = scriptEnds(level.runs, runs);
   const verdict = verdictOfFindings({ ...unproved, ends, impossible });
   const shown = runs.length === 0 ? null : Math.max(0, completing);
   const run = shown === null || runs[shown].stopped !== null ? null : runs[shown];

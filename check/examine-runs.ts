@@ -1,7 +1,7 @@
 import { findWarnings, type Run, type Scene, simulate, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { hangsOnAccuracy } from './accuracy-hangs.ts';
-import { overrunOf, type RunFindings } from './findings.ts';
+import { overrunOf, type RunFindings, scriptEnds } from './findings.ts';
 import { withinWork } from './within-work.ts';
 
 /**
@@ -49,14 +49,7 @@ export function examineRuns(level: Level, runs: readonly Run[], { scene, budget,
     accuracy: scene.accuracy.name,
     range: level.range,
     allow: level.allow ?? {},
-    ends: runs.map(({ outcome, with: touched, time, tick, stopped: by }, i) => ({
-      name: level.runs[i].name,
-      outcome,
-      with: touched,
-      time,
-      tick,
-      isStopped: by !== null,
-    })),
+    ends: scriptEnds(level.runs, runs),
     collected: [...new Set(all.flatMap(({ minerals }) => minerals.map(({ index }) => index)))],
     hangs: hangs ?? [],
     warnings: warnings ?? findWarnings(level, [], scene.terms),

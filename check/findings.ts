@@ -1,5 +1,5 @@
-import type { Warning, WorkBudget } from '../engine/index.ts';
-import type { Allowed, Hold } from '../schema/index.ts';
+import type { Run, Warning, WorkBudget } from '../engine/index.ts';
+import type { Allowed, Hold, Level } from '../schema/index.ts';
 import type { Closest, Effort, Proof } from '../solver/index.ts';
 import type { AccuracyHang } from './accuracy-hangs.ts';
 import type { LostMineral } from './proofs.ts';
@@ -15,6 +15,17 @@ export interface ScriptEnd extends RunEnd {
   /** True when the run exceeded the work limit and was not simulated beyond `time`. */
   readonly isStopped: boolean;
 }
+
+/** How runs of a level ended, as plain data. @param scripts the level's runs @param runs the same, simulated */
+export const scriptEnds = (scripts: Level['runs'], runs: readonly Run[]): ScriptEnd[] =>
+  runs.map(({ outcome, with: touched, time, tick, stopped }, i) => ({
+    name: scripts[i].name,
+    outcome,
+    with: touched,
+    time,
+    tick,
+    isStopped: stopped !== null,
+  }));
 
 /** A limit that was exceeded. */
 export interface Overrun {

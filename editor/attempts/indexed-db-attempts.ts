@@ -1,5 +1,5 @@
 import { done, openDatabase } from '../database/index.ts';
-import { type Head, movedHeads } from '../versions/index.ts';
+import { historyAt, moveHeads } from '../versions/index.ts';
 import type { AttemptStore } from './attempt-store.ts';
 import type { Attempt } from './attempts.ts';
 
@@ -24,16 +24,7 @@ export async function openIndexedDbAttempts(
   const stores = { [HEADS]: 'place', [ATTEMPTS]: ['list', 'id'] };
   const database = await openDatabase({ databases, name: NAME, stores, after });
   return {
-    open: (place) =>
-      database.within('readwrite', async (store) => {
-        const heads = store(HEADS);
-        const known = (await done(heads.get(place))) as Head | undefined;
-        if (known !== undefined) return known.history;
-        const all = (await done(heads.getAll())) as Head[];
-        const history = all.reduce((most, head) => Math.max(most, head.history), 0) + 1;
-        heads.put({ place, history, token: null } satisfies Head);
-        return history;
-      }),
+    open: (place) => database.within('readwrite', (store) => historyAt(store(HEADS), place)),
     attempts: (list) =>
       database.within('readonly', async (store) =>
         ((await done(store(ATTEMPTS).getAll(rowsOf(list)))) as Row[]).map(({ list: _, ...attempt }) => attempt),
@@ -47,14 +38,6 @@ export async function openIndexedDbAttempts(
       database.within('readwrite', (store) => {
         for (const id of ids) store(ATTEMPTS).delete([list, id]);
       }),
-    move: (moves) =>
-      database.within('readwrite', async (store) => {
-        const heads = store(HEADS);
-        const places = [...new Set(moves.flatMap(({ from, to }) => [from, to]))];
-        const found = (await Promise.all(places.map((place) => done(heads.get(place))))) as (Head | undefined)[];
-        const moved = movedHeads(new Map(found.flatMap((head) => (head === undefined ? [] : [[head.place, head]]))), moves);
-        for (const place of moved?.gone ?? []) heads.delete(place);
-        for (const head of moved?.put ?? []) heads.put(head);
-      }),
+    move: (moves) => database.within('readwrite', (store) => moveHeads(store(HEADS), moves)),
   };
 }

@@ -1,7 +1,8 @@
 import { done, openDatabase } from '../database/index.ts';
+import { historyAt, moveHeads } from './stored-heads.ts';
 import { type StoredText, sizeOf } from './stored-text.ts';
 import type { Version } from './version.ts';
-import { type Head, movedHeads, neededTexts, type VersionStore } from './version-store.ts';
+import { neededTexts, type VersionStore } from './version-store.ts';
 
 const NAME = 'gravity-quest-editor-versions';
 const HEADS = 'heads';
@@ -43,16 +44,7 @@ export async function openIndexedDbVersions(
   });
 
   return {
-    open: (place) =>
-      database.within('readwrite', async (stores) => {
-        const heads = stores(HEADS);
-        const known = (await done(heads.get(place))) as Head | undefined;
-        if (known !== undefined) return known.history;
-        const all = (await done(heads.getAll())) as Head[];
-        const history = all.reduce((most, head) => Math.max(most, head.history), 0) + 1;
-        heads.put({ place, history, token: null } satisfies Head);
-        return history;
-      }),
+    open: (place) => database.within('readwrite', (stores) => historyAt(stores(HEADS), place)),
     list: (history) =>
       database.within('readonly', async (stores) =>
         ((await done(stores(VERSIONS).getAll(rowsOf(history)))) as VersionRow[]).map(versionOf),
@@ -93,14 +85,6 @@ export async function openIndexedDbVersions(
           if (!needed.has(key[1])) texts.delete(key);
         }
       }),
-    move: (moves) =>
-      database.within('readwrite', async (stores) => {
-        const heads = stores(HEADS);
-        const places = [...new Set(moves.flatMap(({ from, to }) => [from, to]))];
-        const found = (await Promise.all(places.map((place) => done(heads.get(place))))) as (Head | undefined)[];
-        const moved = movedHeads(new Map(found.flatMap((head) => (head === undefined ? [] : [[head.place, head]]))), moves);
-        for (const place of moved?.gone ?? []) heads.delete(place);
-        for (const head of moved?.put ?? []) heads.put(head);
-      }),
+    move: (moves) => database.within('readwrite', (stores) => moveHeads(stores(HEADS), moves)),
   };
 }
