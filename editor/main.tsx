@@ -1,12 +1,12 @@
-import './ui/theme.css';
-import './ui/ui.css';
+import './core/ui/theme.css';
+import './core/ui/ui.css';
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import * as z from 'zod';
 import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
 import { followPlayLinks, takeLinkedPlay } from './plays/index.ts';
-import './ui/touch.css';
-import './ui/contrast.css';
+import './core/ui/touch.css';
+import './core/ui/contrast.css';
 
 // the strict content security policy forbids code made from text
 z.config({ jitless: true });

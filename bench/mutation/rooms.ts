@@ -44,16 +44,16 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     ],
   },
   'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },
-  'editor/files': {
-    sources: ['editor/files'],
+  'editor/core/files': {
+    sources: ['editor/core/files'],
     tests: [
       ...editor('merge', 'merge-bases', 'opening-marks', 'page-token', 'page-surroundings', 'late-database', 'long-list'),
       ...editor('browser-storage', 'writer-lock', 'saver-states', 'saver', 'workspace'),
       ...editor('server-requests', 'pages', 'server-storage'),
     ],
   },
-  'editor/document': {
-    sources: ['editor/document'],
+  'editor/core/document': {
+    sources: ['editor/core/document'],
     tests: editor('history', 'settle', 'hold-operations', 'object-operations', 'document'),
   },
 };

@@ -1,5 +1,5 @@
 import { useStore } from 'zustand';
-import { useLevel } from '../context/index.ts';
+import { useLevel } from '../core/context/index.ts';
 import { aliveOf } from './alive-state.ts';
 import { aliveInWords } from './alive-words.ts';
 import './alive.css';

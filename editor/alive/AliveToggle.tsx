@@ -1,7 +1,7 @@
 import { HeartPulse } from 'lucide-react';
 import { useStore } from 'zustand';
-import { useEditor } from '../context/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor } from '../core/context/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 /** Turns it on or off that a change of the level re-times the shown run. */
 export function AliveToggle() {

@@ -1,6 +1,6 @@
 import { compile, joinHolds } from '../../engine/index.ts';
 import { type Hold, isSame, type LevelFile, OBJECT_LISTS, resolveLevel, SINGLE_KINDS } from '../../schema/index.ts';
-import { isWhole, type LiveProof } from '../proof/index.ts';
+import { isWhole, type LiveProof } from '../core/proof/index.ts';
 import { replayed } from './replayed.ts';
 
 /** A run that completed the level, as it was before a change. */

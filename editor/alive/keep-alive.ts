@@ -1,10 +1,10 @@
 import { joinHolds } from '../../engine/index.ts';
 import type { Hold, LevelFile } from '../../schema/index.ts';
 import type { Retimed } from '../../solver/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { type DocumentEvent, replaceHolds, type StepMark } from '../document/index.ts';
-import { isWhole, type LiveProof } from '../proof/index.ts';
-import type { SettingsStore } from '../settings/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { type DocumentEvent, replaceHolds, type StepMark } from '../core/document/index.ts';
+import { isWhole, type LiveProof } from '../core/proof/index.ts';
+import type { SettingsStore } from '../core/settings/index.ts';
 import type { Workers } from '../workers/index.ts';
 import { type AliveState, aliveOf } from './alive-state.ts';
 import { type Former, formerOf, isSameGame } from './former.ts';

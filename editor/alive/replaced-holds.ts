@@ -1,7 +1,7 @@
 import { joinHolds } from '../../engine/index.ts';
 import type { Hold, LevelFile } from '../../schema/index.ts';
-import type { EditedLevel, StepMark } from '../document/index.ts';
-import type { ProofStore } from '../proof/index.ts';
+import type { EditedLevel, StepMark } from '../core/document/index.ts';
+import type { ProofStore } from '../core/proof/index.ts';
 import { completesNow } from './former.ts';
 
 /** The holds that were put in place of the author's within one step, by run. */

@@ -1,6 +1,6 @@
 import { createSimulation, maxTicksOf, playScript, type Scene, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { MOST_WORK } from '../proof/index.ts';
+import { MOST_WORK } from '../core/proof/index.ts';
 
 /** How a run that completes a level does so. */
 export interface Completion {

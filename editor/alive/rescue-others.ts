@@ -1,7 +1,7 @@
 import { joinHolds } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { type EditedLevel, replaceHolds, type StepMark } from '../document/index.ts';
-import type { ProofStore } from '../proof/index.ts';
+import { type EditedLevel, replaceHolds, type StepMark } from '../core/document/index.ts';
+import type { ProofStore } from '../core/proof/index.ts';
 import type { Surviving } from './alive-state.ts';
 import { completesNow, othersOf } from './former.ts';
 import type { ReplacedHolds } from './replaced-holds.ts';

@@ -1,5 +1,5 @@
 import type { Hold } from '../../schema/index.ts';
-import type { LiveProof, ProofStore } from '../proof/index.ts';
+import type { LiveProof, ProofStore } from '../core/proof/index.ts';
 import type { Job, Retiming, Workers } from '../workers/index.ts';
 import { type Former, indicesOf } from './former.ts';
 

@@ -1,7 +1,7 @@
 import { Undo2 } from 'lucide-react';
-import { useEditor, usePageTerms } from '../context/index.ts';
-import { isOtherAccuracy, termsInWords } from '../terms/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor, usePageTerms } from '../core/context/index.ts';
+import { isOtherAccuracy, termsInWords } from '../core/terms/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 /**
  * Says so while the level is shown at another accuracy than that of the folder, and leads back to it.

@@ -1,7 +1,7 @@
 import { useSyncExternalStore } from 'react';
-import { keyLabels } from '../commands/index.ts';
-import { IS_MAC, useEditor, useSession } from '../context/index.ts';
-import { Dialog } from '../ui/index.ts';
+import { keyLabels } from '../core/commands/index.ts';
+import { IS_MAC, useEditor, useSession } from '../core/context/index.ts';
+import { Dialog } from '../core/ui/index.ts';
 
 /** Pointer gestures, which are not commands. */
 const POINTER: readonly (readonly [gesture: string, what: string])[] = [

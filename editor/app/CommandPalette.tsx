@@ -2,8 +2,8 @@ import { defaultFilter, Command as Palette } from 'cmdk';
 import { Dialog as Radix } from 'radix-ui';
 import { useEffect, useState, useSyncExternalStore } from 'react';
 import { flushSync } from 'react-dom';
-import { type Command, keyLabel, needsOf } from '../commands/index.ts';
-import { IS_MAC, useEditor, useSession } from '../context/index.ts';
+import { type Command, keyLabel, needsOf } from '../core/commands/index.ts';
+import { IS_MAC, useEditor, useSession } from '../core/context/index.ts';
 import { type Destination, findDestinations } from './palette-destinations.ts';
 
 /** A line of the palette. */

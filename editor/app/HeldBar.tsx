@@ -1,9 +1,9 @@
 import { TriangleAlert } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { useLevel } from '../context/index.ts';
-import type { OpenedLevel } from '../files/index.ts';
-import { Button } from '../ui/index.ts';
+import { useLevel } from '../core/context/index.ts';
+import type { OpenedLevel } from '../core/files/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 /** Asks before the page is left, since it alone has the change. */
 function useQuestionOnLeaving(): void {

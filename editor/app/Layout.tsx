@@ -1,9 +1,9 @@
 import { Activity } from 'lucide-react';
 import { type ReactNode, useEffect, useState } from 'react';
 import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
-import { useEditor, useSession } from '../context/index.ts';
+import { useEditor, useSession } from '../core/context/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
-import { Button } from '../ui/index.ts';
 import { useRoom } from './room.ts';
 
 /** A panel: a tab on a phone, part of a side on a wide screen. */

@@ -1,9 +1,9 @@
 import { CircleAlert, Info, TriangleAlert, X } from 'lucide-react';
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../context/index.ts';
-import type { Notice } from '../notices/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor } from '../core/context/index.ts';
+import type { Notice } from '../core/notices/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 const ICONS = { info: Info, warning: TriangleAlert, error: CircleAlert } as const;
 

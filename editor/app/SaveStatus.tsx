@@ -1,11 +1,11 @@
 import { CircleAlert, CircleCheck, CloudOff, Download, Eye, FileWarning, GitMerge, LoaderCircle } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
-import { useDocument, useEditor, useLevel } from '../context/index.ts';
-import { problemsInWords, type SaveState } from '../files/index.ts';
-import type { Keeping } from '../journal/index.ts';
+import { useDocument, useEditor, useLevel } from '../core/context/index.ts';
+import { problemsInWords, type SaveState } from '../core/files/index.ts';
+import type { Keeping } from '../core/journal/index.ts';
+import { Button, Hint } from '../core/ui/index.ts';
 import { keepFile, levelFile } from '../share/index.ts';
-import { Button, Hint } from '../ui/index.ts';
 
 const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: number }>; text: string }>> = {
   saved: { Icon: CircleCheck, text: 'saved' },

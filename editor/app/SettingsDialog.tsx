@@ -2,10 +2,10 @@ import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import type { AccuracyName } from '../../engine/index.ts';
 import { rendererOf } from '../canvas/index.ts';
-import { keyLabel } from '../commands/index.ts';
-import { IS_MAC, useEditor, usePageTerms, useSession } from '../context/index.ts';
-import type { Settings } from '../settings/index.ts';
-import { Button, Dialog, NumberField } from '../ui/index.ts';
+import { keyLabel } from '../core/commands/index.ts';
+import { IS_MAC, useEditor, usePageTerms, useSession } from '../core/context/index.ts';
+import type { Settings } from '../core/settings/index.ts';
+import { Button, Dialog, NumberField } from '../core/ui/index.ts';
 
 const ACCURACY_HINTS: Readonly<Record<AccuracyName, string>> = {
   arcade: 'arcade: the original game, frame by frame',

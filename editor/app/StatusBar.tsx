@@ -1,10 +1,10 @@
 import { useStore } from 'zustand';
-import { useDocument, useEditor, usePageTerms, useProof, useSession } from '../context/index.ts';
-import { objectsOf } from '../document/index.ts';
+import { useDocument, useEditor, usePageTerms, useProof, useSession } from '../core/context/index.ts';
+import { objectsOf } from '../core/document/index.ts';
+import { useThrottledProof } from '../core/panel/index.ts';
+import { endInWords, type LiveProof } from '../core/proof/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
-import { useThrottledProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
-import { endInWords, type LiveProof } from '../proof/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;

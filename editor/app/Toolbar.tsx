@@ -1,10 +1,10 @@
 import { Hand, Lock, LockOpen, type LucideIcon, MousePointer2 } from 'lucide-react';
 import { appearanceOf, placedAs } from '../../schema/index.ts';
 import { DRAGGED_TOOL, signOf } from '../canvas/index.ts';
-import { useEditor, useSession } from '../context/index.ts';
-import { titled } from '../document/index.ts';
-import { chooseTool, TOOLS, type Tool } from '../session/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor, useSession } from '../core/context/index.ts';
+import { titled } from '../core/document/index.ts';
+import { chooseTool, TOOLS, type Tool } from '../core/session/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 function lookOf(tool: Tool): { readonly Icon: LucideIcon; readonly name: string; readonly key: string | undefined } {
   if (tool === 'select') return { Icon: MousePointer2, name: 'Select', key: 'V' };

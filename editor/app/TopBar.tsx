@@ -1,10 +1,10 @@
 import { CircleQuestionMark, Clock, Play, Redo2, Search, Settings, Share2, Square, Undo2 } from 'lucide-react';
 import { useStore } from 'zustand';
-import { keyLabel } from '../commands/index.ts';
-import { IS_MAC, useDocument, useEditor, useSession } from '../context/index.ts';
+import { keyLabel } from '../core/commands/index.ts';
+import { IS_MAC, useDocument, useEditor, useSession } from '../core/context/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { HISTORY_KEY } from '../panels/history/index.ts';
 import { listHistoryOf } from '../panels/levels/index.ts';
-import { Button } from '../ui/index.ts';
 import { SaveStatus } from './SaveStatus.tsx';
 import { VerdictBadge } from './VerdictBadge.tsx';
 

@@ -2,12 +2,12 @@ import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../check/index.ts';
 import { VERDICT_MEANS } from '../../check/words/index.ts';
-import { useDocument, useLevel, usePageTerms, useProof } from '../context/index.ts';
-import { plural } from '../panels/figures/index.ts';
+import { useDocument, useLevel, usePageTerms, useProof } from '../core/context/index.ts';
+import { plural } from '../core/figures/index.ts';
+import { endInWords } from '../core/proof/index.ts';
+import { isOtherAccuracy, termsInWords } from '../core/terms/index.ts';
+import { Hint } from '../core/ui/index.ts';
 import { useVerdict } from '../panels/solver/index.ts';
-import { endInWords } from '../proof/index.ts';
-import { isOtherAccuracy, termsInWords } from '../terms/index.ts';
-import { Hint } from '../ui/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
 
 const LOOKS = {

@@ -1,10 +1,10 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
 import { aliveOf, keepAlive } from '../alive/index.ts';
-import { attemptsAt } from '../attempts/index.ts';
-import { createCommands } from '../commands/index.ts';
-import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
-import { createSelection, type ObjectKey } from '../document/index.ts';
+import { attemptsAt } from '../core/attempts/index.ts';
+import { createCommands } from '../core/commands/index.ts';
+import type { Analysis, Editor, OpenLevel } from '../core/context/index.ts';
+import { createSelection, type ObjectKey } from '../core/document/index.ts';
 import {
   createOpeningMarks,
   createWorkspace,
@@ -15,16 +15,16 @@ import {
   pageSurroundings,
   pageTimers,
   tabName,
-} from '../files/index.ts';
+} from '../core/files/index.ts';
+import { createNotices } from '../core/notices/index.ts';
+import { afterRest } from '../core/panel/index.ts';
+import { createProofStore } from '../core/proof/index.ts';
+import { createSession } from '../core/session/index.ts';
+import { createSettings } from '../core/settings/index.ts';
+import { createPageTerms } from '../core/terms/index.ts';
 import { watchMend } from '../mend/index.ts';
-import { createNotices } from '../notices/index.ts';
 import { openHeldBack } from '../panels/levels/index.ts';
-import { afterRest } from '../panels/parts/index.ts';
 import { attemptGhosts } from '../play/index.ts';
-import { createProofStore } from '../proof/index.ts';
-import { createSession } from '../session/index.ts';
-import { createSettings } from '../settings/index.ts';
-import { createPageTerms } from '../terms/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
 

@@ -1,4 +1,4 @@
-import type { Editor } from '../context/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { openFirst } from '../panels/levels/index.ts';
 import { followPlaces, takePlace } from '../places/index.ts';
 

@@ -1,6 +1,6 @@
 import { type FolderTerms, RULE_NAMES, RULES } from '../../schema/index.ts';
-import type { Editor } from '../context/index.ts';
-import { folderTermsIn, problemsInWords } from '../files/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { folderTermsIn, problemsInWords } from '../core/files/index.ts';
 import { ruleLabel } from '../panels/inspector/index.ts';
 
 const TOPIC = 'configuration';

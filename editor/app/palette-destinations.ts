@@ -1,8 +1,8 @@
 import { RULES } from '../../schema/index.ts';
 import { comparedOf, compareOrTell, isCompared } from '../compare/index.ts';
-import type { Editor } from '../context/index.ts';
-import { nameOf, titled } from '../document/index.ts';
-import { folderTermsIn } from '../files/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { nameOf, titled } from '../core/document/index.ts';
+import { folderTermsIn } from '../core/files/index.ts';
 import { ruleLabel, ruleValues } from '../panels/inspector/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { objectRows } from '../panels/outliner/index.ts';

@@ -1,6 +1,6 @@
 import { Files, Gauge, History, ListTree, Puzzle, SlidersHorizontal, Sparkles, TriangleAlert, Waypoints } from 'lucide-react';
 import type { ReactNode } from 'react';
-import { PerLevel } from '../context/index.ts';
+import { PerLevel } from '../core/context/index.ts';
 import { AccuracyPanel } from '../panels/accuracy/index.ts';
 import { AttemptsPanel } from '../panels/attempts/index.ts';
 import { Effects } from '../panels/effects/index.ts';

@@ -1,7 +1,7 @@
 import { RULE_NAMES, type RuleName } from '../../schema/index.ts';
-import type { Command } from '../commands/index.ts';
-import type { Editor } from '../context/index.ts';
-import { resetRules } from '../document/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { resetRules } from '../core/document/index.ts';
 import { showPanel } from './show-panel.ts';
 
 /** Shows the rules of the open level and focuses one of them. */

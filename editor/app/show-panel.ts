@@ -1,4 +1,4 @@
-import type { Editor } from '../context/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { LEFT, RIGHT } from './parts.tsx';
 
 /** Brings a panel to the front. @param id the id of a panel in `parts.tsx` */

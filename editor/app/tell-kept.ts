@@ -1,4 +1,4 @@
-import type { Editor } from '../context/index.ts';
+import type { Editor } from '../core/context/index.ts';
 
 type Parts = Pick<Editor, 'journal' | 'workspace' | 'notices' | 'session'>;
 

@@ -1,6 +1,6 @@
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../context/index.ts';
+import { useEditor } from '../core/context/index.ts';
 
 /** Sets an attribute of the page to the user's choice or, without one, to the system's. */
 function follow(query: string, wanted: (matches: boolean) => string, name: string): () => void {

@@ -1,7 +1,7 @@
 import { type ReactNode, useEffect, useMemo, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
-import { useEditor, useLevel } from '../context/index.ts';
+import { useEditor, useLevel } from '../core/context/index.ts';
 import { LeewayLegend } from '../leeway/index.ts';
 import { LostLegend } from '../lost/index.ts';
 import { OnionCard, type OnionSession } from '../onion/index.ts';

@@ -1,6 +1,6 @@
 import { type StoreApi, useStore } from 'zustand';
-import { useEditor, useProof, useSession } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import { useEditor, useProof, useSession } from '../core/context/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { reasonOf, reasonPlace } from './labels.ts';
 

@@ -1,7 +1,7 @@
 import { EyeOff } from 'lucide-react';
-import { useDocument, useEditor, useSession } from '../context/index.ts';
-import { hiddenIn } from '../document/index.ts';
-import { Button } from '../ui/index.ts';
+import { useDocument, useEditor, useSession } from '../core/context/index.ts';
+import { hiddenIn } from '../core/document/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 /** How many objects are hidden, with the way to show them. */
 export function HiddenNote() {

@@ -1,6 +1,6 @@
 import { type StoreApi, useStore } from 'zustand';
-import { useLevel, useSession } from '../context/index.ts';
-import { marksOf, objectsOf, radiusOf } from '../document/index.ts';
+import { useLevel, useSession } from '../core/context/index.ts';
+import { marksOf, objectsOf, radiusOf } from '../core/document/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { toScreen } from './view.ts';
 

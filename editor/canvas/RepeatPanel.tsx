@@ -1,8 +1,8 @@
 import { useEffect, useRef, useState } from 'react';
-import { useLevel } from '../context/index.ts';
-import { type Gesture, MOST_COPIES, type Repetition, repeatObjects, unlocked } from '../document/index.ts';
-import { Segments } from '../panels/parts/index.ts';
-import { Button, NumberField } from '../ui/index.ts';
+import { useLevel } from '../core/context/index.ts';
+import { type Gesture, MOST_COPIES, type Repetition, repeatObjects, unlocked } from '../core/document/index.ts';
+import { Segments } from '../core/panel/index.ts';
+import { Button, NumberField } from '../core/ui/index.ts';
 import { extentOf } from './extent.ts';
 import { centreOf } from './selection-box/index.ts';
 

@@ -1,6 +1,6 @@
-import type { Command } from '../commands/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { alignObjects, distributeObjects, type Edge, moveObjects } from '../document/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { alignObjects, distributeObjects, type Edge, moveObjects } from '../core/document/index.ts';
 import { arrowsWith, stepOf } from './crosshair/index.ts';
 import type { ObjectChanges } from './object-changes.ts';
 

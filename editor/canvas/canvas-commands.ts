@@ -1,9 +1,9 @@
 import type { StoreApi } from 'zustand/vanilla';
 import { appearanceOf, PLACEABLES } from '../../schema/index.ts';
-import type { Command } from '../commands/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { chooseTool, type Tool } from '../core/session/index.ts';
 import { orderCommands } from '../order/index.ts';
-import { chooseTool, type Tool } from '../session/index.ts';
 import { arrangeCommands } from './arrange-commands.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { clipboardCommands } from './clipboard-commands.ts';

@@ -1,7 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
 import { type Box, joinHolds } from '../../engine/index.ts';
 import { raceOf } from '../compare/index.ts';
-import type { Editor, OpenLevel, Pose } from '../context/index.ts';
+import type { Editor, OpenLevel, Pose } from '../core/context/index.ts';
 import { type LostPicture, lossKey, lostOf, lostPictureOf } from '../lost/index.ts';
 import { type OnionPicture, onionOf, onionPictureOf } from '../onion/index.ts';
 import { shelfOf } from '../shelf/index.ts';

@@ -1,7 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Command } from '../commands/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { copyObjects, deleteObjects, duplicateObjects, objectsOf } from '../document/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { copyObjects, deleteObjects, duplicateObjects, objectsOf } from '../core/document/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { ObjectChanges } from './object-changes.ts';
 import { BESIDE, paste } from './paste.ts';

@@ -1,6 +1,6 @@
 import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../document/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../core/document/index.ts';
 import type { Box, Point } from './view.ts';
 
 /** The box around an object; the astronaut as she stands at the start. */

@@ -1,6 +1,6 @@
 import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { type FoundObject, grabbableIn, type ObjectKey, placesOf, radiusOf } from '../document/index.ts';
+import { type FoundObject, grabbableIn, type ObjectKey, placesOf, radiusOf } from '../core/document/index.ts';
 import { boxesOf } from './extent.ts';
 import type { Box, Point } from './view.ts';
 

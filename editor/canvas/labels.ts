@@ -1,6 +1,6 @@
 import { reasonInWords } from '../../check/words/index.ts';
 import { STATE_SIZE } from '../../engine/index.ts';
-import { isWhole, type LiveProof } from '../proof/index.ts';
+import { isWhole, type LiveProof } from '../core/proof/index.ts';
 import { labelPlace } from './label-place.ts';
 import { type Point, toScreen, type View } from './view.ts';
 

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { chooseTool } from '../session/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { chooseTool } from '../core/session/index.ts';
 import { canvasCommands } from './canvas-commands.ts';
 import { pictureOf } from './canvas-picture.ts';
 import type { CanvasState } from './canvas-state.ts';

@@ -1,5 +1,5 @@
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { type ChangeResult, type ObjectKey, type Recipe, unlocked } from '../document/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { type ChangeResult, type ObjectKey, type Recipe, unlocked } from '../core/document/index.ts';
 
 /** Changes of the selection by commands. */
 export interface ObjectChanges {

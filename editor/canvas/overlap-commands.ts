@@ -1,4 +1,4 @@
-import type { Command } from '../commands/index.ts';
+import type { Command } from '../core/commands/index.ts';
 import type { Crosshair } from './crosshair/index.ts';
 import { clickAgain, hitsOf, type PointerContext } from './pointer/index.ts';
 

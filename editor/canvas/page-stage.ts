@@ -1,4 +1,4 @@
-import type { Editor } from '../context/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { type ChosenRenderer, chooseRenderer, offersWebgl } from './renderer.ts';
 import { createStage, type Stage } from './stage.ts';
 

@@ -1,6 +1,6 @@
 import type { RefObject } from 'react';
 import type { StoreApi } from 'zustand';
-import type { OpenLevel } from '../context/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { extentOf } from './extent.ts';
 import { pointsOfWay } from './labels.ts';

@@ -1,4 +1,4 @@
-import type { Settings } from '../settings/index.ts';
+import type { Settings } from '../core/settings/index.ts';
 
 /** What draws the canvas: WebGL on the graphics card, or the browser's 2D canvas. */
 export type RendererName = 'webgl' | 'canvas';

@@ -1,6 +1,6 @@
 import { isJump, STATE_SIZE, TICK } from '../../engine/index.ts';
-import type { Pose } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import type { Pose } from '../core/context/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 
 /** The asteroid that the gun pulls towards: the nearest, the first one of equals; null if there is none. */
 function nearestAsteroid(proof: LiveProof, x: number, y: number, moved: Float64Array | null): { x: number; y: number } | null {

@@ -1,6 +1,6 @@
 import type { Box as HerBox } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { type ObjectKey, objectsOf } from '../document/index.ts';
+import { type ObjectKey, objectsOf } from '../core/document/index.ts';
 import { boxesOf, extentOf } from './extent.ts';
 import type { Measure } from './measure.ts';
 import { equalSpacing, type Gap } from './spacing.ts';

@@ -1,6 +1,6 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Command } from '../commands/index.ts';
-import type { SelectionStore } from '../document/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { SelectionStore } from '../core/document/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { ObjectChanges } from './object-changes.ts';
 import { toScreen, type View, zoomAt } from './view.ts';

@@ -1,5 +1,5 @@
 import { useEffect } from 'react';
-import { useEditor, useLevel } from '../context/index.ts';
+import { useEditor, useLevel } from '../core/context/index.ts';
 import { compareCommands } from './compare-commands.ts';
 import { watchCompared } from './watch-compared.ts';
 

@@ -1,7 +1,7 @@
 import { distancesOf, partingsOf } from '../../check/runs/index.ts';
 import { STATE_SIZE } from '../../engine/index.ts';
-import type { Command } from '../commands/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
 import { chosenOf, comparedOf, isCompared, type Source, sourceKey } from './compared.ts';
 import { compareOrTell, showCompared } from './show-compared.ts';
 

@@ -1,9 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { joinHolds, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { keptWith } from '../core/kept/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 import type { Results } from '../workers/index.ts';
 
 /** So many runs can be compared with the shown one. */

@@ -1,4 +1,4 @@
-import type { Editor, OpenLevel } from '../context/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
 import { type Comparing, comparedOf, isFresh, sourceHolds, sourceKey, sourceName } from './compared.ts';
 
 /** A compared run on the canvas. */

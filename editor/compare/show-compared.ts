@@ -1,4 +1,4 @@
-import type { Editor, OpenLevel } from '../context/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
 import { keepAsRun } from '../play/index.ts';
 import { comparedOf, MOST_COMPARED, type Source, sourceName, toggleCompared } from './compared.ts';
 

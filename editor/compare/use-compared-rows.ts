@@ -1,8 +1,8 @@
 import { useStore } from 'zustand';
 import type { Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { useDocument, useLevel, usePageTheme, useProof } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import { useDocument, useLevel, usePageTheme, useProof } from '../core/context/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 import type { Results } from '../workers/index.ts';
 import { type ComparedRun, chosenOf, comparedOf, isFresh, sourceHolds, sourceKey, sourceName } from './compared.ts';
 import { LOOKS } from './looks.ts';

@@ -9,8 +9,8 @@ import {
   type RunsDifference,
 } from '../../check/runs/index.ts';
 import { STATE_SIZE } from '../../engine/index.ts';
-import { useLevel, useWhenIdle } from '../context/index.ts';
-import { isWhole, type LiveProof } from '../proof/index.ts';
+import { useLevel, useWhenIdle } from '../core/context/index.ts';
+import { isWhole, type LiveProof } from '../core/proof/index.ts';
 import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
 import { useSlack } from './use-slack.ts';
 

@@ -1,8 +1,8 @@
 import { useEffect, useState } from 'react';
 import type { Hold } from '../../schema/index.ts';
 import type { EdgeSlack } from '../../solver/index.ts';
-import { useEditor, useLevel, useProof } from '../context/index.ts';
-import { afterRest } from '../panels/parts/index.ts';
+import { useEditor, useLevel, useProof } from '../core/context/index.ts';
+import { afterRest } from '../core/panel/index.ts';
 
 /** ms without a change before it is measured */
 const SETTLE = 300;

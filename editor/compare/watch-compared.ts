@@ -1,6 +1,6 @@
 import type { Hold } from '../../schema/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 import type { Job, Workers } from '../workers/index.ts';
 import { type ComparingStore, comparedOf, isCompared, isFresh, type Source, sourceHolds, sourceKey } from './compared.ts';
 

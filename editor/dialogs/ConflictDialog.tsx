@@ -2,10 +2,10 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { type Choices, type Conflict, conflictsOf, mergeLevels, resolveConflicts, type Side } from '../../review/index.ts';
 import { formatLevel, type LevelFile, type Problem } from '../../schema/index.ts';
-import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../context/index.ts';
-import { folderOf, readStored } from '../files/index.ts';
+import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../core/context/index.ts';
+import { folderOf, readStored } from '../core/files/index.ts';
+import { Button, Dialog } from '../core/ui/index.ts';
 import { addLevels, openListed, stemOf, TextDialog } from '../panels/levels/index.ts';
-import { Button, Dialog } from '../ui/index.ts';
 import { diffLines } from './line-diff.ts';
 import { valueInWords } from './value-in-words.ts';
 

@@ -1,5 +1,5 @@
 import { useEffect } from 'react';
-import { useEditor } from '../context/index.ts';
+import { useEditor } from '../core/context/index.ts';
 import { HistoryDialog, historyCommands, NameVersionDialog } from '../panels/history/index.ts';
 import { ConflictDialog } from './ConflictDialog.tsx';
 import { DropZone } from './DropZone.tsx';

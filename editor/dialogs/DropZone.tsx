@@ -1,7 +1,7 @@
 import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
-import { useEditor } from '../context/index.ts';
-import { folderOf } from '../files/index.ts';
+import { useEditor } from '../core/context/index.ts';
+import { folderOf } from '../core/files/index.ts';
 import { droppedFiles, openPlayFiles } from '../plays/index.ts';
 import { isPlayFile } from '../shelf/index.ts';
 import { IMPORT_TOPIC, importFiles } from './import-files.ts';

@@ -1,9 +1,9 @@
 import { Braces, Copy, FileImage, Image } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { formatLevel, leavingFolder } from '../../schema/index.ts';
-import { useDocument, useEditor, useFolderTerms, useLevel, usePageTheme } from '../context/index.ts';
+import { useDocument, useEditor, useFolderTerms, useLevel, usePageTheme } from '../core/context/index.ts';
+import { Button, NumberField } from '../core/ui/index.ts';
 import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from '../share/index.ts';
-import { Button, NumberField } from '../ui/index.ts';
 
 /** px */
 const PREVIEW = 560;

@@ -1,10 +1,10 @@
 import { CircleAlert, FolderOpen } from 'lucide-react';
 import { useEffect, useId, useState } from 'react';
-import { useEditor } from '../context/index.ts';
-import { folderOf } from '../files/index.ts';
+import { useEditor } from '../core/context/index.ts';
+import { folderOf } from '../core/files/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { FolderSelect } from '../panels/levels/index.ts';
 import { chooseFiles } from '../share/index.ts';
-import { Button } from '../ui/index.ts';
 import { IMPORT_TOPIC, type ImportResult, importContents, importFiles } from './import-files.ts';
 
 /** Imports levels of this toolkit or of the original game from files or text. */

@@ -1,10 +1,10 @@
 import { Download, Trash2 } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../context/index.ts';
+import { useEditor, useSession } from '../core/context/index.ts';
+import { Button, Dialog } from '../core/ui/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { keepFile, levelFile } from '../share/index.ts';
-import { Button, Dialog } from '../ui/index.ts';
 
 /** Changes that never reached the disk but are kept in this browser: the user can open, download or discard them. */
 export function KeptDialog() {

@@ -1,10 +1,10 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { enteringFolder, formatLevel, type LevelFile } from '../../schema/index.ts';
-import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../context/index.ts';
+import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../core/context/index.ts';
+import { Button, Dialog } from '../core/ui/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
-import { Button, Dialog } from '../ui/index.ts';
 import { surveyLink } from './survey-link.ts';
 
 /** width of the picture, px */

@@ -1,12 +1,12 @@
 import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, usePageTerms, usePageTheme, useSession } from '../context/index.ts';
-import { folderOf } from '../files/index.ts';
+import { useEditor, usePageTerms, usePageTheme, useSession } from '../core/context/index.ts';
+import { folderOf } from '../core/files/index.ts';
+import { Button, Dialog, NumberField } from '../core/ui/index.ts';
 import { addLevels, FileNameFields, fileNameProblem, nextNumber } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
 import { TEMPLATES, type Template } from '../templates/index.ts';
-import { Button, Dialog, NumberField } from '../ui/index.ts';
 import { levelPicture } from './level-picture.ts';
 
 /** Pictures wider than this ratio are shown whole; cropping the sides would cut off objects. */

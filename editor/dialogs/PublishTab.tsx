@@ -2,10 +2,10 @@ import { FileCode2, FolderOutput } from 'lucide-react';
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { LEVEL_ID_PART, type RefusedLevel } from '../../schema/index.ts';
-import { useEditor } from '../context/index.ts';
-import { folderPackIn } from '../files/index.ts';
+import { useEditor } from '../core/context/index.ts';
+import { folderPackIn } from '../core/files/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { VerdictSign } from '../panels/levels/index.ts';
-import { Button } from '../ui/index.ts';
 import { type Published, publish, type Target } from './publish.ts';
 
 /** characters */

@@ -1,7 +1,7 @@
 import { Tabs } from 'radix-ui';
 import { useStore } from 'zustand';
-import { LevelContext, useEditor, useSession } from '../context/index.ts';
-import { Dialog } from '../ui/index.ts';
+import { LevelContext, useEditor, useSession } from '../core/context/index.ts';
+import { Dialog } from '../core/ui/index.ts';
 import { ExportTab } from './ExportTab.tsx';
 import { ImportTab } from './ImportTab.tsx';
 import { LinkTab } from './LinkTab.tsx';

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../context/index.ts';
-import { Button, useCoarse } from '../ui/index.ts';
+import { useEditor, useSession } from '../core/context/index.ts';
+import { Button, useCoarse } from '../core/ui/index.ts';
 import { TOUR } from './tour-steps.ts';
 
 interface Box {

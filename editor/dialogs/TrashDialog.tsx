@@ -1,10 +1,10 @@
 import { RotateCcw } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import type { TrashEntry } from '../../schema/index.ts';
-import { useEditor, useSession } from '../context/index.ts';
-import { errorInWords, type StorageError } from '../files/index.ts';
+import { useEditor, useSession } from '../core/context/index.ts';
+import { errorInWords, type StorageError } from '../core/files/index.ts';
+import { Button, Dialog } from '../core/ui/index.ts';
 import { restoreLevel } from '../panels/levels/index.ts';
-import { Button, Dialog } from '../ui/index.ts';
 
 /** The deleted levels, which can be restored. */
 export function TrashDialog() {

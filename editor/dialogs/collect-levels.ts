@@ -1,7 +1,7 @@
 import { packedLevel } from '../../check/pack/index.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { LevelEntry, LevelFile, RefusedLevel } from '../../schema/index.ts';
-import { errorInWords, type LevelStorage, readText } from '../files/index.ts';
+import { errorInWords, type LevelStorage, readText } from '../core/files/index.ts';
 import type { Workers } from '../workers/index.ts';
 
 /** Levels for a page, and those that are not known to be completable. */

@@ -1,6 +1,6 @@
-import type { Command } from '../commands/index.ts';
-import type { Editor } from '../context/index.ts';
-import { folderOf } from '../files/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { folderOf } from '../core/files/index.ts';
 import { addSamples, deleteLevel, duplicateLevel, openListed } from '../panels/levels/index.ts';
 
 /** Commands for the open level as a file. */

@@ -1,5 +1,5 @@
-import type { Editor } from '../context/index.ts';
-import { problemsInWords, type SaveState } from '../files/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { problemsInWords, type SaveState } from '../core/files/index.ts';
 
 const TOPIC = 'disagreement';
 

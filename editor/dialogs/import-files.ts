@@ -1,5 +1,5 @@
-import type { Editor } from '../context/index.ts';
-import { problemsInWords } from '../files/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { problemsInWords } from '../core/files/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
 import { type Importing, importLevels } from '../share/index.ts';
 

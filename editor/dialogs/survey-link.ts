@@ -1,5 +1,5 @@
 import { KINDS, kindOfList, type LevelFile, OBJECT_LISTS } from '../../schema/index.ts';
-import { placesOf } from '../document/index.ts';
+import { placesOf } from '../core/document/index.ts';
 
 /** What a level from a link contains, in words, before it is added. */
 export interface LinkSurvey {

@@ -1,5 +1,5 @@
 import { placeIn } from '../../schema/index.ts';
-import type { Editor } from '../context/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { levelOf } from '../share/index.ts';
 
 /** Takes the level out of the page's address and asks the user whether to add it; a reload does not ask again. */

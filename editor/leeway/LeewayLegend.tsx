@@ -1,10 +1,10 @@
 import { EyeOff } from 'lucide-react';
 import { useStore } from 'zustand';
-import { keyLabel } from '../commands/index.ts';
-import { IS_MAC, useEditor, useLevel, useSelectedKeys, useSession } from '../context/index.ts';
-import { objectsOf, placesOf } from '../document/index.ts';
-import { Segments } from '../panels/parts/index.ts';
-import { Button } from '../ui/index.ts';
+import { keyLabel } from '../core/commands/index.ts';
+import { IS_MAC, useEditor, useLevel, useSelectedKeys, useSession } from '../core/context/index.ts';
+import { objectsOf, placesOf } from '../core/document/index.ts';
+import { Segments } from '../core/panel/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { leewayOf } from './leeway-store.ts';
 import { meaningInWords, movedInWords, noteInWords, PLACE_NAMES, reachInWords, samplingInWords } from './leeway-words.ts';
 import { LEEWAY_KEY } from './watch-leeway.ts';

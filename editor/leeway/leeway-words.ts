@@ -1,4 +1,4 @@
-import { nameOf } from '../document/index.ts';
+import { nameOf } from '../core/document/index.ts';
 import type { Leeway, Reach } from '../workers/index.ts';
 import type { LeewayFindings } from './leeway-store.ts';
 import { objectsAsked, type Question } from './question.ts';

@@ -1,7 +1,7 @@
 import type { Terms } from '../../engine/index.ts';
 import { type Hold, KINDS, type Level, type LevelFile, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../document/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../core/document/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 
 /** A box of places, px of the level. */
 export interface Seen {

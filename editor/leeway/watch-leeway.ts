@@ -1,7 +1,7 @@
-import type { OpenLevel } from '../context/index.ts';
-import { endInWords, isWhole } from '../proof/index.ts';
-import type { SessionStore } from '../session/index.ts';
-import type { SettingsStore } from '../settings/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { endInWords, isWhole } from '../core/proof/index.ts';
+import type { SessionStore } from '../core/session/index.ts';
+import type { SettingsStore } from '../core/settings/index.ts';
 import type { Job, Leeway, Workers } from '../workers/index.ts';
 import { leewayOf } from './leeway-store.ts';
 import { asksSame, contains, isOnlyMoved, objectsAsked, type Question, questionOf, type Seen } from './question.ts';

@@ -1,8 +1,8 @@
 import { EyeOff } from 'lucide-react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useProof, useSession } from '../context/index.ts';
-import { isWhole } from '../proof/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor, useLevel, useProof, useSession } from '../core/context/index.ts';
+import { isWhole } from '../core/proof/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { briefLossInWords } from './loss-words.ts';
 import { lostOf } from './lost-store.ts';
 import { countLost, lostInWords } from './lost-words.ts';

@@ -1,8 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { keptWith } from '../core/kept/index.ts';
 import type { Losing, Loss } from '../workers/index.ts';
 
 /** What is known of where the open level is already lost. */

@@ -1,11 +1,11 @@
 import { type AccuracyName, joinHolds, type Scene, type Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
-import type { Attempt } from '../attempts/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { isWhole } from '../proof/index.ts';
-import type { SessionStore } from '../session/index.ts';
+import type { Attempt } from '../core/attempts/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { isWhole } from '../core/proof/index.ts';
+import type { SessionStore } from '../core/session/index.ts';
+import { accuracyNameOf } from '../core/terms/index.ts';
 import { hashNow, shelfOf } from '../shelf/index.ts';
-import { accuracyNameOf } from '../terms/index.ts';
 import type { Job, Losses, Workers } from '../workers/index.ts';
 import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
 

@@ -4,11 +4,10 @@ import { useStore } from 'zustand';
 import { type Mended, mendedInWords } from '../../check/index.ts';
 import { plural } from '../../check/words/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import { useLevel } from '../context/index.ts';
-import { Offer } from '../offers/index.ts';
-import { seconds } from '../panels/figures/index.ts';
-import { Progress } from '../panels/parts/index.ts';
-import { Button } from '../ui/index.ts';
+import { useLevel } from '../core/context/index.ts';
+import { seconds } from '../core/figures/index.ts';
+import { Offer, Progress } from '../core/panel/index.ts';
+import { Button } from '../core/ui/index.ts';
 import './mend.css';
 import { type MendSession, type MendState, mendSessionOf } from './watch-mend.ts';
 

@@ -4,11 +4,11 @@ import { outcomeAsPredicate } from '../../check/words/index.ts';
 import { joinHolds, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { AliveState } from '../alive/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../document/index.ts';
-import type { LiveProof } from '../proof/index.ts';
-import { createPreview, type SessionStore } from '../session/index.ts';
-import type { SettingsStore } from '../settings/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../core/document/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
+import { createPreview, type SessionStore } from '../core/session/index.ts';
+import type { SettingsStore } from '../core/settings/index.ts';
 import type { Job, Mending, Workers } from '../workers/index.ts';
 
 /** Seeks what mends the level. */

@@ -1,6 +1,6 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
-import { useLevel, useSession } from '../context/index.ts';
+import { useLevel, useSession } from '../core/context/index.ts';
 import type { Rect } from './card-place.ts';
 import { changedObjects } from './changed-objects.ts';
 import type { FormerRun } from './former.ts';

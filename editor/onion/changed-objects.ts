@@ -1,5 +1,5 @@
 import { KINDS, type LevelFile } from '../../schema/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../document/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../core/document/index.ts';
 
 /** An object that a change moved, resized or deleted. */
 export interface ChangedObject {

@@ -1,5 +1,5 @@
 import type { RunEnd } from '../../check/words/index.ts';
-import { endInWords, isWhole, type LiveProof, type NearMiss } from '../proof/index.ts';
+import { endInWords, isWhole, type LiveProof, type NearMiss } from '../core/proof/index.ts';
 
 /** What is known of a run, to compare it with another. */
 export interface Figures {

@@ -1,6 +1,6 @@
 import { type Box, STATE_SIZE, type Terms } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
-import { type LiveProof, playsAlike } from '../proof/index.ts';
+import { type LiveProof, playsAlike } from '../core/proof/index.ts';
 import { type Figures, figuresOf } from './figures.ts';
 
 /** The shown run as it was before a change: copied, as the arrays of a proof are overwritten by the next one. */

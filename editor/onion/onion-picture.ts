@@ -1,6 +1,6 @@
 import type { Box } from '../../engine/index.ts';
 import type { Disc, LevelFile } from '../../schema/index.ts';
-import { placesOf, radiusOf } from '../document/index.ts';
+import { placesOf, radiusOf } from '../core/document/index.ts';
 import { changedObjects } from './changed-objects.ts';
 import type { FormerRun } from './former.ts';
 

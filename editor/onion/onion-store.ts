@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { keptWith } from '../core/kept/index.ts';
 import type { FormerRun } from './former.ts';
 import { MEASURING, type SlackKnown } from './slack.ts';
 

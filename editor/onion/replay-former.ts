@@ -1,4 +1,4 @@
-import { createProver, type LiveProof } from '../proof/index.ts';
+import { createProver, type LiveProof } from '../core/proof/index.ts';
 import { type FormerRun, formerOf, isShown } from './former.ts';
 
 /** ms that the page may be blocked by it */

@@ -1,6 +1,6 @@
 import { bodyInWords, reasonInWords } from '../../check/words/index.ts';
-import { pixels, seconds, type Tightest } from '../panels/figures/index.ts';
-import type { NearMiss } from '../proof/index.ts';
+import { pixels, seconds, type Tightest } from '../core/figures/index.ts';
+import type { NearMiss } from '../core/proof/index.ts';
 import type { Figures } from './figures.ts';
 import type { SlackKnown } from './slack.ts';
 

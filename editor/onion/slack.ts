@@ -1,5 +1,5 @@
 import type { EdgeSlack } from '../../solver/index.ts';
-import { type Tightest, tightestOf } from '../panels/figures/index.ts';
+import { type Tightest, tightestOf } from '../core/figures/index.ts';
 
 /** The slack of a run, as far as it is known. */
 export type SlackKnown =

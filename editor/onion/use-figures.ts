@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'react';
-import { useLevel } from '../context/index.ts';
+import { useLevel } from '../core/context/index.ts';
 import { type Figures, figuresOf } from './figures.ts';
 
 /** ms between two changes of the figures during a gesture: nobody reads faster, and each change costs layout and paint. */

@@ -1,5 +1,5 @@
 import { useEffect } from 'react';
-import { useEditor } from '../context/index.ts';
+import { useEditor } from '../core/context/index.ts';
 import { followInput } from './last-input.ts';
 import { COMPARE_KEY, type OnionSession } from './watch-onion.ts';
 

@@ -1,7 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { OpenLevel } from '../context/index.ts';
-import type { DocumentEvent } from '../document/index.ts';
-import type { SessionStore } from '../session/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import type { DocumentEvent } from '../core/document/index.ts';
+import type { SessionStore } from '../core/session/index.ts';
 import type { Workers } from '../workers/index.ts';
 import { figuresOf } from './figures.ts';
 import { type FormerRun, formerOf, isShown, playsLike } from './former.ts';

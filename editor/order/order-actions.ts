@@ -1,4 +1,4 @@
-import type { Editor, OpenLevel } from '../context/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
 import {
   canBeMarked,
   freeGroupName,
@@ -13,7 +13,7 @@ import {
   type Recipe,
   renameGroup,
   setMark,
-} from '../document/index.ts';
+} from '../core/document/index.ts';
 
 /** Locks, hides, names and groups objects; each is one step of the history. A refusal is shown as a notice. */
 export interface OrderActions {

@@ -1,6 +1,6 @@
-import type { Command } from '../commands/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { groupOf, groupsIn, hiddenIn, lockedIn } from '../document/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { groupOf, groupsIn, hiddenIn, lockedIn } from '../core/document/index.ts';
 import { areAll, orderActions } from './order-actions.ts';
 import { groupRowKey } from './row-keys.ts';
 

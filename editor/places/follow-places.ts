@@ -1,6 +1,6 @@
 import { type PlaceReading, placeIn } from '../../schema/index.ts';
-import type { Editor } from '../context/index.ts';
-import { isOtherToken } from '../files/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { isOtherToken } from '../core/files/index.ts';
 import { showPlace } from './show-place.ts';
 
 /** Removes the place from the page's address: a reload stays where the user has gone since. */

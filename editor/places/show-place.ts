@@ -1,9 +1,9 @@
 import { closestName, type LevelEntry, type PlaceReading } from '../../schema/index.ts';
 import { poseAt } from '../canvas/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { allLevels } from '../files/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { allLevels } from '../core/files/index.ts';
+import { isWhole } from '../core/proof/index.ts';
 import { openListed } from '../panels/levels/index.ts';
-import { isWhole } from '../proof/index.ts';
 import { levelsCalled, nearlyCalled } from './find-level.ts';
 
 /** characters of a link that a notice repeats */

@@ -1,8 +1,8 @@
 import { Check, Plus, RotateCcw, X } from 'lucide-react';
 import { useRef } from 'react';
 import { outcomeAsPredicate, type RunEnd } from '../../check/words/index.ts';
-import { useLevel } from '../context/index.ts';
-import { Button } from '../ui/index.ts';
+import { useLevel } from '../core/context/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { usePadChoice } from './use-pad-choice.ts';
 
 interface PlayEndProps {

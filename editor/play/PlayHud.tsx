@@ -1,8 +1,8 @@
 import { RotateCcw, Route, X } from 'lucide-react';
 import { useStore } from 'zustand';
-import { useEditor, useProof, useSession } from '../context/index.ts';
-import { RATE_NAMES, RATES } from '../session/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor, useProof, useSession } from '../core/context/index.ts';
+import { RATE_NAMES, RATES } from '../core/session/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { SpeedAndMinerals } from './SpeedAndMinerals.tsx';
 import { useGamepad } from './use-gamepad.ts';
 import type { Readout } from './use-playtest.ts';

@@ -1,5 +1,5 @@
 import { useCallback, useEffect, useRef } from 'react';
-import { useEditor, useLevel, useTouch } from '../context/index.ts';
+import { useEditor, useLevel, useTouch } from '../core/context/index.ts';
 import { keepAsRun, makeProof } from './keep-attempt.ts';
 import { PlayEnd } from './PlayEnd.tsx';
 import { PlayHud } from './PlayHud.tsx';

@@ -1,9 +1,9 @@
 import { Pause, Play, Plus, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
 import { TICK } from '../../engine/index.ts';
-import { useEditor, useLevel } from '../context/index.ts';
-import type { Replay } from '../session/index.ts';
-import { Button } from '../ui/index.ts';
+import { useEditor, useLevel } from '../core/context/index.ts';
+import type { Replay } from '../core/session/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { everyFrame } from './every-frame.ts';
 import { keepHolds } from './keep-attempt.ts';
 import './play.css';

@@ -1,4 +1,4 @@
-import { useLevel } from '../context/index.ts';
+import { useLevel } from '../core/context/index.ts';
 import type { Readout } from './use-playtest.ts';
 
 /** Her speed, and the minerals that she has. */

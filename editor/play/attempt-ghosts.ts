@@ -1,5 +1,5 @@
-import type { Attempt } from '../attempts/index.ts';
-import type { Ghost } from '../context/index.ts';
+import type { Attempt } from '../core/attempts/index.ts';
+import type { Ghost } from '../core/context/index.ts';
 
 /** So many attempts are lines on the canvas. */
 const SHOWN = 24;

@@ -1,4 +1,4 @@
-import { followGamepads } from '../commands/index.ts';
+import { followGamepads } from '../core/commands/index.ts';
 
 /** What the button of the gun does: a player, or what stands for one. */
 export interface GunButton {

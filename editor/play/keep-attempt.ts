@@ -1,8 +1,8 @@
 import { simulate } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { Attempt } from '../attempts/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { addRun, type ChangeResult, freeRunName, replaceHolds, titled } from '../document/index.ts';
+import type { Attempt } from '../core/attempts/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { addRun, type ChangeResult, freeRunName, replaceHolds, titled } from '../core/document/index.ts';
 import { bareTitle } from '../shelf/index.ts';
 
 interface Parts {

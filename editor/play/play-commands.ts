@@ -1,6 +1,6 @@
-import type { Command } from '../commands/index.ts';
-import type { Editor } from '../context/index.ts';
-import { RATES } from '../session/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { RATES } from '../core/session/index.ts';
 
 /** Commands that start a playtest and set its speed. */
 export function playCommands({ session, settings, notices }: Editor): readonly Command[] {

@@ -1,4 +1,4 @@
-import type { SettingsStore } from '../settings/index.ts';
+import type { SettingsStore } from '../core/settings/index.ts';
 import { everyFrame } from './every-frame.ts';
 import { listenToGun } from './gun-input.ts';
 import type { Playtest } from './playtest.ts';

@@ -2,7 +2,7 @@ import type { RunEnd } from '../../check/words/index.ts';
 import { maxTicksOf, type Scene } from '../../engine/index.ts';
 import { createPlayer, type Player } from '../../game/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import type { Pose } from '../context/index.ts';
+import type { Pose } from '../core/context/index.ts';
 import { showPlayer } from './shown-player.ts';
 
 /** The longest frame that counts, ms; a longer one means that the tab slept or a debugger stopped it, and she waits. */

@@ -1,9 +1,9 @@
 import { compile, type Terms, TICK_RATE } from '../../engine/index.ts';
 import { createPlayer } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
-import type { Pose } from '../context/index.ts';
-import type { Replay } from '../session/index.ts';
-import { termsAt } from '../terms/index.ts';
+import type { Pose } from '../core/context/index.ts';
+import type { Replay } from '../core/session/index.ts';
+import { termsAt } from '../core/terms/index.ts';
 import { showPlayer } from './shown-player.ts';
 
 /** A replay in progress. */

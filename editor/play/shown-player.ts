@@ -1,5 +1,5 @@
 import type { Player } from '../../game/index.ts';
-import type { Pose } from '../context/index.ts';
+import type { Pose } from '../core/context/index.ts';
 
 /** What the canvas and the readout show of a player. */
 export interface ShownPlayer {

@@ -1,5 +1,5 @@
 import { type RefObject, useEffect } from 'react';
-import { useEditor } from '../context/index.ts';
+import { useEditor } from '../core/context/index.ts';
 
 /** While an element is shown, a gamepad moves the focus among its buttons with the directions and presses one with A. */
 export function usePadChoice(element: RefObject<HTMLElement | null>): void {

@@ -1,8 +1,8 @@
 import { levelHash } from '../../game/index.ts';
 import { type LevelEntry, readLevel } from '../../schema/index.ts';
-import type { Editor } from '../context/index.ts';
-import { allLevels, folderTermsIn } from '../files/index.ts';
-import { keptWith } from '../kept/index.ts';
+import type { Editor } from '../core/context/index.ts';
+import { allLevels, folderTermsIn } from '../core/files/index.ts';
+import { keptWith } from '../core/kept/index.ts';
 
 /** The hashes of levels that were read, by file, version and rules. */
 const hashesOf = keptWith<Editor, Map<string, string | null>>(() => new Map());

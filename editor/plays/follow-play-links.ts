@@ -1,5 +1,5 @@
 import { placeIn } from '../../schema/index.ts';
-import type { Editor } from '../context/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { playInFragment, playsInText } from '../shelf/index.ts';
 import { levelsByHash } from './find-levels.ts';
 import { groupPlays } from './group-plays.ts';

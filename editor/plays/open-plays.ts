@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { plural } from '../../check/words/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { keptWith } from '../core/kept/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../shelf/index.ts';
 import type { Job } from '../workers/index.ts';

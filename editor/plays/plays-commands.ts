@@ -1,5 +1,5 @@
-import type { Command } from '../commands/index.ts';
-import type { Editor } from '../context/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { playsInText, shelfOf } from '../shelf/index.ts';
 import { choosePlayFolder, choosePlays } from './choose-plays.ts';
 import { openPlayFiles, openPlays, readingOf } from './open-plays.ts';

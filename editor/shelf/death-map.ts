@@ -1,5 +1,5 @@
 import type { Attempt, FailureCause } from '../../check/plays/index.ts';
-import { causeInWords } from '../attempts/index.ts';
+import { causeInWords } from '../core/attempts/index.ts';
 
 /** Side of a square of the map, px: about the width of the astronaut. */
 const SIDE = 24;

@@ -1,6 +1,6 @@
 import { levelHash } from '../../game/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { keptWith } from '../core/kept/index.ts';
 
 const hashOf = keptWith(levelHash);
 

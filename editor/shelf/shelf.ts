@@ -2,8 +2,8 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { PlayStatistics, Attempt as Replayed } from '../../check/plays/index.ts';
 import { type Play, type PlayVerdict, playToText } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import type { OpenLevel } from '../core/context/index.ts';
+import { keptWith } from '../core/kept/index.ts';
 import { type DeathMap, deathMapOf } from './death-map.ts';
 
 /** A play that was opened from outside, and what it turned out to be. */

@@ -1,7 +1,7 @@
 import { memo, useEffect, useLayoutEffect, useRef, useState } from 'react';
 import type { Partings } from '../../check/runs/index.ts';
-import { usePageTheme } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
+import { usePageTheme } from '../core/context/index.ts';
+import type { LiveProof } from '../core/proof/index.ts';
 import { type Scale, toX } from './scale.ts';
 
 interface GraphsProps {

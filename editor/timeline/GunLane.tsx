@@ -1,8 +1,8 @@
 import { type KeyboardEvent, memo, useRef } from 'react';
 import { useStore } from 'zustand';
 import type { Hold } from '../../schema/index.ts';
-import { useLevel } from '../context/index.ts';
-import { moveHold, stretchHold } from '../document/index.ts';
+import { useLevel } from '../core/context/index.ts';
+import { moveHold, stretchHold } from '../core/document/index.ts';
 import type { Grip } from './grip.ts';
 import { type EdgeRoom, HoldBar } from './HoldBar.tsx';
 import { holdsInWords, type Reached } from './reached.ts';

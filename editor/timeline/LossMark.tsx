@@ -1,6 +1,6 @@
-import { useProof, useSession } from '../context/index.ts';
+import { useProof, useSession } from '../core/context/index.ts';
+import { isWhole } from '../core/proof/index.ts';
 import { lossInWords, lostFromInWords, useRunLoss } from '../lost/index.ts';
-import { isWhole } from '../proof/index.ts';
 import { type Scale, toX } from './scale.ts';
 
 interface LossMarkProps {

@@ -2,9 +2,9 @@ import { Flag, Trash2 } from 'lucide-react';
 import { Popover } from 'radix-ui';
 import { type FormEvent, type KeyboardEvent, memo, useRef, useState } from 'react';
 import { LIMITS } from '../../schema/index.ts';
-import { useDocument, useEditor, useLevel } from '../context/index.ts';
-import { addNote, deleteNote, moveNote, notesOf, type Recipe, rewordNote } from '../document/index.ts';
-import { Button } from '../ui/index.ts';
+import { useDocument, useEditor, useLevel } from '../core/context/index.ts';
+import { addNote, deleteNote, moveNote, notesOf, type Recipe, rewordNote } from '../core/document/index.ts';
+import { Button } from '../core/ui/index.ts';
 import { type Scale, toX } from './scale.ts';
 
 /** A note that is being written. */

@@ -1,5 +1,5 @@
 import { type KeyboardEvent, memo, type PointerEvent, useRef } from 'react';
-import { useEditor, useSession } from '../context/index.ts';
+import { useEditor, useSession } from '../core/context/index.ts';
 import { rulerStep, type Scale, toTick, toX } from './scale.ts';
 
 interface RulerProps {

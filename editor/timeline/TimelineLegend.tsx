@@ -1,9 +1,9 @@
 import { CircleQuestionMark, Flag, X } from 'lucide-react';
 import { Popover } from 'radix-ui';
 import type { ReactNode } from 'react';
-import { useTouch } from '../context/index.ts';
-import { NEAR } from '../proof/index.ts';
-import { Button } from '../ui/index.ts';
+import { useTouch } from '../core/context/index.ts';
+import { NEAR } from '../core/proof/index.ts';
+import { Button } from '../core/ui/index.ts';
 
 interface TimelineLegendProps {
   readonly isOpen: boolean;

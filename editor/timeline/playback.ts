@@ -1,4 +1,4 @@
-import type { SessionStore } from '../session/index.ts';
+import type { SessionStore } from '../core/session/index.ts';
 
 /**
  * Plays the run in the timeline while `isPlayingBack` is set; stops at its end.

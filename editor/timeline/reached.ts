@@ -1,6 +1,6 @@
 import { TICK_RATE } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { isWhole, type LiveProof } from '../proof/index.ts';
+import { isWhole, type LiveProof } from '../core/proof/index.ts';
 
 /** How far a run gets. */
 export interface Reached {

@@ -1,6 +1,6 @@
-import type { Command } from '../commands/index.ts';
-import type { Editor, OpenLevel } from '../context/index.ts';
-import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../document/index.ts';
+import type { Command } from '../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../core/context/index.ts';
+import { addHold, addRun, deleteHolds, freeRunName, splitHold } from '../core/document/index.ts';
 
 /** length of a new hold, in ticks */
 const NEW_HOLD = 30;

@@ -1,4 +1,4 @@
-import { readText } from '../../editor/files/index.ts';
+import { readText } from '../../editor/core/files/index.ts';
 import {
   createProver,
   type FoundByWorker,
@@ -8,7 +8,7 @@ import {
   toldVerdict,
   toPlay,
   toProve,
-} from '../../editor/proof/index.ts';
+} from '../../editor/core/proof/index.ts';
 import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
 import type { Start } from '../../editor/workers/work.ts';

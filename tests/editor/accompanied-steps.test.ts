@@ -11,9 +11,9 @@ import {
   replaceHolds,
   type StepMark,
   setLevelProperty,
-} from '../../editor/document/index.ts';
-import { createJournal } from '../../editor/journal/index.ts';
-import { createMemoryStore } from '../../editor/journal/memory-store.ts';
+} from '../../editor/core/document/index.ts';
+import { createJournal } from '../../editor/core/journal/index.ts';
+import { createMemoryStore } from '../../editor/core/journal/memory-store.ts';
 import type { Hold, LevelFile } from '../../schema/index.ts';
 import '../fast-check.ts';
 

@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { createAttemptKeeper } from '../../editor/attempts/attempt-keeper.ts';
-import { type AttemptStore, createMemoryAttempts } from '../../editor/attempts/attempt-store.ts';
-import { type Attempt, attemptsAt, createAttempts } from '../../editor/attempts/attempts.ts';
-import { createBrowserStorage, createWorkspace, type LevelStorage, type OpenedLevel } from '../../editor/files/index.ts';
-import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
+import { createAttemptKeeper } from '../../editor/core/attempts/attempt-keeper.ts';
+import { type AttemptStore, createMemoryAttempts } from '../../editor/core/attempts/attempt-store.ts';
+import { type Attempt, attemptsAt, createAttempts } from '../../editor/core/attempts/attempts.ts';
+import { createBrowserStorage, createWorkspace, type LevelStorage, type OpenedLevel } from '../../editor/core/files/index.ts';
+import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import '../fast-check.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { createBrowserStorage, type LevelStorage } from '../../editor/files/index.ts';
+import { createBrowserStorage, type LevelStorage } from '../../editor/core/files/index.ts';
 import { type EditEvent, editEventSchema, listResponseSchema } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues } from './stage.ts';
 

@@ -1,6 +1,5 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Attempts, createAttempts } from '../../editor/attempts/attempts.ts';
 import {
   comparedOf,
   isFresh,
@@ -12,7 +11,8 @@ import {
 } from '../../editor/compare/compared.ts';
 import { placeOf, raceOf } from '../../editor/compare/racers.ts';
 import { watchCompared } from '../../editor/compare/watch-compared.ts';
-import type { OpenLevel } from '../../editor/context/index.ts';
+import { type Attempts, createAttempts } from '../../editor/core/attempts/attempts.ts';
+import type { OpenLevel } from '../../editor/core/context/index.ts';
 import {
   addRun,
   createEditedLevel,
@@ -20,9 +20,9 @@ import {
   type EditedLevel,
   renameRun,
   setLevelProperty,
-} from '../../editor/document/index.ts';
-import { createProofStore, type ProofStore } from '../../editor/proof/index.ts';
-import { createSession } from '../../editor/session/index.ts';
+} from '../../editor/core/document/index.ts';
+import { createProofStore, type ProofStore } from '../../editor/core/proof/index.ts';
+import { createSession } from '../../editor/core/session/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
 import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';

@@ -1,11 +1,11 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { dropPlace, leavesBetween, parentOf, stepFrom, type TreeRow } from '../../editor/core/tree/tree-rows.ts';
 import { diffLines } from '../../editor/dialogs/line-diff.ts';
 import { valueInWords } from '../../editor/dialogs/value-in-words.ts';
 import { freeId, nextNumber } from '../../editor/panels/levels/level-files.ts';
 import { levelRows } from '../../editor/panels/levels/level-rows.ts';
 import { isSameRow, objectRows } from '../../editor/panels/outliner/object-rows.ts';
-import { dropPlace, leavesBetween, parentOf, stepFrom, type TreeRow } from '../../editor/panels/tree/tree-rows.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import type { LevelEntry } from '../../schema/index.ts';
 

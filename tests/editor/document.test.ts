@@ -41,7 +41,7 @@ import {
   setRadius,
   splitHold,
   stretchHold,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
 import { formatLevel, type LevelFile, LIMITS, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel, setLevelProperty } from '../../editor/document/index.ts';
+import { createEditedLevel, setLevelProperty } from '../../editor/core/document/index.ts';
+import { createProofStore } from '../../editor/core/proof/index.ts';
+import { createSession } from '../../editor/core/session/index.ts';
 import { createFixSession } from '../../editor/panels/solver/fix-session.ts';
 import { createSearchSettings } from '../../editor/panels/solver/search-settings.ts';
-import { createProofStore } from '../../editor/proof/index.ts';
-import { createSession } from '../../editor/session/index.ts';
 import type { Fixing, JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { followGamepads } from '../../editor/commands/index.ts';
+import { followGamepads } from '../../editor/core/commands/index.ts';
 
 /** Gamepads as a browser shows them, and a page whose frames the test draws. */
 function stage() {

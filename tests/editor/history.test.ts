@@ -14,7 +14,7 @@ import {
   moveObjects,
   type Patch,
   setLevelProperty,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
 import { isSame, type LevelFile } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 

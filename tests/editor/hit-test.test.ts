@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { playableLevel } from '../../bench/editor/playable-level.ts';
 import { hitTest, REACH } from '../../editor/canvas/hit-test.ts';
-import { objectsOf } from '../../editor/document/index.ts';
+import { objectsOf } from '../../editor/core/document/index.ts';
 import { boxOf } from '../../engine/index.ts';
 import { DEFAULT_RULES } from '../../schema/index.ts';
 

@@ -16,7 +16,7 @@ import {
   replaceHolds,
   splitHold,
   stretchHold,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
 import { joinHolds } from '../../engine/index.ts';
 import { type Hold, type LevelFile, LIMITS } from '../../schema/index.ts';
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel, moveObjects, setLevelProperty } from '../../editor/document/index.ts';
-import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
+import { createEditedLevel, moveObjects, setLevelProperty } from '../../editor/core/document/index.ts';
+import { createJournal, createMemoryStore, type JournalStore } from '../../editor/core/journal/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { FILE, TurnedClock } from './stage.ts';
 

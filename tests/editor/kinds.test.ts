@@ -29,11 +29,11 @@ import {
   scaleRadius,
   setObjectProperty,
   setRadius,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
+import { TOOLS } from '../../editor/core/session/index.ts';
 import { withoutEffect } from '../../editor/panels/effects/without.ts';
 import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
 import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
-import { TOOLS } from '../../editor/session/index.ts';
 import { boxOf, EFFECTS } from '../../engine/index.ts';
 import { type Brush, DRAWINGS } from '../../phaser/index.ts';
 import { mergeLevels } from '../../review/index.ts';

@@ -7,14 +7,14 @@ import {
   moveObjects,
   setLevelProperty,
   setRadius,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
+import { createProofStore } from '../../editor/core/proof/index.ts';
+import { createSession } from '../../editor/core/session/index.ts';
+import { createSettings } from '../../editor/core/settings/index.ts';
 import { leewayOf } from '../../editor/leeway/leeway-store.ts';
 import { meaningInWords, movedInWords, noteInWords, reachInWords, samplingInWords } from '../../editor/leeway/leeway-words.ts';
 import { isOnlyMoved, type Question, type Seen } from '../../editor/leeway/question.ts';
 import { watchLeeway } from '../../editor/leeway/watch-leeway.ts';
-import { createProofStore } from '../../editor/proof/index.ts';
-import { createSession } from '../../editor/session/index.ts';
-import { createSettings } from '../../editor/settings/index.ts';
 import { type JobEnd, type Leeway, MOST_REACH, type Reach, type Requests, type Workers } from '../../editor/workers/index.ts';
 import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';

@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
-import type { Editor, OpenLevel } from '../../editor/context/index.ts';
-import { createBrowserStorage, createOpeningMarks, createWorkspace, type Workspace } from '../../editor/files/index.ts';
-import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
-import { createNotices } from '../../editor/notices/index.ts';
+import type { Editor, OpenLevel } from '../../editor/core/context/index.ts';
+import { createBrowserStorage, createOpeningMarks, createWorkspace, type Workspace } from '../../editor/core/files/index.ts';
+import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
+import { createNotices } from '../../editor/core/notices/index.ts';
 import {
   addLevels,
   deleteLevel,

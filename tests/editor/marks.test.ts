@@ -25,8 +25,8 @@ import {
   unlocked,
   visibleIn,
   withGroups,
-} from '../../editor/document/index.ts';
-import { createProver } from '../../editor/proof/index.ts';
+} from '../../editor/core/document/index.ts';
+import { createProver } from '../../editor/core/proof/index.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { formatLevel, type LevelFile, readLevel, resolveLevel } from '../../schema/index.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel } from '../../editor/document/index.ts';
+import { createEditedLevel } from '../../editor/core/document/index.ts';
 import { mergeLevels, resolveConflicts, type Side, withConflicts } from '../../review/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { FILE } from './stage.ts';

@@ -18,7 +18,7 @@ import {
   splitHold,
   stretchHold,
   writeScript,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
 import { formatRunText, type Hold, type LevelFile, LIMITS, type RunNote, readRunText } from '../../schema/index.ts';
 
 const levelWith = (holds: readonly Hold[], notes: readonly RunNote[]): LevelFile => ({

@@ -26,7 +26,7 @@ import {
   setLevelProperty,
   setObjectProperty,
   setRadius,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
 import {
   fieldsOf,
   formatLevel,

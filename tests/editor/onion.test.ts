@@ -9,7 +9,10 @@ import {
   moveObjects,
   setLevelProperty,
   setRadius,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
+import { tightestOf } from '../../editor/core/figures/index.ts';
+import { createProofStore } from '../../editor/core/proof/index.ts';
+import { createSession } from '../../editor/core/session/index.ts';
 import { cardPlace, type Side } from '../../editor/onion/card-place.ts';
 import { changedObjects } from '../../editor/onion/changed-objects.ts';
 import type { Figures } from '../../editor/onion/figures.ts';
@@ -19,9 +22,6 @@ import { onionOf } from '../../editor/onion/onion-store.ts';
 import { rowsInWords, rowsOf, whyUnknown } from '../../editor/onion/rows.ts';
 import { FAILS, MEASURING, measured } from '../../editor/onion/slack.ts';
 import { STAYS, WAITS, watchOnion } from '../../editor/onion/watch-onion.ts';
-import { tightestOf } from '../../editor/panels/figures/index.ts';
-import { createProofStore } from '../../editor/proof/index.ts';
-import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
 import { compile, DEFAULT_TERMS, type Run, simulate, TICK, termsOf } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';

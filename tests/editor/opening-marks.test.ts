@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createOpeningMarks as createMarks, tabName } from '../../editor/files/opening-marks.ts';
+import { createOpeningMarks as createMarks, tabName } from '../../editor/core/files/opening-marks.ts';
 
 /** Marks of the pages of one tab, one after the other. */
 const createOpeningMarks = (storage: Parameters<typeof createMarks>[0]) => createMarks(storage, 'tab');

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
 import { addChapter, moveEntries } from '../../check/pack/index.ts';
-import type { Editor, OpenLevel } from '../../editor/context/index.ts';
+import type { Editor, OpenLevel } from '../../editor/core/context/index.ts';
 import {
   createBrowserStorage,
   createOpeningMarks,
@@ -10,9 +10,9 @@ import {
   folderPackIn,
   type LevelStorage,
   type Workspace,
-} from '../../editor/files/index.ts';
-import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
-import { createNotices } from '../../editor/notices/index.ts';
+} from '../../editor/core/files/index.ts';
+import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
+import { createNotices } from '../../editor/core/notices/index.ts';
 import { addLevels, deleteLevel, duplicateLevel, restoreLevel } from '../../editor/panels/levels/level-files.ts';
 import { moveTo } from '../../editor/panels/levels/level-menu.ts';
 import { listHistoryOf } from '../../editor/panels/levels/list-history.ts';

@@ -8,7 +8,7 @@ import { noConfiguration } from '../../cli/configuration.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { findLevelFiles } from '../../cli/files.ts';
 import { checkPackFile } from '../../cli/pack-file/index.ts';
-import { folderPackIn, inOrderOfPack } from '../../editor/files/folder-pack.ts';
+import { folderPackIn, inOrderOfPack } from '../../editor/core/files/folder-pack.ts';
 import { moveByKey } from '../../editor/panels/pack/card-order.ts';
 import { curveOf, heightOf } from '../../editor/panels/pack/curve.ts';
 import { effectsOf, isFiltered, NO_FILTER, passes } from '../../editor/panels/pack/filter.ts';

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { pageSurroundings } from '../../editor/files/index.ts';
+import { pageSurroundings } from '../../editor/core/files/index.ts';
 
 // A page whose database is refused; the browser tests cover pages with a database.
 

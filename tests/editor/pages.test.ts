@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { addObject, setLevelProperty } from '../../editor/document/index.ts';
+import { addObject, setLevelProperty } from '../../editor/core/document/index.ts';
 import {
   createBrowserStorage,
   createWorkspace,
@@ -9,8 +9,8 @@ import {
   type OpenedLevel,
   readText,
   type Workspace,
-} from '../../editor/files/index.ts';
-import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
+} from '../../editor/core/files/index.ts';
+import { createJournal, createMemoryStore, type JournalStore } from '../../editor/core/journal/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 

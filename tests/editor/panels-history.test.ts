@@ -1,14 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { OpenLevel } from '../../editor/context/index.ts';
-import { createEditedLevel, moveObjects } from '../../editor/document/index.ts';
+import type { OpenLevel } from '../../editor/core/context/index.ts';
+import { createEditedLevel, moveObjects } from '../../editor/core/document/index.ts';
+import type { Version } from '../../editor/core/versions/index.ts';
 import { type Difference, differencesBetween } from '../../editor/panels/history/differences.ts';
 import { historyRows } from '../../editor/panels/history/history-rows.ts';
 import { formatHistory, readHistory } from '../../editor/panels/history/history-text.ts';
 import { restoreVersion, takeBackParts } from '../../editor/panels/history/restore.ts';
 import { stepsInWords } from '../../editor/panels/history/version-words.ts';
 import { agoInWords, clockTime, dayInWords, momentInWords } from '../../editor/panels/history/when.ts';
-import type { Version } from '../../editor/versions/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

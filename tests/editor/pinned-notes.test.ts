@@ -1,7 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { packedLevel } from '../../check/pack/index.ts';
-import { createEditedLevel, editPinnedNote, pinNote, pinnedNotesIn, pinProblem, unpinNote } from '../../editor/document/index.ts';
+import {
+  createEditedLevel,
+  editPinnedNote,
+  pinNote,
+  pinnedNotesIn,
+  pinProblem,
+  unpinNote,
+} from '../../editor/core/document/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

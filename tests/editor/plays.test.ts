@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Attempt } from '../../editor/attempts/attempts.ts';
-import { causeInWords } from '../../editor/attempts/index.ts';
+import type { Attempt } from '../../editor/core/attempts/attempts.ts';
+import { causeInWords } from '../../editor/core/attempts/index.ts';
 import {
   type AttemptRow,
   attemptRows,

@@ -4,11 +4,11 @@ import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { firstDifference } from '../../check/runs/index.ts';
-import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/document/index.ts';
-import { createProofStore, createProver, type LiveProof } from '../../editor/proof/index.ts';
-import { March } from '../../editor/proof/march.ts';
-import { MarchRoom } from '../../editor/proof/march-room.ts';
-import type { Tracks } from '../../editor/proof/tracks.ts';
+import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/core/document/index.ts';
+import { createProofStore, createProver, type LiveProof } from '../../editor/core/proof/index.ts';
+import { March } from '../../editor/core/proof/march.ts';
+import { MarchRoom } from '../../editor/core/proof/march-room.ts';
+import type { Tracks } from '../../editor/core/proof/tracks.ts';
 import {
   ACCURACIES,
   type AccuracyName,

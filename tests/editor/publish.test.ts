@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Editor } from '../../editor/context/index.ts';
+import type { Editor } from '../../editor/core/context/index.ts';
 import { type PublishWish, publish } from '../../editor/dialogs/publish.ts';
 import { fetchGame, playPageOf, singlePage } from '../../editor/share/index.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';

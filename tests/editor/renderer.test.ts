@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { chooseRenderer } from '../../editor/canvas/renderer.ts';
-import type { Settings } from '../../editor/settings/index.ts';
+import type { Settings } from '../../editor/core/settings/index.ts';
 
 const choose = (setting: Settings['renderer'], search: string, offer: 'none' | 'software' | 'card') =>
   chooseRenderer(setting, search, (need) => (need === 'card' ? offer === 'card' : offer !== 'none'));

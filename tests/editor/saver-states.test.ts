@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { createEditedLevel, type EditedLevel, moveObjects, setLevelProperty } from '../../editor/document/index.ts';
-import { createBrowserStorage, createSaver, type LevelStorage, readText, type Saver } from '../../editor/files/index.ts';
-import type { DiskBase } from '../../editor/files/known-disk.ts';
-import { storageError } from '../../editor/files/level-storage.ts';
+import { createEditedLevel, type EditedLevel, moveObjects, setLevelProperty } from '../../editor/core/document/index.ts';
+import { createBrowserStorage, createSaver, type LevelStorage, readText, type Saver } from '../../editor/core/files/index.ts';
+import type { DiskBase } from '../../editor/core/files/known-disk.ts';
+import { storageError } from '../../editor/core/files/level-storage.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { breathe, createKeyValues, createLine, FILE, TurnedClock } from './stage.ts';
 

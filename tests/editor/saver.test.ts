@@ -1,5 +1,11 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { addObject, createEditedLevel, type EditedLevel, moveObjects, setLevelProperty } from '../../editor/document/index.ts';
+import {
+  addObject,
+  createEditedLevel,
+  type EditedLevel,
+  moveObjects,
+  setLevelProperty,
+} from '../../editor/core/document/index.ts';
 import {
   type Answer,
   createBrowserStorage,
@@ -7,7 +13,7 @@ import {
   type LevelStorage,
   readText,
   type Saver,
-} from '../../editor/files/index.ts';
+} from '../../editor/core/files/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { breathe, createKeyValues, createLine, FILE, TurnedClock } from './stage.ts';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel, moveHold, renameRun, stretchHold } from '../../editor/document/index.ts';
+import { createEditedLevel, moveHold, renameRun, stretchHold } from '../../editor/core/document/index.ts';
 import {
   draftsOf,
   dropDraft,

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { type Answer, createServerStorage, type LevelStorage } from '../../editor/files/index.ts';
+import { type Answer, createServerStorage, type LevelStorage } from '../../editor/core/files/index.ts';
 import type { EditEvent, LevelEntry } from '../../schema/index.ts';
 import { breathe, TurnedClock } from './stage.ts';
 

@@ -1,7 +1,7 @@
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { setLevelProperty } from '../../editor/document/index.ts';
+import { setLevelProperty } from '../../editor/core/document/index.ts';
 import {
   createServerStorage,
   createWorkspace,
@@ -9,8 +9,8 @@ import {
   type Link,
   pageTimers,
   type Workspace,
-} from '../../editor/files/index.ts';
-import { createJournal, createMemoryStore } from '../../editor/journal/index.ts';
+} from '../../editor/core/files/index.ts';
+import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { levelText, makeFolder, put, serve } from '../server/running.ts';
 import { until } from '../until.ts';

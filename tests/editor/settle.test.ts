@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel, type Recipe, settle } from '../../editor/document/index.ts';
+import { createEditedLevel, type Recipe, settle } from '../../editor/core/document/index.ts';
 import { formatLevel, type LevelFile, LIMITS, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 

@@ -1,6 +1,6 @@
-import type { Channel, KeyValues, LevelStorage, Timers } from '../../editor/files/index.ts';
-import { type Link, storageError } from '../../editor/files/level-storage.ts';
-import { createVersionKeeper, type VersionKeeper, type VersionStore } from '../../editor/versions/index.ts';
+import type { Channel, KeyValues, LevelStorage, Timers } from '../../editor/core/files/index.ts';
+import { type Link, storageError } from '../../editor/core/files/level-storage.ts';
+import { createVersionKeeper, type VersionKeeper, type VersionStore } from '../../editor/core/versions/index.ts';
 import type { EditEvent, LevelFile } from '../../schema/index.ts';
 
 /** A small level with which tests of files start. */

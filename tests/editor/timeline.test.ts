@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { createAttempts } from '../../editor/attempts/attempts.ts';
-import { createEditedLevel, moveObjects, replaceHolds } from '../../editor/document/index.ts';
-import { createProofStore } from '../../editor/proof/index.ts';
+import { createAttempts } from '../../editor/core/attempts/attempts.ts';
+import { createEditedLevel, moveObjects, replaceHolds } from '../../editor/core/document/index.ts';
+import { createProofStore } from '../../editor/core/proof/index.ts';
 import { TEMPLATES } from '../../editor/templates/index.ts';
 import { gripAt } from '../../editor/timeline/grip.ts';
 import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';

@@ -14,7 +14,7 @@ import {
   repeatObjects,
   scaleObjects,
   turnBy,
-} from '../../editor/document/index.ts';
+} from '../../editor/core/document/index.ts';
 import { boxOf } from '../../engine/index.ts';
 import { DEFAULT_RULES, KINDS, type LevelFile } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

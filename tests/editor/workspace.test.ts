@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { setLevelProperty } from '../../editor/document/index.ts';
+import { setLevelProperty } from '../../editor/core/document/index.ts';
 import {
   type Answer,
   createBrowserStorage,
@@ -7,9 +7,9 @@ import {
   type LevelStorage,
   type OpenedLevel,
   type Workspace,
-} from '../../editor/files/index.ts';
-import { storageError } from '../../editor/files/level-storage.ts';
-import { createJournal, createMemoryStore, type JournalStore } from '../../editor/journal/index.ts';
+} from '../../editor/core/files/index.ts';
+import { storageError } from '../../editor/core/files/level-storage.ts';
+import { createJournal, createMemoryStore, type JournalStore } from '../../editor/core/journal/index.ts';
 import { formatLevel, type LevelEntry, type LevelFile, type Problem } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 

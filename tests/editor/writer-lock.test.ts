@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { claimLevel, type Role, type Shown, type WriterLock } from '../../editor/files/writer-lock.ts';
+import { claimLevel, type Role, type Shown, type WriterLock } from '../../editor/core/files/writer-lock.ts';
 import { breathe, createChannels, LockKeeper, TurnedClock } from './stage.ts';
 
 let clock: TurnedClock;

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { settle } from '../../editor/document/index.ts';
+import { settle } from '../../editor/core/document/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import { formatLevel, isSame, type LevelFile, OBJECT_LISTS, readLevel, withIds } from '../../schema/index.ts';
 import { arbitraryFile } from '../editor/arbitrary-file.ts';

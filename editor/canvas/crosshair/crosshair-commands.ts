@@ -1,4 +1,4 @@
-import type { Command } from '../../commands/index.ts';
+import type { Command } from '../../core/commands/index.ts';
 import type { Point } from '../view.ts';
 import type { Crosshair } from './crosshair.ts';
 import type { Stride } from './crosshair-place.ts';

@@ -1,4 +1,4 @@
-import { type FoundObject, lockedIn, objectsOf, visibleIn } from '../../document/index.ts';
+import { type FoundObject, lockedIn, objectsOf, visibleIn } from '../../core/document/index.ts';
 import { type Hit, hitsAt, hitTest, REACH } from '../hit-test.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import { isInView, type Point } from '../view.ts';

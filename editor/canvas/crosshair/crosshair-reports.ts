@@ -1,6 +1,6 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { ObjectKey } from '../../document/index.ts';
+import type { ObjectKey } from '../../core/document/index.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import type { Point } from '../view.ts';
 import { lockedUnder, under } from './crosshair-place.ts';

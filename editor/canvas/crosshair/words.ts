@@ -1,5 +1,5 @@
 import type { LevelFile } from '../../../schema/index.ts';
-import { type FoundObject, nameOf, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../document/index.ts';
+import { type FoundObject, nameOf, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../core/document/index.ts';
 import type { Hit } from '../hit-test.ts';
 import type { Point } from '../view.ts';
 

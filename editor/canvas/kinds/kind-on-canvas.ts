@@ -1,7 +1,7 @@
 import type { LucideIcon } from 'lucide-react';
 import type { Part } from '../../../phaser/index.ts';
-import type { Pose } from '../../context/index.ts';
-import type { FoundObject } from '../../document/index.ts';
+import type { Pose } from '../../core/context/index.ts';
+import type { FoundObject } from '../../core/document/index.ts';
 import type { Thing } from '../thing.ts';
 import type { Point } from '../view.ts';
 

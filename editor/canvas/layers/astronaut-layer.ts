@@ -1,7 +1,7 @@
 import type { GameObjects, Scene } from 'phaser';
 import type { Box } from '../../../engine/index.ts';
 import type { Place } from '../../../schema/index.ts';
-import type { Pose } from '../../context/index.ts';
+import type { Pose } from '../../core/context/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { TEXTURE_UNIT } from '../textures/index.ts';
 

@@ -1,8 +1,8 @@
 import type { Scene } from 'phaser';
 import type { Part } from '../../../phaser/index.ts';
 import { KINDS, type LevelFile } from '../../../schema/index.ts';
-import type { Pose } from '../../context/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../document/index.ts';
+import type { Pose } from '../../core/context/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../core/document/index.ts';
 import { type Figure, ON_CANVAS, put } from '../kinds/index.ts';
 import { TEXTURE_UNIT } from '../textures/index.ts';
 import type { Thing } from '../thing.ts';

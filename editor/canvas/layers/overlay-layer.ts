@@ -1,8 +1,16 @@
 import type { GameObjects, Scene } from 'phaser';
 import type { Box } from '../../../engine/index.ts';
 import { appearanceOfObject, DEFAULT_RANGE, type Disc, KINDS, type LevelFile } from '../../../schema/index.ts';
-import { type FoundObject, hiddenIn, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../document/index.ts';
-import type { Layer } from '../../session/index.ts';
+import {
+  type FoundObject,
+  hiddenIn,
+  type ObjectKey,
+  objectsOf,
+  placesOf,
+  radiusOf,
+  visibleIn,
+} from '../../core/document/index.ts';
+import type { Layer } from '../../core/session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxesOf } from '../extent.ts';

@@ -1,8 +1,8 @@
 import type { GameObjects, Scene } from 'phaser';
 import { isJump, STATE_SIZE, TICK } from '../../../engine/index.ts';
-import type { Ghost } from '../../context/index.ts';
-import { isWhole, type LiveProof } from '../../proof/index.ts';
-import type { Layer } from '../../session/index.ts';
+import type { Ghost } from '../../core/context/index.ts';
+import { isWhole, type LiveProof } from '../../core/proof/index.ts';
+import type { Layer } from '../../core/session/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { linesOf } from './ghost-lines.ts';
 

@@ -1,5 +1,5 @@
-import type { Command } from '../../commands/index.ts';
-import { objectsOf } from '../../document/index.ts';
+import type { Command } from '../../core/commands/index.ts';
+import { objectsOf } from '../../core/document/index.ts';
 import type { Crosshair } from '../crosshair/index.ts';
 import type { PointerContext } from '../pointer/index.ts';
 import { isInView, type Point, toScreen } from '../view.ts';

@@ -1,7 +1,14 @@
 import { useEffect, useRef, useState } from 'react';
-import { useEditor, useLevel } from '../../context/index.ts';
-import { editPinnedNote, LONGEST_PINNED_NOTE, type PinnedNote, pinNote, pinProblem, unpinNote } from '../../document/index.ts';
-import { Button } from '../../ui/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
+import {
+  editPinnedNote,
+  LONGEST_PINNED_NOTE,
+  type PinnedNote,
+  pinNote,
+  pinProblem,
+  unpinNote,
+} from '../../core/document/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import type { Point, View } from '../view.ts';
 
 interface NoteEditorProps {

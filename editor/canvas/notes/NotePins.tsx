@@ -1,8 +1,8 @@
 import { MessageSquareText } from 'lucide-react';
 import { type PointerEvent, type RefObject, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
-import { useDocument, useEditor, useLevel, useSession } from '../../context/index.ts';
-import { editPinnedNote, type Gesture, type PinnedNote, pinnedNotesIn, unpinNote } from '../../document/index.ts';
+import { useDocument, useEditor, useLevel, useSession } from '../../core/context/index.ts';
+import { editPinnedNote, type Gesture, type PinnedNote, pinnedNotesIn, unpinNote } from '../../core/document/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { stepOf } from '../crosshair/index.ts';
 import { toLevel, toScreen } from '../view.ts';

@@ -1,4 +1,4 @@
-import { grabbableIn, type ObjectKey, objectsOf, ownNameOf, unitOf } from '../../document/index.ts';
+import { grabbableIn, type ObjectKey, objectsOf, ownNameOf, unitOf } from '../../core/document/index.ts';
 import { type Hit, hitsAt, REACH } from '../hit-test.ts';
 import type { Point } from '../view.ts';
 import { CLICK_SLOP, type LastClick, type PointerContext, type PointerInput } from './state.ts';

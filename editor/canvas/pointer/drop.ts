@@ -1,5 +1,5 @@
 import { appearanceOf, PLACEABLES } from '../../../schema/index.ts';
-import { addObject } from '../../document/index.ts';
+import { addObject } from '../../core/document/index.ts';
 import { toLevel } from '../view.ts';
 import { placeFor } from './place-object.ts';
 import type { PointerContext } from './state.ts';

@@ -1,4 +1,4 @@
-import { type ObjectKey, withGroups } from '../../document/index.ts';
+import { type ObjectKey, withGroups } from '../../core/document/index.ts';
 import { objectsIn } from '../hit-test.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 

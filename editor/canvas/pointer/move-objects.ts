@@ -1,4 +1,4 @@
-import { duplicateObjects, type Gesture, moveObjects, objectsOf, placesOf, unlocked } from '../../document/index.ts';
+import { duplicateObjects, type Gesture, moveObjects, objectsOf, placesOf, unlocked } from '../../core/document/index.ts';
 import { type Hit, REACH } from '../hit-test.ts';
 import { type SnapTargets, snapMove, snapTargets } from '../snapping.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';

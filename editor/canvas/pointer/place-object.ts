@@ -1,5 +1,5 @@
 import { appearanceOf, type Placeable } from '../../../schema/index.ts';
-import { addObject, type ObjectKey, objectsOf } from '../../document/index.ts';
+import { addObject, type ObjectKey, objectsOf } from '../../core/document/index.ts';
 import type { Point } from '../view.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
 

@@ -1,4 +1,4 @@
-import { type ObjectKey, unitOf } from '../../document/index.ts';
+import { type ObjectKey, unitOf } from '../../core/document/index.ts';
 import { type Hit, hitTest, REACH } from '../hit-test.ts';
 import { cursorOf, type Grip, handleAt, selectionBox } from '../selection-box/index.ts';
 import { clickAt, lastClickAt } from './click.ts';

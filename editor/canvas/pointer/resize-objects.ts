@@ -1,4 +1,4 @@
-import { objectsOf, placesOf, radiusOf, scaleRadius, setRadius, unlocked } from '../../document/index.ts';
+import { objectsOf, placesOf, radiusOf, scaleRadius, setRadius, unlocked } from '../../core/document/index.ts';
 import type { Hit } from '../hit-test.ts';
 import type { PointerContext, PointerState } from './state.ts';
 

@@ -1,4 +1,4 @@
-import { scaleObjects } from '../../document/index.ts';
+import { scaleObjects } from '../../core/document/index.ts';
 import type { SelectionBox } from '../selection-box/index.ts';
 import { cursorOf, type ScaleHandle, scalingOf } from '../selection-box/index.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';

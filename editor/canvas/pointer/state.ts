@@ -1,7 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { Box as HerBox } from '../../../engine/index.ts';
-import type { EditedLevel, ObjectKey, SelectionStore } from '../../document/index.ts';
-import type { Tool } from '../../session/index.ts';
+import type { EditedLevel, ObjectKey, SelectionStore } from '../../core/document/index.ts';
+import type { Tool } from '../../core/session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import type { Device, Hit } from '../hit-test.ts';
 import type { Measure } from '../measure.ts';

@@ -1,4 +1,4 @@
-import { mapObjects, mapProblem, turnBy } from '../../document/index.ts';
+import { mapObjects, mapProblem, turnBy } from '../../core/document/index.ts';
 import { centreOf, type SelectionBox } from '../selection-box/index.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 

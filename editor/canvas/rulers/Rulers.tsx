@@ -1,6 +1,6 @@
 import { type RefObject, useEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
-import { useEditor, usePageTheme, useSession } from '../../context/index.ts';
+import { useEditor, usePageTheme, useSession } from '../../core/context/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { toLevel, type View } from '../view.ts';
 import './rulers.css';

@@ -1,6 +1,6 @@
 import type { Box as HerBox } from '../../../engine/index.ts';
 import { KINDS, type LevelFile } from '../../../schema/index.ts';
-import { grabbableIn, hasDirection, type ObjectKey, placesOf, unlocked } from '../../document/index.ts';
+import { grabbableIn, hasDirection, type ObjectKey, placesOf, unlocked } from '../../core/document/index.ts';
 import { extentOf } from '../extent.ts';
 import type { Box, Point } from '../view.ts';
 

@@ -1,4 +1,4 @@
-import type { Scaling } from '../../document/index.ts';
+import type { Scaling } from '../../core/document/index.ts';
 import type { Box, Point } from '../view.ts';
 import type { SelectionBox } from './box.ts';
 import type { ScaleHandle } from './handles.ts';

@@ -1,5 +1,5 @@
-import type { OpenLevel } from '../../context/index.ts';
-import { type LinearMap, mapObjects, mapProblem, mirrorAlong, scaleObjects, turnBy } from '../../document/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { type LinearMap, mapObjects, mapProblem, mirrorAlong, scaleObjects, turnBy } from '../../core/document/index.ts';
 import { extentOf } from '../extent.ts';
 import type { ObjectChanges } from '../object-changes.ts';
 import { centreOf } from './box.ts';

@@ -1,5 +1,5 @@
-import type { Command } from '../../commands/index.ts';
-import type { OpenLevel } from '../../context/index.ts';
+import type { Command } from '../../core/commands/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
 import type { ObjectChanges } from '../object-changes.ts';
 import { transformActions } from './transform-actions.ts';
 

@@ -1,5 +1,5 @@
-import type { LiveProof } from '../../proof/index.ts';
-import { useDebouncedProof } from '../parts/index.ts';
+import { useDebouncedProof } from '../../core/panel/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
 import { otherEndOf } from './other-accuracy.ts';
 
 /** ms without a change before the comparison, which simulates two whole runs */

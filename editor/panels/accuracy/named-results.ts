@@ -2,8 +2,8 @@ import type { RunEnd } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName, compile, createSimulation, maxTicksOf, type Terms } from '../../../engine/index.ts';
 import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
-import { termsAt } from '../../terms/index.ts';
-import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
+import { type TurnsOptions, timeInTurns } from '../../core/figures/index.ts';
+import { termsAt } from '../../core/terms/index.ts';
 
 /** The result of a run at a named setting. */
 export interface NamedResult {

@@ -1,7 +1,7 @@
 import { withinWork } from '../../../check/index.ts';
 import { ACCURACIES, type AccuracyName, atAccuracy, createSimulation, maxTicksOf, WorkBudget } from '../../../engine/index.ts';
 import { largestDistance, pathOf } from '../../../engine/work-precision/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
 
 /** How the shown run goes at another accuracy. */
 export interface OtherEnd {

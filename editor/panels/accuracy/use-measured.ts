@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef, useState } from 'react';
-import { useEditor, useLevel } from '../../context/index.ts';
-import type { PlayedFile } from '../../proof/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
+import type { PlayedFile } from '../../core/proof/index.ts';
 import type { Job, Setting } from '../../workers/index.ts';
 
 /** The measured cost of all settings for one level and run. */

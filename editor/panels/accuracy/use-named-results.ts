@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'react';
-import { useLevel } from '../../context/index.ts';
-import { type PlayedFile, playsAlike } from '../../proof/index.ts';
-import { nextTurn } from '../figures/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import { nextTurn } from '../../core/figures/index.ts';
+import { type PlayedFile, playsAlike } from '../../core/proof/index.ts';
 import { type Costs, compareNamed, costsOfNamed, type NamedResult } from './named-results.ts';
 
 /** ms without a change before a run is compared again */

@@ -1,6 +1,6 @@
 import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel } from '../../context/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
 import { shelfOf } from '../../shelf/index.ts';
 import { createSelectedGhosts } from './selected-ghosts.ts';
 

@@ -1,10 +1,10 @@
 import { useId } from 'react';
 import { useStore } from 'zustand';
 import type { FailureCluster } from '../../../check/plays/index.ts';
-import { causeInWords } from '../../attempts/index.ts';
-import { useEditor, useLevel, useSession } from '../../context/index.ts';
+import { causeInWords } from '../../core/attempts/index.ts';
+import { useEditor, useLevel, useSession } from '../../core/context/index.ts';
+import { percent, plural } from '../../core/figures/index.ts';
 import { shelfOf } from '../../shelf/index.ts';
-import { percent, plural } from '../figures/index.ts';
 
 /** Places that are listed. */
 const MOST = 12;

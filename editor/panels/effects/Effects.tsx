@@ -1,11 +1,11 @@
 import { Timer } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { useLevel, useProof } from '../../context/index.ts';
-import { limitInWords } from '../../proof/index.ts';
-import { Button } from '../../ui/index.ts';
-import { type Fact, nextTurn, percent } from '../figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../parts/index.ts';
+import { useLevel, useProof } from '../../core/context/index.ts';
+import { type Fact, nextTurn, percent } from '../../core/figures/index.ts';
+import { Facts, Section, useThrottledProof } from '../../core/panel/index.ts';
+import { limitInWords } from '../../core/proof/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import './effects.css';
 import { type SimulatedEffect, type Survey, surveyOf } from './survey.ts';
 import { type EffectTime, timeEffects } from './time-effects.ts';

@@ -1,6 +1,6 @@
 import { EFFECTS, type Mode, type Work } from '../../../engine/index.ts';
 import type { Rules } from '../../../schema/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
 import { costOf, type EffectCost } from './without.ts';
 
 export interface SimulatedEffect {

@@ -1,7 +1,7 @@
 import { maxTicksOf, type Terms } from '../../../engine/index.ts';
 import { playerOf } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
-import { type TurnsOptions, timeInTurns } from '../figures/index.ts';
+import { type TurnsOptions, timeInTurns } from '../../core/figures/index.ts';
 
 /** Measured times, microseconds per simulated second. */
 export interface EffectTime {

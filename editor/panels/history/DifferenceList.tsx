@@ -1,6 +1,6 @@
 import { useState } from 'react';
-import { Button } from '../../ui/index.ts';
-import { plural } from '../figures/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import type { Difference, DifferencePart } from './differences.ts';
 
 interface DifferenceListProps {

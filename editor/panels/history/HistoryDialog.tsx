@@ -1,8 +1,8 @@
 import { Download, Upload } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { LevelContext, PerLevel, useEditor, useLevel, useSession } from '../../context/index.ts';
-import { Button, Dialog } from '../../ui/index.ts';
+import { LevelContext, PerLevel, useEditor, useLevel, useSession } from '../../core/context/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 import { exportHistory, importHistory } from './history-file.ts';
 import './history.css';
 import { VersionDetail } from './VersionDetail.tsx';

@@ -1,7 +1,7 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { type OpenLevel, useEditor, useSession } from '../../context/index.ts';
-import { Button, Dialog } from '../../ui/index.ts';
+import { type OpenLevel, useEditor, useSession } from '../../core/context/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 import { whyNot } from './restore.ts';
 import { LONGEST_NAME } from './VersionName.tsx';
 

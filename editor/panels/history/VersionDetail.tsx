@@ -1,9 +1,9 @@
 import { ArrowLeft, Copy, RotateCcw } from 'lucide-react';
 import { useMemo, useState } from 'react';
-import { useEditor, useLevel } from '../../context/index.ts';
-import { Button } from '../../ui/index.ts';
-import type { Version } from '../../versions/index.ts';
-import { Segments } from '../parts/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
+import { Segments } from '../../core/panel/index.ts';
+import { Button } from '../../core/ui/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 import { ComparisonPicture } from './ComparisonPicture.tsx';
 import { DifferenceList } from './DifferenceList.tsx';
 import { openAsCopy } from './open-as-copy.ts';

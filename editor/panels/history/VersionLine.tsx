@@ -1,8 +1,8 @@
 import { Bookmark, HardDrive } from 'lucide-react';
 import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, usePageTerms, usePageTheme } from '../../context/index.ts';
-import type { Version } from '../../versions/index.ts';
+import { useEditor, useLevel, usePageTerms, usePageTheme } from '../../core/context/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 import { VerdictSign } from '../levels/index.ts';
 import { pictureKey, picturesOf } from './version-pictures.ts';
 import { stepsInWords } from './version-words.ts';

@@ -1,7 +1,7 @@
 import { useMemo, useState } from 'react';
-import type { Version } from '../../versions/index.ts';
-import { Segments } from '../parts/index.ts';
-import { Tree } from '../tree/index.ts';
+import { Segments } from '../../core/panel/index.ts';
+import { Tree } from '../../core/tree/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 import { type HistoryRow, historyRows, keyOf } from './history-rows.ts';
 import { VersionLine } from './VersionLine.tsx';
 

@@ -1,7 +1,7 @@
 import { useState } from 'react';
-import { useLevel } from '../../context/index.ts';
-import { Button } from '../../ui/index.ts';
-import type { Version } from '../../versions/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import { Button } from '../../core/ui/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 import { whyNot } from './restore.ts';
 
 /** the longest name of a version, characters */

@@ -8,7 +8,7 @@ import {
   objectName,
   SINGLE_KINDS,
 } from '../../../schema/index.ts';
-import { titled } from '../../document/index.ts';
+import { titled } from '../../core/document/index.ts';
 
 /** A difference that can be taken back alone. */
 export interface DifferencePart {

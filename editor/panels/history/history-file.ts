@@ -1,7 +1,7 @@
-import type { OpenLevel } from '../../context/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import type { PastVersion } from '../../core/versions/index.ts';
 import { chooseFiles, downloadFile } from '../../share/index.ts';
-import type { PastVersion } from '../../versions/index.ts';
-import { plural } from '../figures/index.ts';
 import { stemOf } from '../levels/index.ts';
 import { formatHistory, readHistory } from './history-text.ts';
 

@@ -1,5 +1,5 @@
-import type { Version } from '../../versions/index.ts';
-import type { TreeRow } from '../tree/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 import { stepsInWords } from './version-words.ts';
 import { dayInWords } from './when.ts';
 

@@ -1,7 +1,7 @@
 import { strictJson } from '../../../schema/basics/index.ts';
 import { formatLevel } from '../../../schema/index.ts';
-import { readText } from '../../files/index.ts';
-import { type PastVersion, VERSION_MAKERS, type VersionBy } from '../../versions/index.ts';
+import { readText } from '../../core/files/index.ts';
+import { type PastVersion, VERSION_MAKERS, type VersionBy } from '../../core/versions/index.ts';
 
 /** The key by which a file is known as a history; its value is the version of the format. */
 const FORMAT = 'gravityQuestHistory';

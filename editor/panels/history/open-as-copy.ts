@@ -1,6 +1,6 @@
 import type { LevelFile } from '../../../schema/index.ts';
-import type { Editor } from '../../context/index.ts';
-import { folderOf } from '../../files/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { folderOf } from '../../core/files/index.ts';
 import { addLevels, copyOf } from '../levels/index.ts';
 
 /** Makes a new level file of a version and opens it. @returns whether it was made; a refusal is shown as a notice */

@@ -1,7 +1,7 @@
 import { takeBack } from '../../../review/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { OpenLevel } from '../../context/index.ts';
-import { nameOf, objectsOf } from '../../document/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { nameOf, objectsOf } from '../../core/document/index.ts';
 import type { DifferencePart } from './differences.ts';
 
 /** What was done; or why not, and nothing has changed. */

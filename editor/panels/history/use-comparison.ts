@@ -1,9 +1,9 @@
 import { useEffect, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useDocument, useEditor, useLevel, usePageTerms, usePageTheme } from '../../context/index.ts';
-import { levelText } from '../../document/index.ts';
-import { readText } from '../../files/index.ts';
-import type { Version } from '../../versions/index.ts';
+import { useDocument, useEditor, useLevel, usePageTerms, usePageTheme } from '../../core/context/index.ts';
+import { levelText } from '../../core/document/index.ts';
+import { readText } from '../../core/files/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 import type { Results } from '../../workers/index.ts';
 import { type Difference, differencesBetween } from './differences.ts';
 

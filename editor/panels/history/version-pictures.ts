@@ -1,9 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
-import type { Editor, OpenLevel } from '../../context/index.ts';
-import { keptWith } from '../../kept/index.ts';
-import { termsKey } from '../../terms/index.ts';
-import type { LevelVersions, Version } from '../../versions/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { keptWith } from '../../core/kept/index.ts';
+import { termsKey } from '../../core/terms/index.ts';
+import type { LevelVersions, Version } from '../../core/versions/index.ts';
 import { oneAtATime, type Results, type Workers } from '../../workers/index.ts';
 
 /** How a version is drawn and judged. */

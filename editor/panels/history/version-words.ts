@@ -1,4 +1,4 @@
-import type { Version } from '../../versions/index.ts';
+import type { Version } from '../../core/versions/index.ts';
 
 /** Labels in which those that follow each other and are equal are one: `Nudge ×3`. */
 function runsOf(labels: readonly string[]): string[] {

@@ -1,9 +1,9 @@
 import { RotateCcw } from 'lucide-react';
 import { type KeyboardEvent, memo, useId, useState } from 'react';
-import { useLevel } from '../../context/index.ts';
-import type { Recipe } from '../../document/index.ts';
-import { Button, NumberField } from '../../ui/index.ts';
-import { Segments } from '../parts/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import type { Recipe } from '../../core/document/index.ts';
+import { Segments } from '../../core/panel/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
 import type { FieldValue } from './field-values.ts';
 import type { Field } from './fields.ts';
 

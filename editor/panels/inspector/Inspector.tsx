@@ -1,7 +1,7 @@
 import { memo, useDeferredValue } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useDocument, useSelectedKeys } from '../../context/index.ts';
-import { type FoundObject, type ObjectKey, objectsOf } from '../../document/index.ts';
+import { useDocument, useSelectedKeys } from '../../core/context/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf } from '../../core/document/index.ts';
 import { LevelFields } from './LevelFields.tsx';
 import { ObjectFields } from './ObjectFields.tsx';
 import './inspector.css';

@@ -1,11 +1,11 @@
 import { CircleDot, UserRound } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
-import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../document/index.ts';
-import { endInWords, isWhole, type LiveProof } from '../../proof/index.ts';
-import { Button } from '../../ui/index.ts';
-import type { Fact } from '../figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../parts/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
+import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../core/document/index.ts';
+import type { Fact } from '../../core/figures/index.ts';
+import { Facts, Section, useThrottledProof } from '../../core/panel/index.ts';
+import { endInWords, isWhole, type LiveProof } from '../../core/proof/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfLevel } from './field-values.ts';
 import { type Field, fieldsOf } from './fields.ts';

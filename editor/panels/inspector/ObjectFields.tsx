@@ -13,7 +13,7 @@ import {
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
 import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
 import {
   type FoundObject,
   marksOf,
@@ -24,11 +24,11 @@ import {
   radiusOf,
   setObjectProperty,
   unlocked,
-} from '../../document/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
-import { Button } from '../../ui/index.ts';
-import { type Fact, plural } from '../figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../parts/index.ts';
+} from '../../core/document/index.ts';
+import { type Fact, plural } from '../../core/figures/index.ts';
+import { Facts, Section, useThrottledProof } from '../../core/panel/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';

@@ -1,10 +1,10 @@
 import { RotateCcw } from 'lucide-react';
 import { useEffect, useRef } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useFolderTerms, useSession } from '../../context/index.ts';
-import { problemsInWords } from '../../files/index.ts';
-import { Button } from '../../ui/index.ts';
-import { Section } from '../parts/index.ts';
+import { useEditor, useFolderTerms, useSession } from '../../core/context/index.ts';
+import { problemsInWords } from '../../core/files/index.ts';
+import { Section } from '../../core/panel/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { RuleRow } from './RuleRow.tsx';
 import { ruleValues } from './rule-values.ts';
 

@@ -1,9 +1,9 @@
 import { RotateCcw } from 'lucide-react';
 import { memo, useCallback, useId } from 'react';
 import { RULES } from '../../../schema/index.ts';
-import { useLevel } from '../../context/index.ts';
-import { setRule } from '../../document/index.ts';
-import { Button, NumberField } from '../../ui/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import { setRule } from '../../core/document/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
 import { RuleSlider } from './RuleSlider.tsx';
 import { stepOf } from './rule-scale.ts';
 import { originOf, type RuleValue, ruleLabel } from './rule-values.ts';

@@ -1,7 +1,7 @@
 import { type KeyboardEvent, type PointerEvent, useEffect, useId, useRef } from 'react';
 import type { GameRule } from '../../../schema/index.ts';
-import { useLevel } from '../../context/index.ts';
-import type { Gesture, Recipe } from '../../document/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import type { Gesture, Recipe } from '../../core/document/index.ts';
 import { positionOf, SLIDER_END, stepOf, valueAt, within } from './rule-scale.ts';
 
 /** how many steps a key moves the slider */

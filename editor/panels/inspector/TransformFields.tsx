@@ -1,9 +1,9 @@
 import { FlipHorizontal2, FlipVertical2, Grid3x3, RotateCw, Scaling } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { objectChanges, transformActions } from '../../canvas/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
-import { Button, NumberField } from '../../ui/index.ts';
-import { Section } from '../parts/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
+import { Section } from '../../core/panel/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
 
 /** Turns the selection by typed degrees, scales it by a typed percentage, mirrors and repeats it. */
 export function TransformFields() {

@@ -1,5 +1,5 @@
 import type { LevelFile, ObjectKind } from '../../../schema/index.ts';
-import type { FoundObject } from '../../document/index.ts';
+import type { FoundObject } from '../../core/document/index.ts';
 import { type Field, fieldsOf } from './fields.ts';
 
 /** What a field shows. */

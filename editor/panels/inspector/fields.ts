@@ -6,7 +6,7 @@ import {
   type ObjectKind,
   resolveLevel,
 } from '../../../schema/index.ts';
-import type { FoundObject } from '../../document/index.ts';
+import type { FoundObject } from '../../core/document/index.ts';
 
 /** A property that can be edited. */
 export interface Field {

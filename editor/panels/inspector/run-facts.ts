@@ -1,8 +1,8 @@
 import { boxCircleGap, effectEventInWords, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import { appearanceOfObject } from '../../../schema/index.ts';
-import { type FoundObject, placesOf } from '../../document/index.ts';
-import { endInWords, type LiveProof } from '../../proof/index.ts';
-import { type Fact, pixels, plural, seconds } from '../figures/index.ts';
+import { type FoundObject, placesOf } from '../../core/document/index.ts';
+import { type Fact, pixels, plural, seconds } from '../../core/figures/index.ts';
+import { endInWords, type LiveProof } from '../../core/proof/index.ts';
 import { chasesIn, insideIn, lengthOf, type OwnEvent, ownEvents, pullsIn, pushesIn, type Stretch, tickOf } from './stretches.ts';
 
 const at = (time: number): string => `at ${seconds(time)}`;

@@ -1,5 +1,5 @@
 import { type RunEvent, TICK_RATE } from '../../../engine/index.ts';
-import type { LiveProof } from '../../proof/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
 
 /** A part of a run, s. */
 export interface Stretch {

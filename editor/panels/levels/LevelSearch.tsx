@@ -1,5 +1,5 @@
 import { Search } from 'lucide-react';
-import { focusHome } from '../../ui/index.ts';
+import { focusHome } from '../../core/ui/index.ts';
 
 interface LevelSearchProps {
   /** The number of levels. */

@@ -1,5 +1,5 @@
-import { useEditor } from '../../context/index.ts';
-import { Button } from '../../ui/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { SamplesButton } from './SamplesButton.tsx';
 
 /** The empty state of a folder without levels. @param folder the path as the user gave it */

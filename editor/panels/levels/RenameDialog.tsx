@@ -1,9 +1,9 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { renameLevel as renameInPack } from '../../../check/pack/index.ts';
-import { useEditor } from '../../context/index.ts';
-import { errorInWords, folderOf } from '../../files/index.ts';
-import { Button, Dialog } from '../../ui/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import { errorInWords, folderOf } from '../../core/files/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 import { inFolder, renameTitle, stemOf } from './level-files.ts';
 import { changePack } from './pack-steps.ts';

@@ -1,5 +1,5 @@
-import { useEditor } from '../../context/index.ts';
-import { Button } from '../../ui/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { addSamples } from './level-files.ts';
 
 /** Offers the levels that come with the toolkit. */

@@ -1,5 +1,5 @@
 import { useRef, useState } from 'react';
-import { Button, Dialog } from '../../ui/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 import { TextArea, type TextAreaHandle } from './TextArea.tsx';
 import { TextProblems } from './TextProblems.tsx';
 import { TextRefusal } from './TextRefusal.tsx';

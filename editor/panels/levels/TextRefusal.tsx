@@ -1,5 +1,5 @@
-import { errorInWords } from '../../files/index.ts';
-import { Button } from '../../ui/index.ts';
+import { errorInWords } from '../../core/files/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import type { LevelText } from './use-level-text.ts';
 
 interface TextRefusalProps {

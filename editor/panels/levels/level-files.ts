@@ -1,7 +1,7 @@
 import { addLevels as listLevels, removeLevels as unlistLevels } from '../../../check/pack/index.ts';
 import { formatLevel, type LevelEntry, type LevelFile, levelsOfPack, readLevel } from '../../../schema/index.ts';
-import type { Editor } from '../../context/index.ts';
-import { folderOf, folderPackIn, idsIn } from '../../files/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { folderOf, folderPackIn, idsIn } from '../../core/files/index.ts';
 import { loadSamples } from '../../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
 import { changePack } from './pack-steps.ts';

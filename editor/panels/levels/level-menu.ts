@@ -1,8 +1,8 @@
 import { moveLevel } from '../../../check/pack/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
-import type { Editor } from '../../context/index.ts';
-import { folderOf, folderPackIn, idsIn } from '../../files/index.ts';
-import type { MenuEntry } from '../tree/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { folderOf, folderPackIn, idsIn } from '../../core/files/index.ts';
+import type { MenuEntry } from '../../core/tree/index.ts';
 import { deleteLevel, duplicateLevel, orderLevels } from './level-files.ts';
 import type { LevelRow } from './level-rows.ts';
 import { editPack } from './pack-steps.ts';

@@ -1,7 +1,7 @@
 import type { LevelEntry } from '../../../schema/index.ts';
-import { folderOf } from '../../files/index.ts';
-import { plural } from '../figures/index.ts';
-import type { TreeRow } from '../tree/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { folderOf } from '../../core/files/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
 import { stemOf } from './level-files.ts';
 
 export interface LevelRow extends TreeRow {

@@ -1,8 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { isSame } from '../../../schema/index.ts';
-import type { Editor } from '../../context/index.ts';
-import type { EditedLevel } from '../../document/index.ts';
-import { keptWith } from '../../kept/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import type { EditedLevel } from '../../core/document/index.ts';
+import { keptWith } from '../../core/kept/index.ts';
 
 /** An undoable action on the list of levels, not on the contents of a level. */
 export interface ListStep {

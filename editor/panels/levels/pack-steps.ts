@@ -1,6 +1,6 @@
 import { formatPack, PACK_VERSION, type PackFile, readPack } from '../../../schema/index.ts';
-import type { Editor } from '../../context/index.ts';
-import { folderPackIn } from '../../files/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { folderPackIn } from '../../core/files/index.ts';
 import { listHistoryOf } from './list-history.ts';
 import { tellError } from './tell-error.ts';
 

@@ -1,5 +1,5 @@
-import type { Editor } from '../../context/index.ts';
-import { type Answer, errorInWords, type StorageError } from '../../files/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { type Answer, errorInWords, type StorageError } from '../../core/files/index.ts';
 
 /** Shows a notice about a failure. */
 export function tellError({ notices }: Editor, error: StorageError): void {

@@ -1,6 +1,6 @@
 import { formatLevel, type Problem } from '../../../schema/index.ts';
-import type { Editor } from '../../context/index.ts';
-import type { StorageError } from '../../files/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import type { StorageError } from '../../core/files/index.ts';
 
 /** A version of the text. `etag` is null for the open level, which lives in the editor rather than on disk. */
 export interface Base {

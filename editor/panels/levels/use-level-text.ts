@@ -1,7 +1,7 @@
 import { useEffect, useEffectEvent, useMemo, useState } from 'react';
 import type { Problem } from '../../../schema/index.ts';
-import { useEditor } from '../../context/index.ts';
-import { readText, type StorageError } from '../../files/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import { readText, type StorageError } from '../../core/files/index.ts';
 import { openListed } from './level-files.ts';
 import { type Base, followSource, type Source } from './text-source.ts';
 

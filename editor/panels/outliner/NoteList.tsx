@@ -1,7 +1,7 @@
 import { MessageSquareText } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor } from '../../context/index.ts';
-import { type PinnedNote, pinnedNotesIn } from '../../document/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import { type PinnedNote, pinnedNotesIn } from '../../core/document/index.ts';
 
 /** The notes of the level; each goes to its place and opens there. */
 export function NoteList({ file }: { readonly file: LevelFile }) {

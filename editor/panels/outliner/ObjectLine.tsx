@@ -2,8 +2,8 @@ import { ChevronRight, Eye, EyeOff, Group, Lock, LockOpen, TriangleAlert } from 
 import { memo, type ReactNode } from 'react';
 import { isVariant } from '../../../schema/index.ts';
 import { signOf } from '../../canvas/index.ts';
-import { LONGEST_NAME, nameOf } from '../../document/index.ts';
-import { InlineName, MoreButton } from '../tree/index.ts';
+import { LONGEST_NAME, nameOf } from '../../core/document/index.ts';
+import { InlineName, MoreButton } from '../../core/tree/index.ts';
 import { isSameRow, type ObjectRow } from './object-rows.ts';
 
 /** What can be done in a row. */

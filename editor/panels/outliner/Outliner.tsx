@@ -1,10 +1,10 @@
 import { memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel, useSelectedKeys, useSession, useWhenIdle } from '../../context/index.ts';
-import { type DocumentState, groupsIn, type ObjectKey, objectsOf, reorderObject } from '../../document/index.ts';
+import { useEditor, useLevel, useSelectedKeys, useSession, useWhenIdle } from '../../core/context/index.ts';
+import { type DocumentState, groupsIn, type ObjectKey, objectsOf, reorderObject } from '../../core/document/index.ts';
+import { leavesBetween, type Modifiers, Tree } from '../../core/tree/index.ts';
 import { orderActions } from '../../order/index.ts';
-import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
 import { NoteList } from './NoteList.tsx';
 import { type LineActions, ObjectLine } from './ObjectLine.tsx';
 import { type ObjectRow, objectRows } from './object-rows.ts';

@@ -8,9 +8,9 @@ import {
   type ObjectKey,
   objectsOf,
   titled,
-} from '../../document/index.ts';
+} from '../../core/document/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
 import { groupRowKey } from '../../order/index.ts';
-import type { TreeRow } from '../tree/index.ts';
 
 export interface ObjectRow extends TreeRow {
   readonly title: string;

@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'react';
-import { useLevel } from '../../context/index.ts';
-import { keyAt, type ObjectKey } from '../../document/index.ts';
-import { afterRest } from '../parts/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import { keyAt, type ObjectKey } from '../../core/document/index.ts';
+import { afterRest } from '../../core/panel/index.ts';
 
 /** ms without a change before problems are looked for, which simulates every run */
 const PAUSE = 300;

@@ -1,6 +1,6 @@
 import { X } from 'lucide-react';
-import { Button } from '../../ui/index.ts';
-import { plural } from '../figures/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { NameField } from './NameField.tsx';
 import type { Chapter } from './pack-model.ts';
 

@@ -2,8 +2,8 @@ import { ArrowUpRight, FileX, GripVertical, Sparkle } from 'lucide-react';
 import { memo } from 'react';
 import { useStore } from 'zustand';
 import type { Terms } from '../../../engine/index.ts';
-import { useEditor, usePageTheme } from '../../context/index.ts';
-import { seconds } from '../figures/index.ts';
+import { useEditor, usePageTheme } from '../../core/context/index.ts';
+import { seconds } from '../../core/figures/index.ts';
 import { type ListedVerdict, pictureOf, thumbnailsOf, VerdictSign } from '../levels/index.ts';
 import type { Card } from './pack-model.ts';
 

@@ -1,7 +1,7 @@
 import { type KeyboardEvent, type MouseEvent, type RefObject, useLayoutEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import type { Terms } from '../../../engine/index.ts';
-import { useEditor } from '../../context/index.ts';
+import { useEditor } from '../../core/context/index.ts';
 import { type ListedVerdict, thumbnailsOf, verdictOf } from '../levels/index.ts';
 import { ChapterHead } from './ChapterHead.tsx';
 import { spotAfter } from './focus-step.ts';

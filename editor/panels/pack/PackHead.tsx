@@ -1,9 +1,9 @@
 import { FilePlus2, Gauge, Redo2, Square, Undo2, X } from 'lucide-react';
 import { useStore } from 'zustand';
 import type { Terms } from '../../../engine/index.ts';
-import { useEditor } from '../../context/index.ts';
-import type { FolderPack } from '../../files/index.ts';
-import { Button } from '../../ui/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import type { FolderPack } from '../../core/files/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { editPack, listHistoryOf } from '../levels/index.ts';
 import { gradesOf } from './grades.ts';
 import { NameField } from './NameField.tsx';

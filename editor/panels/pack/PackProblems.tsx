@@ -1,6 +1,6 @@
 import { CircleAlert, TriangleAlert } from 'lucide-react';
 import type { Problem } from '../../../schema/index.ts';
-import { Button } from '../../ui/index.ts';
+import { Button } from '../../core/ui/index.ts';
 
 interface PackProblemsProps {
   readonly file: string;

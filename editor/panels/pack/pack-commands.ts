@@ -1,5 +1,5 @@
-import type { Command } from '../../commands/index.ts';
-import type { Editor } from '../../context/index.ts';
+import type { Command } from '../../core/commands/index.ts';
+import type { Editor } from '../../core/context/index.ts';
 
 /** The commands of the view of all levels. */
 export const packCommands = ({ session }: Editor): readonly Command[] => [

@@ -1,6 +1,6 @@
 import { effectInWords, introductionsOf, jumpsOf, type MetLevel, packProblems, shownEntries } from '../../../check/pack/index.ts';
 import { type LevelEntry, levelOfEntry, type PackFile, type Problem } from '../../../schema/index.ts';
-import type { FolderPack } from '../../files/index.ts';
+import type { FolderPack } from '../../core/files/index.ts';
 import type { LevelFacts } from '../../workers/index.ts';
 
 /** The grade of a level, as far as it is known. */

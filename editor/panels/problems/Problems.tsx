@@ -1,10 +1,10 @@
 import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
 import { memo } from 'react';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
-import { keyAt, nameOf, objectsOf, ownNameOf } from '../../document/index.ts';
-import { Button } from '../../ui/index.ts';
-import { plural } from '../figures/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
+import { keyAt, nameOf, objectsOf, ownNameOf } from '../../core/document/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { explanationOf } from './explanations.ts';
 import { goToProblem } from './go-to.ts';
 import { keysOf } from './kept.ts';

@@ -1,6 +1,6 @@
 import type { Problem } from '../../../schema/index.ts';
-import type { Editor, OpenLevel } from '../../context/index.ts';
-import { keyAt } from '../../document/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { keyAt } from '../../core/document/index.ts';
 import { runAt } from './quick-fix.ts';
 
 /** Shows the place of a problem: selects the object and brings it into view, or shows the run with the hold selected. */

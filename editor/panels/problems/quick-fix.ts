@@ -1,6 +1,6 @@
 import { joinHolds } from '../../../engine/index.ts';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
-import { type Recipe, replaceHolds } from '../../document/index.ts';
+import { type Recipe, replaceHolds } from '../../core/document/index.ts';
 
 /** A fix that does not change how any run plays. */
 export interface QuickFix {

@@ -1,10 +1,10 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import { conflictProblems, type LevelFile, type Problem } from '../../../schema/index.ts';
-import { useDocument, useLevel } from '../../context/index.ts';
-import { problemsInWords, type SaveState } from '../../files/index.ts';
-import { type LiveProof, toldProblems } from '../../proof/index.ts';
-import { useDebouncedProof } from '../parts/index.ts';
+import { useDocument, useLevel } from '../../core/context/index.ts';
+import { problemsInWords, type SaveState } from '../../core/files/index.ts';
+import { useDebouncedProof } from '../../core/panel/index.ts';
+import { type LiveProof, toldProblems } from '../../core/proof/index.ts';
 import { checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 

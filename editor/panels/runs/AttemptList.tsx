@@ -2,12 +2,12 @@ import { Check, Eye, EyeOff, Plus, Trash2 } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
-import { type Attempt, attemptInWords } from '../../attempts/index.ts';
 import { compareOrTell, sourceKey, useComparedRows } from '../../compare/index.ts';
-import { useEditor, useLevel, useProof } from '../../context/index.ts';
+import { type Attempt, attemptInWords } from '../../core/attempts/index.ts';
+import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { plural, seconds } from '../../core/figures/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { attemptGhosts, keepAsRun, makeProof } from '../../play/index.ts';
-import { Button } from '../../ui/index.ts';
-import { plural, seconds } from '../figures/index.ts';
 import { CompareButton } from './CompareButton.tsx';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 

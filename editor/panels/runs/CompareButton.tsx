@@ -1,5 +1,5 @@
 import { GitCompare } from 'lucide-react';
-import { Button } from '../../ui/index.ts';
+import { Button } from '../../core/ui/index.ts';
 
 interface CompareButtonProps {
   readonly name: string;

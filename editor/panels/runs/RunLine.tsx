@@ -1,5 +1,5 @@
-import { plural } from '../figures/index.ts';
-import { InlineName, MoreButton } from '../tree/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { InlineName, MoreButton } from '../../core/tree/index.ts';
 import { CompareButton } from './CompareButton.tsx';
 import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 import type { RunRow } from './run-row.ts';

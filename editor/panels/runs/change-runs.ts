@@ -1,4 +1,4 @@
-import type { Editor, OpenLevel } from '../../context/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import {
   addRun,
   type ChangeResult,
@@ -8,7 +8,7 @@ import {
   type Recipe,
   renameRun,
   reorderRun,
-} from '../../document/index.ts';
+} from '../../core/document/index.ts';
 import type { RunRow } from './run-row.ts';
 import { renameDraft } from './script-draft.ts';
 

@@ -2,8 +2,8 @@ import { useEffect, useMemo, useState } from 'react';
 import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
 import { joinHolds, type Scene, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { useLevel, useProof } from '../../context/index.ts';
-import { isWhole, type LiveProof } from '../../proof/index.ts';
+import { useLevel, useProof } from '../../core/context/index.ts';
+import { isWhole, type LiveProof } from '../../core/proof/index.ts';
 
 /** How a run of the level ends. */
 export interface RunSummary extends RunEnd {

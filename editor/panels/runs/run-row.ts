@@ -1,5 +1,5 @@
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import type { TreeRow } from '../tree/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
 import type { RunSummary } from './run-ends.ts';
 
 /** A run as the list shows it. */

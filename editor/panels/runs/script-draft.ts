@@ -1,9 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { joinHolds } from '../../../engine/index.ts';
 import { formatRunText, type LevelFile, type RunTextReading, readRunText } from '../../../schema/index.ts';
-import type { OpenLevel } from '../../context/index.ts';
-import { holdsOf, notesOf, writeScript } from '../../document/index.ts';
-import { keptWith } from '../../kept/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { holdsOf, notesOf, writeScript } from '../../core/document/index.ts';
+import { keptWith } from '../../core/kept/index.ts';
 
 /** A text that was typed for a run. */
 export interface Draft {

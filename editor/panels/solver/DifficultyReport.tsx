@@ -2,9 +2,9 @@ import { Gauge, Plus, Square } from 'lucide-react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/index.ts';
-import { Button } from '../../ui/index.ts';
-import { extraInWords, type Fact, percent, plural, seconds } from '../figures/index.ts';
-import { Facts, Progress, Section } from '../parts/index.ts';
+import { extraInWords, type Fact, percent, plural, seconds } from '../../core/figures/index.ts';
+import { Facts, Progress, Section } from '../../core/panel/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {

@@ -4,10 +4,9 @@ import { useStore } from 'zustand';
 import { proposalInWords, proposalRunInWords, SIZE_MEANS } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
-import { Offer } from '../../offers/index.ts';
-import { Button } from '../../ui/index.ts';
-import { about, seconds } from '../figures/index.ts';
-import { Progress, Section } from '../parts/index.ts';
+import { about, seconds } from '../../core/figures/index.ts';
+import { Offer, Progress, Section } from '../../core/panel/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import type { FixState } from './fix-session.ts';
 import { useSolverSession } from './use-solver-session.ts';
 

@@ -1,11 +1,11 @@
 import { Eye, EyeOff, Play, Square } from 'lucide-react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
-import { useEditor, useLevel, useSession } from '../../context/index.ts';
+import { useEditor, useLevel, useSession } from '../../core/context/index.ts';
+import { about } from '../../core/figures/index.ts';
+import { Progress, Section } from '../../core/panel/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { lostInWords, lostOf } from '../../lost/index.ts';
-import { Button } from '../../ui/index.ts';
-import { about } from '../figures/index.ts';
-import { Progress, Section } from '../parts/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 /** Places that are listed. */

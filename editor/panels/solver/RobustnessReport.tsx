@@ -1,9 +1,9 @@
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import type { EdgeSlack, Success } from '../../../solver/index.ts';
-import { useEditor, useLevel, useProof } from '../../context/index.ts';
-import { percent, plural, SLACK_LIMIT, slackText, tightestOf } from '../figures/index.ts';
-import { Section } from '../parts/index.ts';
+import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { percent, plural, SLACK_LIMIT, slackText, tightestOf } from '../../core/figures/index.ts';
+import { Section } from '../../core/panel/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);

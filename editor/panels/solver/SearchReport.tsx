@@ -1,10 +1,10 @@
 import { Check, CircleCheck, CircleHelp, CircleX, Info, Plus, Replace, TriangleAlert, X } from 'lucide-react';
 import { useStore } from 'zustand';
 import { mineralsNeeded } from '../../../solver/index.ts';
-import { useDocument, useEditor, useProof, useSession } from '../../context/index.ts';
-import { Button } from '../../ui/index.ts';
-import { about, percent, plural, seconds } from '../figures/index.ts';
-import { Progress } from '../parts/index.ts';
+import { useDocument, useEditor, useProof, useSession } from '../../core/context/index.ts';
+import { about, percent, plural, seconds } from '../../core/figures/index.ts';
+import { Progress } from '../../core/panel/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
 import type { Found } from './found-runs.ts';
 import { RUNS_WANTED } from './search-jobs.ts';

@@ -1,10 +1,10 @@
 import { Play, Square } from 'lucide-react';
 import { useStore } from 'zustand';
 import { LIMITS } from '../../../schema/index.ts';
-import { keyLabel } from '../../commands/index.ts';
-import { IS_MAC, useDocument } from '../../context/index.ts';
-import { Button, NumberField } from '../../ui/index.ts';
-import { Segments } from '../parts/index.ts';
+import { keyLabel } from '../../core/commands/index.ts';
+import { IS_MAC, useDocument } from '../../core/context/index.ts';
+import { Segments } from '../../core/panel/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
 import { SOLVE_KEY } from './SolverWatch.tsx';
 import { useSolverSession } from './use-solver-session.ts';
 

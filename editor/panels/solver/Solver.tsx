@@ -1,4 +1,4 @@
-import { Section } from '../parts/index.ts';
+import { Section } from '../../core/panel/index.ts';
 import { DifficultyReport } from './DifficultyReport.tsx';
 import { FixReport } from './FixReport.tsx';
 import { LostReport } from './LostReport.tsx';

@@ -1,6 +1,6 @@
 import { useEffect } from 'react';
-import type { Command } from '../../commands/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
+import type { Command } from '../../core/commands/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 /** Starts a search. */

@@ -1,6 +1,6 @@
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import type { Ghost } from '../../context/index.ts';
+import type { Ghost } from '../../core/context/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import type { SearchState } from './search-state.ts';
 import { wayOf } from './ways.ts';

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
-import { type FoundByWorker, type LiveProof, toPlay } from '../../proof/index.ts';
+import { type FoundByWorker, type LiveProof, toPlay } from '../../core/proof/index.ts';
 import type { Job } from '../../workers/index.ts';
 import type { WatchParts } from './proof-watch.ts';
 

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
-import type { ProofStore } from '../../proof/index.ts';
+import type { ProofStore } from '../../core/proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
 import { goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { askedInWords } from './standing.ts';

@@ -1,5 +1,5 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { Ghost } from '../../context/index.ts';
+import type { Ghost } from '../../core/context/index.ts';
 
 /** The ghosts on the canvas: paths beside that of the shown run. */
 export interface GhostShelf {

@@ -1,8 +1,8 @@
 import type { Hold } from '../../../schema/index.ts';
 import { verifyRun } from '../../../solver/index.ts';
-import { addRun, type EditedLevel, freeRunName, replaceHolds } from '../../document/index.ts';
-import type { ProofStore } from '../../proof/index.ts';
-import type { SessionStore } from '../../session/index.ts';
+import { addRun, type EditedLevel, freeRunName, replaceHolds } from '../../core/document/index.ts';
+import type { ProofStore } from '../../core/proof/index.ts';
+import type { SessionStore } from '../../core/session/index.ts';
 
 /** The name of the first run that completes the level. */
 export const SOLUTION = 'solution';

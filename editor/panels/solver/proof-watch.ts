@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { type ProofStore, type Proved, toProve } from '../../proof/index.ts';
+import { type ProofStore, type Proved, toProve } from '../../core/proof/index.ts';
 import type { Job, Workers } from '../../workers/index.ts';
 
 export interface ProofWatch {

@@ -1,11 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import type { EdgeSlack, Goal, Robustness, Success } from '../../../solver/index.ts';
-import type { Ghost } from '../../context/index.ts';
-import type { EditedLevel } from '../../document/index.ts';
-import { endInWords, isWhole, type ProofStore } from '../../proof/index.ts';
+import type { Ghost } from '../../core/context/index.ts';
+import type { EditedLevel } from '../../core/document/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { endInWords, isWhole, type ProofStore } from '../../core/proof/index.ts';
 import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
-import { plural } from '../figures/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import { everyTick } from './ways.ts';
 import { withoutRuns } from './without-runs.ts';

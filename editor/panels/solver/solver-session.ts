@@ -1,8 +1,8 @@
-import type { Editor, OpenLevel } from '../../context/index.ts';
-import { pageTimers } from '../../files/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { pageTimers } from '../../core/files/index.ts';
+import { afterRest } from '../../core/panel/index.ts';
 import { type LostSession, watchLost } from '../../lost/index.ts';
 import { type OnionSession, watchOnion } from '../../onion/index.ts';
-import { afterRest } from '../parts/index.ts';
 import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
 import { createFixSession, type FixSession } from './fix-session.ts';

@@ -1,6 +1,6 @@
 import { closestInWords } from '../../../check/words/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
-import { pixels, plural } from '../figures/index.ts';
+import { pixels, plural } from '../../core/figures/index.ts';
 import { goalOf, type SearchSettings } from './search-settings.ts';
 import type { SearchState } from './search-state.ts';
 

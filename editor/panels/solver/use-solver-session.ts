@@ -1,4 +1,4 @@
-import { useEditor, useLevel } from '../../context/index.ts';
+import { useEditor, useLevel } from '../../core/context/index.ts';
 import { type SolverSession, solverSessionOf } from './solver-session.ts';
 
 /** The solver session of the level around this component. */

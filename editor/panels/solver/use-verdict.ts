@@ -1,7 +1,7 @@
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../../check/index.ts';
-import { type OpenLevel, useEditor } from '../../context/index.ts';
-import { limitInWords, toldVerdict } from '../../proof/index.ts';
+import { type OpenLevel, useEditor } from '../../core/context/index.ts';
+import { limitInWords, toldVerdict } from '../../core/proof/index.ts';
 import { checkedOf } from './check-watch.ts';
 import { solverSessionOf } from './solver-session.ts';
 

@@ -1,6 +1,6 @@
 import { type Attempt, collectStatistics, createPlayReplayer, isAttempt } from '../../../check/plays/index.ts';
 import { createVerifier } from '../../../game/index.ts';
-import { accuracyNameOf } from '../../terms/index.ts';
+import { accuracyNameOf } from '../../core/terms/index.ts';
 import type { CheckedPlay } from '../protocol.ts';
 import type { Start } from '../work.ts';
 

@@ -1,7 +1,7 @@
 import { mineralsToProve, playRuns, proofBudget, proveGoalImpossible, proveMineralsLost } from '../../../check/index.ts';
 import { compile, maxTicksOf, type Scene, WorkBudget } from '../../../engine/index.ts';
 import { createAnytimeProof } from '../../../solver/index.ts';
-import { accuracyNameOf } from '../../terms/index.ts';
+import { accuracyNameOf } from '../../core/terms/index.ts';
 import type { Start } from '../work.ts';
 
 /** Ticks between two looks at the clock. */

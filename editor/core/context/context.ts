@@ -1,0 +1,54 @@
+import { createContext, useContext } from 'react';
+import { useStore } from 'zustand';
+import type { FolderTerms } from '../../../schema/index.ts';
+import type { DocumentState, ObjectKey } from '../document/index.ts';
+import { folderTermsIn } from '../files/index.ts';
+import type { LiveProof } from '../proof/index.ts';
+import type { Session } from '../session/index.ts';
+import type { PageTerms } from '../terms/index.ts';
+import type { Editor, OpenLevel } from './editor.ts';
+
+export const EditorContext = createContext<Editor | null>(null);
+export const LevelContext = createContext<OpenLevel | null>(null);
+
+/** The editor around this component. */
+export function useEditor(): Editor {
+  const editor = useContext(EditorContext);
+  if (editor === null) throw new Error('expected to be inside an EditorContext');
+  return editor;
+}
+
+/** The open level around this component. */
+export function useLevel(): OpenLevel {
+  const level = useContext(LevelContext);
+  if (level === null) throw new Error('expected to be inside a LevelContext');
+  return level;
+}
+
+/** Part of the session; re-renders when it changes. */
+export function useSession<T>(pick: (session: Session) => T): T {
+  return useStore(useEditor().session, pick);
+}
+
+/** Under which terms levels are judged and shown; re-renders when they change. */
+export const usePageTerms = (): PageTerms => useStore(useEditor().terms);
+
+/** What the folder's configuration sets; re-renders when it changes. */
+export const useFolderTerms = (): FolderTerms => useStore(useEditor().workspace.store, folderTermsIn);
+
+/** Part of the document; re-renders when it changes. */
+export function useDocument<T>(pick: (state: DocumentState) => T): T {
+  return useStore(useLevel().document.store, pick);
+}
+
+/** The keys of the selection; re-renders when they change. */
+export function useSelectedKeys(): readonly ObjectKey[] {
+  return useStore(useLevel().selection.store, ({ keys }) => keys);
+}
+
+/**
+ * Part of the live proof; re-renders when it changes. It should be small, as the proof changes with every move of the pointer.
+ */
+export function useProof<T>(pick: (proof: LiveProof) => T): T {
+  return useStore(useLevel().proof.store, pick);
+}

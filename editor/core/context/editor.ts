@@ -1,0 +1,80 @@
+import type { StoreApi } from 'zustand/vanilla';
+import type { LevelFile } from '../../../schema/index.ts';
+import type { Workers } from '../../workers/index.ts';
+import type { AttemptKeeper, Attempts } from '../attempts/index.ts';
+import type { Commands } from '../commands/index.ts';
+import type { EditedLevel, ObjectKey, SelectionStore } from '../document/index.ts';
+import type { OpenedLevel, OpeningMarks, Workspace } from '../files/index.ts';
+import type { Journal } from '../journal/index.ts';
+import type { Notices } from '../notices/index.ts';
+import type { ProofStore } from '../proof/index.ts';
+import type { SessionStore } from '../session/index.ts';
+import type { SettingsStore } from '../settings/index.ts';
+import type { TermsStore } from '../terms/index.ts';
+import type { VersionKeeper } from '../versions/index.ts';
+import type { Ghost } from './ghost.ts';
+import type { Pose } from './pose.ts';
+
+/** The robustness of a run. It is only valid for these holds. */
+export interface Analysis {
+  /** The holds it belongs to, joined by commas. */
+  readonly holds: string;
+  /** The slack of each press and release, ticks; two per hold. */
+  readonly slack: readonly { readonly earlier: number; readonly later: number }[];
+  /** All shifts of all edges by up to this many ticks succeed; null while this is being certified. */
+  readonly certifiedTicks: number | null;
+  /** Whether some shift by one tick more is known to fail; false if there were too many to check. */
+  readonly decided: boolean;
+  /** Success with timing noise of 40 ms, 0 to 1. */
+  readonly p40: number;
+}
+
+/** The level on the screen and everything that belongs to it. */
+export interface OpenLevel {
+  /** Its file: its id, its saving state, the writer lock. */
+  readonly opened: OpenedLevel;
+  readonly document: EditedLevel;
+  readonly selection: SelectionStore;
+  /** The hovered object, on the canvas or in the outline. */
+  readonly hovered: StoreApi<ObjectKey | null>;
+  readonly proof: ProofStore;
+  /** Other paths on the canvas: attempts, candidates, the slack fan. */
+  readonly ghosts: StoreApi<readonly Ghost[]>;
+  readonly attempts: Attempts;
+  /** null until it is known */
+  readonly analysis: StoreApi<Analysis | null>;
+  /** The playtest in progress; the canvas reads its pose once per frame. */
+  readonly playtest: StoreApi<{
+    readonly pose: () => Pose;
+    /** The tick of that pose, with a fraction. */
+    readonly moment: () => number;
+  } | null>;
+}
+
+/** Everything that a part of the editor may use. One per page. */
+export interface Editor {
+  readonly settings: SettingsStore;
+  /** Under which terms levels are judged and shown. */
+  readonly terms: TermsStore;
+  readonly session: SessionStore;
+  readonly commands: Commands;
+  readonly notices: Notices;
+  readonly workspace: Workspace;
+  /** What this browser keeps of levels until they are saved. */
+  readonly journal: Journal;
+  /** What this browser keeps of earlier versions of levels. */
+  readonly versions: VersionKeeper;
+  /** What this browser keeps of attempts at levels. */
+  readonly attempts: AttemptKeeper;
+  /** Marks of levels whose opening made an earlier page hang. */
+  readonly marks: OpeningMarks;
+  /** A level from the page's address that is not added yet. */
+  readonly incoming: StoreApi<LevelFile | null>;
+  /** Id of a level that is opened only after the user has been asked. */
+  readonly heldBack: StoreApi<string | null>;
+  /** Ids of levels that are opened without being simulated. */
+  readonly unchecked: Set<string>;
+  readonly workers: Workers;
+  /** null while no level is open */
+  readonly open: StoreApi<OpenLevel | null>;
+}

@@ -1,0 +1,28 @@
+import { type LevelFile, type Problem, type ReadResponse, readLevel } from '../../../schema/index.ts';
+import { settle } from '../document/index.ts';
+
+export type TextReading =
+  | { readonly ok: true; readonly file: LevelFile }
+  | { readonly ok: false; readonly problems: readonly Problem[] };
+
+/** Reads a level from a text or the bytes of a file and gives every object an id; or says what is wrong. */
+export function readText(source: string | Uint8Array): TextReading {
+  const reading = readLevel(source, { byteOrderMark: 'skip' });
+  if (!reading.ok) return { ok: false, problems: reading.problems };
+  const settled = settle(reading.document.file, null);
+  if (settled.ok) return { ok: true, file: settled.file };
+  const { message, hint } = settled.refusal;
+  return {
+    ok: false,
+    problems: [{ code: 'unexpected', severity: 'error', message, hint, pointer: '', line: null, column: null }],
+  };
+}
+
+/** With these problems, the decoded text is not what the file contains, whatever it looks like. */
+const UNREADABLE: ReadonlySet<string> = new Set(['not-utf8', 'not-a-level']);
+
+/** Reads a level from a file of the storage; or says what is wrong with the file. */
+export function readStored({ text, problems }: Pick<ReadResponse, 'text' | 'problems'>): TextReading {
+  // only the storage knows why the file could not be read
+  return text === null || problems.some(({ code }) => UNREADABLE.has(code)) ? { ok: false, problems } : readText(text);
+}

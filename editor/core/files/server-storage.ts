@@ -1,0 +1,284 @@
+import type * as z from 'zod';
+import {
+  type DeleteRequest,
+  deleteResponseSchema,
+  EDIT_API,
+  EDIT_ERRORS,
+  type EditEvent,
+  editEventSchema,
+  errorResponseSchema,
+  listResponseSchema,
+  type OrderRequest,
+  orderResponseSchema,
+  type PackRequest,
+  type PublishRequest,
+  packResponseSchema,
+  publishResponseSchema,
+  type RenameRequest,
+  type RestoreRequest,
+  readResponseSchema,
+  trashResponseSchema,
+  type WriteRequest,
+  writeResponseSchema,
+} from '../../../schema/index.ts';
+import { type Answer, type LevelStorage, type Link, storageError } from './level-storage.ts';
+import type { PageKey } from './page-key.ts';
+import { pageTimers, type Timers } from './timers.ts';
+
+export interface ServerOptions {
+  /** Where the page comes from, without a trailing slash. */
+  readonly origin: string;
+  /**
+   * The token after `#token=` in the address that `gq edit` prints; '' if the page was opened without one: then errors say so.
+   */
+  readonly token: string;
+  /** Lets the page in again after a restart. */
+  readonly key: PageKey;
+  /** A random name of this page. */
+  readonly client: string;
+  readonly fetch: typeof fetch;
+  readonly timers?: Timers;
+}
+
+type Fields = Record<string, string>;
+
+/** ms of silence after which the server counts as gone: two and a half heartbeats */
+const SILENCE = EDIT_API.HEARTBEAT * 2500;
+/** ms between attempts to reconnect; the last wait repeats */
+const RETRIES = [250, 500, 1000, 2000, 5000] as const;
+
+const UNREACHABLE = storageError(
+  'unreachable',
+  'the local server does not answer',
+  'is gq edit still running? Start it again in the same folder and open the address it prints',
+);
+
+const OPEN_AGAIN = 'Open the address that gq edit printed last, or start gq edit again in the folder and open its new address';
+
+const NO_TOKEN = storageError(
+  'wrong-token',
+  'this address lacks the key to the levels: only the full address that gq edit prints contains it, bookmarks and new tabs do not',
+  OPEN_AGAIN,
+);
+
+/** The token of the run that the server is in, as far as it is known. */
+interface Token {
+  now(): string;
+  /** @param refused the token that the server does not take. @returns whether there is another one now */
+  renewed(refused: string): Promise<boolean>;
+}
+
+function tokenOf({ token, key }: Pick<ServerOptions, 'token' | 'key'>): Token {
+  let now = token;
+  let asking: Promise<string | null> | null = null;
+  return {
+    now: () => now,
+    async renewed(refused) {
+      if (now !== refused) return true;
+      asking ??= key.renew();
+      const fresh = await asking;
+      asking = null;
+      if (fresh !== null) now = fresh;
+      return now !== refused;
+    },
+  };
+}
+
+/** The folder behind `gq edit`. */
+export function createServerStorage(options: ServerOptions): LevelStorage {
+  const { origin, client, fetch, timers = pageTimers } = options;
+  const token = tokenOf(options);
+
+  const ask = async <T>(
+    method: string,
+    path: string,
+    schema: z.ZodType<T>,
+    headers: Fields,
+    body?: object,
+  ): Promise<Answer<T>> => {
+    const given = token.now();
+    let response: Response;
+    let value: unknown;
+    try {
+      response = await fetch(`${origin}${path}`, {
+        method,
+        headers: {
+          [EDIT_API.TOKEN_HEADER]: given,
+          ...(body === undefined ? {} : { 'Content-Type': 'application/json' }),
+          ...headers,
+        },
+        body: body === undefined ? undefined : JSON.stringify(body),
+        cache: 'no-store',
+      });
+      value = await response.json();
+    } catch {
+      return { ok: false, error: UNREACHABLE };
+    }
+    if (response.ok) {
+      const parsed = schema.safeParse(value);
+      if (parsed.success) return { ok: true, value: parsed.data };
+    } else {
+      const parsed = errorResponseSchema.safeParse(value);
+      if (parsed.success) {
+        const { code, message, hint, problems = [], current = null, ...lists } = parsed.data.error;
+        if (code === 'wrong-token') {
+          // nothing was done: the request is sent again
+          if (await token.renewed(given)) return ask(method, path, schema, headers, body);
+          return { ok: false, error: given === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
+        }
+        return { ok: false, error: { code, message, hint, problems, current, ...lists } };
+      }
+    }
+    const hint = 'are the page and gq edit of the same version? Reload the page';
+    return {
+      ok: false,
+      error: storageError('unexpected', `the server gave an unexpected answer (${response.status})`, hint),
+    };
+  };
+  const get = <T>(path: string, schema: z.ZodType<T>) => ask('GET', path, schema, {});
+  const post = <T>(path: string, schema: z.ZodType<T>, body: object, headers: Fields = {}) =>
+    ask('POST', path, schema, headers, body);
+  const level = (id: string) => `${EDIT_API.LEVEL}?id=${encodeURIComponent(id)}`;
+  const picked = async <T, U>(answer: Promise<Answer<T>>, pick: (value: T) => U): Promise<Answer<U>> => {
+    const given = await answer;
+    return given.ok ? { ok: true, value: pick(given.value) } : given;
+  };
+
+  return {
+    kind: 'server',
+    lasts: true,
+    list: () => get(EDIT_API.LEVELS, listResponseSchema),
+    read: (id) => get(level(id), readResponseSchema),
+    write(id, text, base) {
+      const headers: Fields = base === null ? { 'If-None-Match': '*' } : { 'If-Match': base };
+      const body: WriteRequest = { text, client };
+      return picked(ask('PUT', level(id), writeResponseSchema, headers, body), ({ entry }) => entry);
+    },
+    rename(id, to, base) {
+      const body: RenameRequest = { id, to, client };
+      return picked(post(EDIT_API.RENAME, writeResponseSchema, body, { 'If-Match': base }), ({ entry }) => entry);
+    },
+    duplicate(id, to, base) {
+      const body: RenameRequest = { id, to, client };
+      return picked(post(EDIT_API.DUPLICATE, writeResponseSchema, body, { 'If-Match': base }), ({ entry }) => entry);
+    },
+    remove(id, base) {
+      const body: DeleteRequest = { id, client };
+      return post(EDIT_API.DELETE, deleteResponseSchema, body, { 'If-Match': base });
+    },
+    trash: () => picked(get(EDIT_API.TRASH, trashResponseSchema), ({ trash }) => trash),
+    restore(trash, to) {
+      const body: RestoreRequest = { trash, client, ...(to === undefined ? {} : { to }) };
+      return picked(post(EDIT_API.RESTORE, writeResponseSchema, body), ({ entry }) => entry);
+    },
+    order(folder, ids) {
+      const body: OrderRequest = { folder, ids: [...ids], client };
+      return post(EDIT_API.ORDER, orderResponseSchema, body);
+    },
+    writePack(text, base) {
+      const headers: Fields = base === null ? { 'If-None-Match': '*' } : { 'If-Match': base };
+      const body: PackRequest = { text, client };
+      return picked(ask('PUT', EDIT_API.PACK, packResponseSchema, headers, body), ({ pack }) => pack);
+    },
+    publish(wanted) {
+      const body: PublishRequest = { ...wanted, client };
+      return post(EDIT_API.PUBLISH, publishResponseSchema, body);
+    },
+    watch(onEvent, onLink) {
+      // without a token, the server reports nothing
+      if (token.now() === '') return () => {};
+      const own = (event: EditEvent) => 'by' in event && event.by === client;
+      return followEvents({ ...options, timers, token }, (event) => !own(event) && onEvent(event), onLink);
+    },
+  };
+}
+
+interface Following extends Pick<ServerOptions, 'origin' | 'key' | 'fetch'> {
+  readonly timers: Timers;
+  readonly token: Token;
+}
+
+/** Keeps a stream of events open and reconnects when it ends. */
+function followEvents(
+  { origin, token, key, fetch, timers }: Following,
+  onEvent: (event: EditEvent) => void,
+  onLink: (link: Link) => void,
+): () => void {
+  let isOver = false;
+  let attempts = 0;
+  let reported: Link | null = null;
+  let abort = new AbortController();
+  let cancelWait = () => {};
+
+  const tell = (now: Link) => {
+    if (now !== reported && !isOver) onLink(now);
+    reported = now;
+  };
+  /** Settles when the stream ends. */
+  const readAll = async (): Promise<void> => {
+    abort = new AbortController();
+    const { signal } = abort;
+    const given = token.now();
+    const response = await fetch(`${origin}${EDIT_API.EVENTS}`, {
+      headers: { [EDIT_API.TOKEN_HEADER]: given },
+      signal,
+      cache: 'no-store',
+    });
+    if (response.status === EDIT_ERRORS['wrong-token']) {
+      if (await token.renewed(given)) attempts = 0;
+      else tell('otherRun');
+    }
+    if (!response.ok || response.body === null) throw new Error(`the server answered ${response.status}`);
+    tell('up');
+    void key.learn(given);
+    const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
+    let rest = '';
+    let cancelSilence = timers.after(SILENCE, () => abort.abort());
+    try {
+      for (;;) {
+        const { value, done } = await reader.read();
+        if (done) return;
+        // the connection works, so the next failure is the first one again
+        attempts = 0;
+        cancelSilence();
+        cancelSilence = timers.after(SILENCE, () => abort.abort());
+        const blocks = (rest + value).split('\n\n');
+        rest = blocks.pop() ?? '';
+        for (const block of blocks) for (const event of eventsOf(block)) onEvent(event);
+      }
+    } finally {
+      cancelSilence();
+    }
+  };
+  const goOn = () => {
+    void readAll()
+      .catch(() => undefined)
+      .then(() => {
+        if (isOver) return;
+        if (reported !== 'otherRun') tell('gone');
+        cancelWait = timers.after(RETRIES[Math.min(attempts++, RETRIES.length - 1)], goOn);
+      });
+  };
+  goOn();
+  return () => {
+    isOver = true;
+    cancelWait();
+    abort.abort();
+  };
+}
+
+/** The events of one block of an event stream; those that are not understood are skipped. */
+function eventsOf(block: string): EditEvent[] {
+  const data = block
+    .split('\n')
+    .filter((line) => line.startsWith('data:'))
+    .map((line) => line.slice(5).trimStart())
+    .join('\n');
+  if (data === '') return [];
+  try {
+    const parsed = editEventSchema.safeParse(JSON.parse(data));
+    return parsed.success ? [parsed.data] : [];
+  } catch {
+    return [];
+  }
+}

@@ -1,0 +1,224 @@
+import { firstDifference } from '../../../check/runs/index.ts';
+import {
+  createSimulation,
+  type Ending,
+  type Scene,
+  type Simulation,
+  STATE_SIZE,
+  unlimited,
+  type WorkBudget,
+  WorkLimitReached,
+} from '../../../engine/index.ts';
+import type { Hold } from '../../../schema/index.ts';
+import { MarchRoom } from './march-room.ts';
+import type { Tracks } from './tracks.ts';
+
+/**
+ * Her states at every tick of a run. The arrays are overwritten by the next run: copy what must be kept. Entry k stands for the
+ * time k / 60 s; `count` entries are filled.
+ */
+export interface Way {
+  readonly count: number;
+  /** x, y (px), vx, vy (px/s), cos, sin of the box's x axis: `STATE_SIZE` doubles per entry. */
+  readonly states: Float64Array;
+  /** 1 if the gun is held in the tick that begins with this entry. */
+  readonly held: Uint8Array;
+  /** x, y, alive of every alien. */
+  readonly aliens: Tracks;
+  /** x, y of every asteroid in the level's order; none if recoil is off, as they stay in place. */
+  readonly asteroids: Tracks;
+  /** Her state at the end of the run, which is usually between two ticks; as in `states`. */
+  readonly last: Float64Array;
+}
+
+/** The result of a run. */
+export interface Marched {
+  readonly way: Way;
+  /** Whether it was stopped before the end. */
+  readonly isCut: boolean;
+  /** null: nothing ended it within the time limit */
+  readonly ending: Ending | null;
+  /** Indices of the collected minerals in order of collection; those of one tick in the level's order. */
+  readonly minerals: readonly { readonly index: number; readonly tick: number }[];
+  /** The tick from which on it was simulated; earlier ticks were known from the last run. */
+  readonly resumedFrom: number;
+  /** What the run costs from the start, in looks. */
+  readonly looks: number;
+}
+
+/** ticks between snapshots; on average, half of them are simulated again */
+const SNAPSHOT_TICKS = 60;
+
+/**
+ * Simulates scripts of holds in one scene tick by tick and records the trajectory. A script that begins like the previous one
+ * continues from where they differ, with the same bits as from the start.
+ */
+export class March {
+  private readonly simulation: Simulation;
+  /** With `arcade`, the entry for time 0 is the state after the first frame, as in its recordings. */
+  private readonly ahead: number;
+  private readonly last = new Float64Array(STATE_SIZE);
+  private readonly state = new Float64Array(STATE_SIZE);
+  private minerals: { index: number; tick: number }[] = [];
+  private readonly collected: Uint8Array;
+  private played: readonly Hold[] | null = null;
+  /** The number of the room's snapshots that belong to the current script. */
+  private kept = 0;
+  /** What the current script has cost until each snapshot, and until now, looks. */
+  private readonly costs: number[] = [];
+  private looks = 0;
+  /** What the budget had spent when `looks` was brought up to date. */
+  private counted = 0;
+  private count = 0;
+  private ticks = 0;
+
+  /**
+   * @param room must not be used by another march from now on
+   * @param budget limits the work; a run that uses it up is cut
+   * @throws WorkLimitReached if it is too small for the start
+   */
+  constructor(
+    readonly scene: Scene,
+    readonly maxTicks: number,
+    private readonly room = new MarchRoom(),
+    private readonly budget: WorkBudget = unlimited(),
+  ) {
+    this.simulation = createSimulation(scene, budget);
+    this.ahead = scene.accuracy.integrator === 'arcade' ? 1 : 0;
+    this.collected = new Uint8Array(scene.minerals.count);
+    room.prepare(scene.aliens.count, scene.level.recoil ? scene.targets.count : 0);
+  }
+
+  /**
+   * @param holds sorted and disjoint, as from `joinHolds`
+   * @param isLate called before each tick: whether to stop. A later call with the same script continues near that point.
+   */
+  run(holds: readonly Hold[], isLate: () => boolean = () => false): Marched {
+    const resumedFrom = this.goBack(holds);
+    this.counted = this.budget.looks;
+    this.played = holds;
+    const { simulation, maxTicks } = this;
+    let next = 0;
+    let isCut = false;
+    while (simulation.ending === null && simulation.tick < maxTicks) {
+      const { tick } = simulation;
+      if (isLate()) {
+        isCut = true;
+        break;
+      }
+      if (tick % SNAPSHOT_TICKS === 0) this.keep(tick / SNAPSHOT_TICKS);
+      while (next < holds.length && holds[next][1] <= tick) next++;
+      const isHeld = next < holds.length && holds[next][0] <= tick;
+      if (this.ahead === 0) this.write();
+      this.hold(tick, isHeld);
+      if (!this.advance(isHeld)) {
+        // the incomplete state within a tick is ignored
+        this.ticks = tick;
+        this.count = Math.max(1, this.count);
+        this.last.set(this.room.states.subarray(STATE_SIZE * (this.count - 1), STATE_SIZE * this.count));
+        return {
+          way: this.way(),
+          isCut: true,
+          ending: null,
+          minerals: [...this.minerals],
+          resumedFrom,
+          looks: this.countLooks(),
+        };
+      }
+      this.collect(tick);
+      if (this.ahead === 1) this.write();
+    }
+    if (this.ahead === 0 && simulation.ending === null) {
+      this.hold(simulation.tick, false);
+      this.write();
+    }
+    this.ticks = simulation.tick;
+    simulation.readState(this.last);
+    const { ending } = simulation;
+    return { way: this.way(), isCut, ending, minerals: [...this.minerals], resumedFrom, looks: this.countLooks() };
+  }
+
+  /** What the script has cost so far. */
+  private countLooks(): number {
+    const { looks } = this.budget;
+    this.looks += looks - this.counted;
+    this.counted = looks;
+    return this.looks;
+  }
+
+  /** @returns false if the budget is used up */
+  private advance(isHeld: boolean): boolean {
+    try {
+      this.simulation.advance(1, isHeld);
+      return true;
+    } catch (error) {
+      if (error instanceof WorkLimitReached) return false;
+      throw error;
+    }
+  }
+
+  private way(): Way {
+    const { count, last } = this;
+    const { states, held, aliens, asteroids } = this.room;
+    return { count, states, held, aliens, asteroids, last };
+  }
+
+  /** Restores the last snapshot that the script shares with the previous one. @returns its tick */
+  private goBack(holds: readonly Hold[]): number {
+    const shared = this.played === null ? 0 : Math.min(firstDifference(this.played, holds), this.ticks);
+    const index = Math.min(Math.floor(shared / SNAPSHOT_TICKS), this.kept - 1);
+    this.kept = Math.max(0, index + 1);
+    if (index <= 0) {
+      this.simulation.reset();
+      this.minerals = [];
+      this.looks = 0;
+    } else {
+      this.simulation.restore(this.room.snapshots[index]);
+      this.looks = this.costs[index];
+      this.minerals = this.minerals.filter(({ tick }) => tick < this.simulation.tick);
+    }
+    this.collected.fill(0);
+    for (const mineral of this.minerals) this.collected[mineral.index] = 1;
+    this.count = this.simulation.tick;
+    return this.simulation.tick;
+  }
+
+  private keep(index: number): void {
+    const { snapshots } = this.room;
+    snapshots[index] = this.simulation.snapshot(snapshots[index]);
+    this.costs[index] = this.countLooks();
+    this.kept = index + 1;
+  }
+
+  private collect(tick: number): void {
+    const { simulation, collected } = this;
+    if (simulation.mineralCount === this.minerals.length) return;
+    for (let i = 0; i < collected.length; i++) {
+      if (collected[i] === 1 || !simulation.isCollected(i)) continue;
+      collected[i] = 1;
+      this.minerals.push({ index: i, tick });
+    }
+  }
+
+  private hold(tick: number, isHeld: boolean): void {
+    this.room.grow(tick + 2);
+    this.room.held[tick] = isHeld ? 1 : 0;
+  }
+
+  private write(): void {
+    const { simulation, count, state, room } = this;
+    room.grow(count + 2);
+    simulation.readState(state);
+    room.states.set(state, STATE_SIZE * count);
+    // sleeping aliens, of which there may be hundreds, need not be read at every tick
+    if (room.aliens.count > 0 && (count === 0 || simulation.mayAliensHaveStirred)) {
+      simulation.readAliens(room.alienState);
+      room.aliens.write(count, room.alienState);
+    }
+    if (room.asteroids.count > 0) {
+      simulation.readAsteroids(room.asteroidState);
+      room.asteroids.write(count, room.asteroidState);
+    }
+    this.count++;
+  }
+}

@@ -1,0 +1,73 @@
+import {
+  applyPolicy,
+  findingsOf,
+  type LevelProblem,
+  type LevelVerdict,
+  type LostMineral,
+  onceProved,
+  problemsOf,
+  proofProblems,
+  type RunFindings,
+  unproved,
+  verdictOfFindings,
+} from '../../../check/index.ts';
+import type { Problem } from '../../../schema/index.ts';
+import type { Proof } from '../../../solver/index.ts';
+import type { LiveProof } from './answer.ts';
+import { PAGE_HINTS } from './hints.ts';
+import { limitProblem, proofsGivenUp } from './left-out.ts';
+
+/** What a worker has proved about a level. */
+export interface Proved {
+  readonly impossible: Proof | null;
+  readonly minerals: readonly LostMineral[];
+  /** Whether everything was tried that a check tries; false when missing. */
+  readonly isWhole?: boolean;
+  /** Why the search for proofs ended early; null: it did not, or is still running. */
+  readonly gaveUp?: string | null;
+}
+
+/** What a worker found out about a level that the page does not simulate itself. */
+export interface FoundByWorker {
+  /** null: it gave up as well */
+  readonly result: RunFindings | null;
+  /** Why it gave up. */
+  readonly message: string;
+}
+
+/** The verdict on a level as far as it is known. @param worker null: not asked, or not done */
+export function toldVerdict(
+  { verdict: own }: Pick<LiveProof, 'verdict'>,
+  worker: FoundByWorker | null,
+  { impossible }: Pick<Proved, 'impossible'>,
+): LevelVerdict {
+  const played = worker === null || worker.result === null ? null : verdictOfFindings({ ...worker.result, ...unproved });
+  // one run that completes the level is enough
+  return onceProved(own === 'completable' ? own : (played ?? own), impossible !== null);
+}
+
+/**
+ * The problems of a level as far as they are known; `line` and `column` are null. @param worker null: not asked, or not done
+ */
+export function toldProblems(
+  { findings: own, limit }: Pick<LiveProof, 'findings' | 'limit'>,
+  worker: FoundByWorker | null,
+  { impossible, minerals: lost, isWhole = false, gaveUp = null }: Proved,
+): Problem[] {
+  const findings = own ?? worker?.result ?? null;
+  const told: LevelProblem[] = [];
+  if (findings !== null)
+    told.push(
+      ...problemsOf(
+        findingsOf(findings, { impossible, lost, sought: { slack: null, minerals: isWhole, softlocks: false } }),
+        PAGE_HINTS,
+      ),
+    );
+  else {
+    told.push(...proofProblems({ impossible, lost }, PAGE_HINTS));
+    if (limit !== null) told.push(limitProblem(limit, worker?.message ?? null));
+  }
+  if (gaveUp !== null && impossible === null) told.push(proofsGivenUp(gaveUp));
+  const { problems } = applyPolicy(told, { severity: {}, allow: findings?.allow ?? {} });
+  return problems.map((problem) => ({ ...problem, line: null, column: null }));
+}

@@ -1,0 +1,136 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { AccuracyName } from '../../../engine/index.ts';
+import { type Hold, PLACEABLES, type Placeable, type RuleName } from '../../../schema/index.ts';
+
+/** What a press on the canvas does: select and move, pan, or place an object of a kind. */
+export type Tool = 'select' | 'hand' | Placeable;
+export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
+
+/** Optional layers over the level. */
+export const LAYERS = [
+  'ranges',
+  'margins',
+  'nearMisses',
+  'slackFan',
+  'ghosts',
+  'heatMap',
+  'deaths',
+  'lost',
+  'onion',
+  'leeway',
+  'notes',
+] as const;
+export type Layer = (typeof LAYERS)[number];
+
+/** Speeds of the timeline and the playtest, relative to real time. */
+export const RATES = [0.25, 0.5, 1, 2] as const;
+export type Rate = (typeof RATES)[number];
+/** How they are written. */
+export const RATE_NAMES: Readonly<Record<Rate, string>> = { 0.25: '¼×', 0.5: '½×', 1: '1×', 2: '2×' };
+
+/** What covers the page: a dialog or the palette. */
+export type Overlay =
+  | 'palette'
+  | 'cheatSheet'
+  | 'settings'
+  | 'newLevel'
+  | 'open'
+  | 'share'
+  | 'publish'
+  | 'trash'
+  | 'history'
+  | 'nameVersion'
+  | 'tour'
+  | 'conflict'
+  | 'kept';
+
+/** Holds that are shown as a replay over the canvas. */
+export interface Replay {
+  readonly title: string;
+  readonly holds: readonly Hold[];
+  readonly accuracy: AccuracyName;
+  /** the last tick */
+  readonly tick: number;
+  /** How it ends, as a sentence. */
+  readonly end: string;
+  readonly look: 'won' | 'lost';
+}
+
+/** The transient state of the page, neither saved nor undone; the level is in the document. */
+export interface Session {
+  /** What fills the page: the open level, or all levels as cards. */
+  readonly view: 'level' | 'pack';
+  readonly mode: 'edit' | 'play';
+  /** Where a playtest begins: at the start, or at the current tick of the shown run. A replay is shown instead of a playtest. */
+  readonly playFrom: 'start' | 'scrubbed' | Replay;
+  readonly tool: Tool;
+  /** Whether a tool stays selected after it has placed an object. */
+  readonly isToolLocked: boolean;
+  /** The run that is shown and edited; null if the level has none. */
+  readonly run: string | null;
+  /** The current tick of 1/60 s; may be fractional during playback. */
+  readonly tick: number;
+  /** The tick under the pointer in the timeline, or null. */
+  readonly hoverTick: number | null;
+  /** Whether the timeline is playing the run. */
+  readonly isPlayingBack: boolean;
+  readonly rate: Rate;
+  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly overlay: Overlay | null;
+  /** The ids of the panels in front: on the sides of a wide screen, and on a phone (null: none). */
+  readonly panels: { readonly left: string; readonly right: string; readonly phone: string | null };
+  /** The row of the outline whose name is being edited: the key of an object, or that of a group's row; null: none. */
+  readonly renaming: string | null;
+  /** The note whose text is being edited: an existing one, or a new one at a place, px; null: none. */
+  readonly openNote: string | { readonly x: number; readonly y: number } | null;
+  /** A rule to focus as soon as it is shown; null: none. */
+  readonly askedRule: RuleName | null;
+  /** A point of the level to bring into view as soon as the canvas is shown; null: none. */
+  readonly lookAt: { readonly x: number; readonly y: number } | null;
+  /** px of screen per px of the level on the canvas */
+  readonly zoom: number;
+}
+
+export type SessionStore = StoreApi<Session>;
+
+/** The initial session. */
+export function createSession(): SessionStore {
+  return createStore<Session>(() => ({
+    view: 'level',
+    mode: 'edit',
+    playFrom: 'start',
+    tool: 'select',
+    isToolLocked: false,
+    run: null,
+    tick: 0,
+    hoverTick: null,
+    isPlayingBack: false,
+    rate: 1,
+    layers: {
+      ranges: true,
+      margins: true,
+      nearMisses: true,
+      slackFan: true,
+      ghosts: true,
+      heatMap: false,
+      deaths: true,
+      lost: false,
+      onion: true,
+      leeway: false,
+      notes: true,
+    },
+    overlay: null,
+    panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
+    renaming: null,
+    openNote: null,
+    askedRule: null,
+    lookAt: null,
+    zoom: 1,
+  }));
+}
+
+/** Chooses a tool. Tools that place nothing end the lock. */
+export function chooseTool(session: SessionStore, tool: Tool): void {
+  const places = tool !== 'select' && tool !== 'hand';
+  session.setState({ tool, isToolLocked: places && session.getState().isToolLocked });
+}

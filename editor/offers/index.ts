@@ -1,1 +1,0 @@
-export { Offer } from './Offer.tsx';
