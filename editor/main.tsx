@@ -4,7 +4,7 @@ import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import * as z from 'zod';
 import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
-import { followPlayLinks, takeLinkedPlay } from './plays/index.ts';
+import { followPlayLinks, takeLinkedPlay } from './features/plays/index.ts';
 import './core/ui/touch.css';
 import './core/ui/contrast.css';
 

@@ -16,7 +16,7 @@ export interface PlaceReading {
   readonly problem: string | null;
 }
 
-/** A level inside a link (see `editor/share`) is longer than any name of a file. */
+/** A level inside a link (see `editor/features/share`) is longer than any name of a file. */
 const LONGEST_NAME = 80;
 const TICK = /^\d{1,9}$/;
 

@@ -191,11 +191,11 @@ describe('the check for cycles finds one', () => {
 });
 
 describe('the check of imports finds a bypassed index file', () => {
-  const faces = ['editor/canvas/index.ts', 'editor/canvas/layers/index.ts', 'editor/panels/solver/index.ts'];
+  const faces = ['editor/canvas/index.ts', 'editor/canvas/layers/index.ts', 'editor/features/solver/index.ts'];
   const others = [
     'editor/canvas/colours.ts',
     'editor/canvas/layers/way.ts',
-    'editor/panels/solver/search.ts',
+    'editor/features/solver/search.ts',
     'editor/panels/bare/a.ts',
   ];
   const passed = (path: string, specifier: string) => {
@@ -205,21 +205,21 @@ describe('the check of imports finds a bypassed index file', () => {
   };
 
   it.each([
-    ['editor/panels/solver/search.ts', '../../canvas/colours.ts', 'editor/canvas/index.ts'],
-    ['editor/panels/solver/search.ts', '../../canvas/layers/way.ts', 'editor/canvas/index.ts'],
-    ['editor/panels/solver/search.ts', '../../canvas/layers/index.ts', 'editor/canvas/index.ts'],
+    ['editor/features/solver/search.ts', '../../canvas/colours.ts', 'editor/canvas/index.ts'],
+    ['editor/features/solver/search.ts', '../../canvas/layers/way.ts', 'editor/canvas/index.ts'],
+    ['editor/features/solver/search.ts', '../../canvas/layers/index.ts', 'editor/canvas/index.ts'],
     ['editor/canvas/stage.ts', './layers/way.ts', 'editor/canvas/layers/index.ts'],
     ['editor/canvas/pointer/pan.ts', '../layers/way.ts', 'editor/canvas/layers/index.ts'],
-    ['editor/panels/runs/a.ts', '../solver/search.ts', 'editor/panels/solver/index.ts'],
-    ['editor/panels/runs/a.ts', '../bare/a.ts', 'editor/panels/bare/index.ts'],
-    ['editor/main.tsx', './panels/solver/search.ts', 'editor/panels/solver/index.ts'],
+    ['editor/features/runs/a.ts', '../solver/search.ts', 'editor/features/solver/index.ts'],
+    ['editor/features/runs/a.ts', '../bare/a.ts', 'editor/panels/bare/index.ts'],
+    ['editor/main.tsx', './panels/solver/search.ts', 'editor/features/solver/index.ts'],
   ])('%s imports %s', (path, specifier, face) => {
     expect(passed(path, specifier)).toEqual([expect.stringMatching(`: passes by ${face}$`)]);
   });
 
   it.each([
-    ['editor/panels/solver/search.ts', '../../canvas/index.ts'],
-    ['editor/panels/runs/a.ts', '../solver/index.ts'],
+    ['editor/features/solver/search.ts', '../../canvas/index.ts'],
+    ['editor/features/runs/a.ts', '../solver/index.ts'],
     ['editor/canvas/stage.ts', './layers/index.ts'],
     ['editor/canvas/stage.ts', './colours.ts'],
     ['editor/canvas/layers/way.ts', '../colours.ts'],
@@ -250,7 +250,7 @@ describe('the check of imports finds a violation', () => {
     ['editor/a.tsx', `import fs from 'node:fs';`, /editor is no place for Node/],
     ['editor/a.ts', `import { x } from '../cli/main.ts';`, /editor may not know cli/],
     ['editor/canvas/a.ts', `import { x } from '../app/index.ts';`, /editor\/app stands on it/],
-    ['editor/panels/runs/a.tsx', `import type { X } from '../../app/platform.ts';`, /editor\/app stands on it/],
+    ['editor/features/runs/a.tsx', `import type { X } from '../../app/platform.ts';`, /editor\/app stands on it/],
     ['picture/a.ts', `import { x } from '../solver/index.ts';`, /picture may not know solver/],
     ['check/a.ts', `import { x } from '../picture/index.ts';`, /check may not know picture/],
     ['solver/a.ts', `import { x } from '../check/index.ts';`, /solver may not know check/],

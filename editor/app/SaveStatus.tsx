@@ -5,7 +5,7 @@ import { useDocument, useEditor, useLevel } from '../core/context/index.ts';
 import { problemsInWords, type SaveState } from '../core/files/index.ts';
 import type { Keeping } from '../core/journal/index.ts';
 import { Button, Hint } from '../core/ui/index.ts';
-import { keepFile, levelFile } from '../share/index.ts';
+import { keepFile, levelFile } from '../features/share/index.ts';
 
 const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: number }>; text: string }>> = {
   saved: { Icon: CircleCheck, text: 'saved' },

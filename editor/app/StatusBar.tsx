@@ -3,8 +3,8 @@ import { useDocument, useEditor, usePageTerms, useProof, useSession } from '../c
 import { objectsOf } from '../core/document/index.ts';
 import { useThrottledProof } from '../core/panel/index.ts';
 import { endInWords, type LiveProof } from '../core/proof/index.ts';
-import { OtherAccuracy } from '../panels/accuracy/index.ts';
-import { useProblemCount } from '../panels/problems/index.ts';
+import { OtherAccuracy } from '../features/accuracy/index.ts';
+import { useProblemCount } from '../features/problems/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;

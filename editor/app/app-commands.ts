@@ -1,12 +1,12 @@
-import { ALIVE_KEY } from '../alive/index.ts';
+import { ALIVE_KEY } from '../features/alive/index.ts';
 import type { Command } from '../core/commands/index.ts';
 import type { Editor } from '../core/context/index.ts';
 import { LAYERS, type Layer } from '../core/session/index.ts';
-import { LEEWAY_KEY } from '../leeway/index.ts';
-import { LOST_KEY } from '../lost/index.ts';
-import { MEND_KEY, mendSessionOf } from '../mend/index.ts';
-import { listHistoryOf } from '../panels/levels/index.ts';
-import { solverSessionOf } from '../panels/solver/index.ts';
+import { LEEWAY_KEY } from '../features/leeway/index.ts';
+import { LOST_KEY } from '../features/lost/index.ts';
+import { MEND_KEY, mendSessionOf } from '../features/mend/index.ts';
+import { listHistoryOf } from '../core/levels/index.ts';
+import { solverSessionOf } from '../features/solver/index.ts';
 import { showPanel } from './show-panel.ts';
 
 const LAYER_TITLES: Readonly<Record<Layer, string>> = {

@@ -1,6 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
-import { aliveOf, keepAlive } from '../alive/index.ts';
+import { aliveOf, keepAlive } from '../features/alive/index.ts';
 import { attemptsAt } from '../core/attempts/index.ts';
 import { createCommands } from '../core/commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../core/context/index.ts';
@@ -22,9 +22,9 @@ import { createProofStore } from '../core/proof/index.ts';
 import { createSession } from '../core/session/index.ts';
 import { createSettings } from '../core/settings/index.ts';
 import { createPageTerms } from '../core/terms/index.ts';
-import { watchMend } from '../mend/index.ts';
-import { openHeldBack } from '../panels/levels/index.ts';
-import { attemptGhosts } from '../play/index.ts';
+import { watchMend } from '../features/mend/index.ts';
+import { openHeldBack } from '../core/levels/index.ts';
+import { attemptGhosts } from '../features/play/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
 

@@ -1,6 +1,6 @@
 import type { Editor } from '../core/context/index.ts';
-import { openFirst } from '../panels/levels/index.ts';
-import { followPlaces, takePlace } from '../places/index.ts';
+import { openFirst } from '../core/levels/index.ts';
+import { followPlaces, takePlace } from '../features/places/index.ts';
 
 const KEY = 'gravity-quest-last-level';
 

@@ -1,4 +1,4 @@
 export { App } from './App.tsx';
 export { createEditor } from './create-editor.ts';
 export { openFirstLevel } from './first-level.ts';
-export { tellKept } from './tell-kept.ts';
+export { tellKept } from '../features/kept/index.ts';

@@ -1,15 +1,15 @@
 import { Files, Gauge, History, ListTree, Puzzle, SlidersHorizontal, Sparkles, TriangleAlert, Waypoints } from 'lucide-react';
 import type { ReactNode } from 'react';
 import { PerLevel } from '../core/context/index.ts';
-import { AccuracyPanel } from '../panels/accuracy/index.ts';
-import { AttemptsPanel } from '../panels/attempts/index.ts';
-import { Effects } from '../panels/effects/index.ts';
-import { Inspector } from '../panels/inspector/index.ts';
-import { LevelsPanel } from '../panels/levels/index.ts';
-import { Outliner } from '../panels/outliner/index.ts';
-import { Problems } from '../panels/problems/index.ts';
-import { RunsPanel } from '../panels/runs/index.ts';
-import { Solver } from '../panels/solver/index.ts';
+import { AccuracyPanel } from '../features/accuracy/index.ts';
+import { AttemptsPanel } from '../features/attempts/index.ts';
+import { Effects } from '../features/effects/index.ts';
+import { Inspector } from '../features/inspector/index.ts';
+import { LevelsPanel } from '../features/levels/index.ts';
+import { Outliner } from '../features/outliner/index.ts';
+import { Problems } from '../features/problems/index.ts';
+import { RunsPanel } from '../features/runs/index.ts';
+import { Solver } from '../features/solver/index.ts';
 import type { SidePanel } from './Layout.tsx';
 
 /** px of an icon in a tab on a phone */

@@ -1,7 +1,7 @@
 import { type RefObject, useEffect, useState } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { useLevel, useSession } from '../core/context/index.ts';
-import { deathsNear, shelfOf } from '../shelf/index.ts';
+import { deathsNear, shelfOf } from '../core/shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { type Point, toLevel, toScreen } from './view.ts';
 

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { useLevel, usePageTheme, useSession } from '../core/context/index.ts';
-import { leewayOf, type ShadeRect, shapesOf } from '../leeway/index.ts';
+import { leewayOf, type ShadeRect, shapesOf } from '../features/leeway/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS } from './colours.ts';
 import { drawLeeway } from './draw-leeway.ts';

@@ -1,7 +1,7 @@
 import { type StoreApi, useStore } from 'zustand';
 import { useLevel, useProof, useSession } from '../core/context/index.ts';
 import type { LiveProof } from '../core/proof/index.ts';
-import { onionOf } from '../onion/index.ts';
+import { onionOf } from '../features/onion/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { momentPlace, reasonOf } from './labels.ts';
 import { isInView } from './view.ts';

@@ -3,7 +3,7 @@ import { appearanceOf, PLACEABLES } from '../../schema/index.ts';
 import type { Command } from '../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../core/context/index.ts';
 import { chooseTool, type Tool } from '../core/session/index.ts';
-import { orderCommands } from '../order/index.ts';
+import { orderCommands } from '../core/order/index.ts';
 import { arrangeCommands } from './arrange-commands.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { clipboardCommands } from './clipboard-commands.ts';

@@ -1,4 +1,4 @@
-import type { LeewayShapes, ShadeRect } from '../leeway/index.ts';
+import type { LeewayShapes, ShadeRect } from '../features/leeway/index.ts';
 
 /** px of the picture between strokes, and between the dots of what is open */
 const HATCH = 9;

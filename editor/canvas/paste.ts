@@ -1,6 +1,6 @@
 import type { Editor } from '../core/context/index.ts';
 import { middleOf, pasteObjects, readClipping } from '../core/document/index.ts';
-import { isPlayText } from '../shelf/index.ts';
+import { isPlayText } from '../core/shelf/index.ts';
 import type { ObjectChanges } from './object-changes.ts';
 import type { Point, View } from './view.ts';
 

@@ -2,7 +2,7 @@ import { useEffect } from 'react';
 import type { StoreApi } from 'zustand';
 import { useEditor, useLevel } from '../core/context/index.ts';
 import { afterRest } from '../core/panel/index.ts';
-import { watchLeeway } from '../leeway/index.ts';
+import { watchLeeway } from '../features/leeway/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { toLevel } from './view.ts';
 

@@ -1,6 +1,6 @@
 import { useProof, useSession } from '../core/context/index.ts';
 import { isWhole } from '../core/proof/index.ts';
-import { lossInWords, lostFromInWords, useRunLoss } from '../lost/index.ts';
+import { lossInWords, lostFromInWords, useRunLoss } from '../features/lost/index.ts';
 import { type Scale, toX } from './scale.ts';
 
 interface LossMarkProps {

@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useComparedRows, useDifference } from '../compare/index.ts';
+import { useComparedRows, useDifference } from '../features/compare/index.ts';
 import { useEditor, useLevel, useProof, useSession, useTouch, useWhenIdle } from '../core/context/index.ts';
 import type { LiveProof, Reach } from '../core/proof/index.ts';
 import { ComparedLanes } from './ComparedLanes.tsx';

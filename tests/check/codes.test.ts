@@ -6,7 +6,7 @@ import { commandHints } from '../../cli/check/hints.ts';
 import { crashedLevel, unreadableLevel } from '../../cli/check/refused-level.ts';
 import { shellPath } from '../../cli/shown-path.ts';
 import { PAGE_HINTS } from '../../editor/core/proof/hints.ts';
-import { explanationOf } from '../../editor/panels/problems/explanations.ts';
+import { explanationOf } from '../../editor/features/problems/explanations.ts';
 import { ACCURACIES, DEFAULT_MAX_TIME, DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';
 import { CODES, resolveLevel } from '../../schema/index.ts';
 import { type Proof, proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';

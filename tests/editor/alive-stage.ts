@@ -1,5 +1,5 @@
-import { aliveOf } from '../../editor/alive/alive-state.ts';
-import { keepAlive } from '../../editor/alive/keep-alive.ts';
+import { aliveOf } from '../../editor/features/alive/alive-state.ts';
+import { keepAlive } from '../../editor/features/alive/keep-alive.ts';
 import { createEditedLevel } from '../../editor/core/document/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';

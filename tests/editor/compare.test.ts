@@ -8,9 +8,9 @@ import {
   sourceHolds,
   sourceKey,
   toggleCompared,
-} from '../../editor/compare/compared.ts';
-import { placeOf, raceOf } from '../../editor/compare/racers.ts';
-import { watchCompared } from '../../editor/compare/watch-compared.ts';
+} from '../../editor/features/compare/compared.ts';
+import { placeOf, raceOf } from '../../editor/features/compare/racers.ts';
+import { watchCompared } from '../../editor/features/compare/watch-compared.ts';
 import { type Attempts, createAttempts } from '../../editor/core/attempts/attempts.ts';
 import type { OpenLevel } from '../../editor/core/context/index.ts';
 import {

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { copyId, copyName } from '../../editor/panels/levels/level-files.ts';
+import { copyId, copyName } from '../../editor/core/levels/level-files.ts';
 import { LEVEL_ID_PART } from '../../schema/index.ts';
 
 const entries = (...ids: readonly string[]) => ids.map((id) => ({ id }));

@@ -42,7 +42,7 @@ import {
   splitHold,
   stretchHold,
 } from '../../editor/core/document/index.ts';
-import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
+import { objectRows } from '../../editor/features/outliner/object-rows.ts';
 import { formatLevel, type LevelFile, LIMITS, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 

@@ -3,7 +3,7 @@ import { randomScene } from '../../bench/soak/random-scene.ts';
 import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
 import { poseAt } from '../../editor/canvas/run-pose.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
+import { everyTick, wayOf } from '../../editor/features/solver/ways.ts';
 import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';

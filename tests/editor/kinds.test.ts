@@ -31,9 +31,9 @@ import {
   setRadius,
 } from '../../editor/core/document/index.ts';
 import { TOOLS } from '../../editor/core/session/index.ts';
-import { withoutEffect } from '../../editor/panels/effects/without.ts';
-import { fieldsOf } from '../../editor/panels/inspector/fields.ts';
-import { objectRows } from '../../editor/panels/outliner/object-rows.ts';
+import { withoutEffect } from '../../editor/features/effects/without.ts';
+import { fieldsOf } from '../../editor/features/inspector/fields.ts';
+import { objectRows } from '../../editor/features/outliner/object-rows.ts';
 import { boxOf, EFFECTS } from '../../engine/index.ts';
 import { type Brush, DRAWINGS } from '../../phaser/index.ts';
 import { mergeLevels } from '../../review/index.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { tellKept } from '../../editor/app/tell-kept.ts';
+import { tellKept } from '../../editor/features/kept/tell-kept.ts';
 import { createEditedLevel, setLevelProperty } from '../../editor/core/document/index.ts';
 import { inTimeOrLate } from '../../editor/core/files/page-surroundings.ts';
 import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';

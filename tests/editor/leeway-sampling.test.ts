@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { snapMove } from '../../editor/canvas/snapping.ts';
 import { createEditedLevel, moveObjects, objectsOf, placesOf } from '../../editor/core/document/index.ts';
-import { shapesOf } from '../../editor/leeway/leeway-picture.ts';
+import { shapesOf } from '../../editor/features/leeway/leeway-picture.ts';
 import {
   CELL_NUMBERS,
   cornerCompletes,

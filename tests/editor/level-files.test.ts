@@ -11,8 +11,8 @@ import {
   openListed,
   orderLevels,
   restoreLevel,
-} from '../../editor/panels/levels/level-files.ts';
-import { listHistoryOf } from '../../editor/panels/levels/list-history.ts';
+} from '../../editor/core/levels/level-files.ts';
+import { listHistoryOf } from '../../editor/core/levels/list-history.ts';
 import { formatLevel, type LevelEntry, type LevelFile } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 

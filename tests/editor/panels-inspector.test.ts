@@ -5,10 +5,10 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel, objectsOf, radiusOf } from '../../editor/core/document/index.ts';
 import { createProver, type LiveProof } from '../../editor/core/proof/index.ts';
-import { valueOfObjects } from '../../editor/panels/inspector/field-values.ts';
-import { fieldsOf, type Subject, sharedFields } from '../../editor/panels/inspector/fields.ts';
-import { nearestPass, runFactsOf } from '../../editor/panels/inspector/run-facts.ts';
-import { targetedIn } from '../../editor/panels/inspector/stretches.ts';
+import { valueOfObjects } from '../../editor/features/inspector/field-values.ts';
+import { fieldsOf, type Subject, sharedFields } from '../../editor/features/inspector/fields.ts';
+import { nearestPass, runFactsOf } from '../../editor/features/inspector/run-facts.ts';
+import { targetedIn } from '../../editor/features/inspector/stretches.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import {
   fieldsOf as fieldsOfKind,

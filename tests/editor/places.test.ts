@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { lookAt, type Point, toScreen, type View } from '../../editor/canvas/view.ts';
-import { levelsCalled, nearlyCalled } from '../../editor/places/find-level.ts';
+import { levelsCalled, nearlyCalled } from '../../editor/features/places/find-level.ts';
 
 const LEVELS = [
   { id: '07-slingshot', name: 'Slingshot' },

@@ -9,12 +9,12 @@ import {
   replayOf,
   SHOWN,
   SORTS,
-} from '../../editor/panels/attempts/attempt-rows.ts';
-import { groupPlays, refusedInWords } from '../../editor/plays/group-plays.ts';
-import { playFileName } from '../../editor/plays/share-play.ts';
-import { deathMapOf, deathsNear } from '../../editor/shelf/death-map.ts';
-import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/shelf/given.ts';
-import { createShelf, type OpenedPlay, type Shelf } from '../../editor/shelf/shelf.ts';
+} from '../../editor/features/attempts/attempt-rows.ts';
+import { groupPlays, refusedInWords } from '../../editor/features/plays/group-plays.ts';
+import { playFileName } from '../../editor/features/plays/share-play.ts';
+import { deathMapOf, deathsNear } from '../../editor/core/shelf/death-map.ts';
+import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/core/shelf/given.ts';
+import { createShelf, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
 import { path } from '../../editor/workers/jobs/path.ts';
 import { plays as verifyPlays } from '../../editor/workers/jobs/plays.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';

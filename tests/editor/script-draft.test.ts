@@ -9,7 +9,7 @@ import {
   scriptText,
   shownDraft,
   typeScript,
-} from '../../editor/panels/runs/script-draft.ts';
+} from '../../editor/features/runs/script-draft.ts';
 import type { LevelFile } from '../../schema/index.ts';
 
 const FILE: LevelFile = {

@@ -4,12 +4,11 @@ import { describe, expect, it } from 'vitest';
 import { createAttempts } from '../../editor/core/attempts/attempts.ts';
 import { createEditedLevel, moveObjects, replaceHolds } from '../../editor/core/document/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
-import { TEMPLATES } from '../../editor/templates/index.ts';
+import { TEMPLATES } from '../../editor/core/templates/index.ts';
 import { gripAt } from '../../editor/timeline/grip.ts';
 import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
-import { readLevel } from '../../schema/index.ts';
+import { type Hold, readLevel } from '../../schema/index.ts';
 
 function firewalk() {
   const path = join(import.meta.dirname, '..', '..', 'levels', '16-firewalk.level.json');

@@ -1,5 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
-import type { DeathMap } from '../../shelf/index.ts';
+import type { DeathMap } from '../../core/shelf/index.ts';
 import { type Colours, colourNumber, deathOpacity } from '../colours.ts';
 import { fillSquares } from './heat.ts';
 

@@ -1,5 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
-import { LOST_SQUARE, type LostPicture, type LostSquare, type LostWay } from '../../lost/index.ts';
+import { LOST_SQUARE, type LostPicture, type LostSquare, type LostWay } from '../../features/lost/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 
 /** px of screen between the strokes of a proved square, and between the dots of another */

@@ -1,5 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
-import type { OnionPicture } from '../../onion/index.ts';
+import type { OnionPicture } from '../../features/onion/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { dashesOf } from './dashes.ts';
 import { linesOf } from './ghost-lines.ts';

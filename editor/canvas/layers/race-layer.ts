@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
 import type { Box } from '../../../engine/index.ts';
-import { LOOKS, MOST_COMPARED, placeOf, type Racer } from '../../compare/index.ts';
+import { LOOKS, MOST_COMPARED, placeOf, type Racer } from '../../features/compare/index.ts';
 import { type Colours, colourNumber, type Theme } from '../colours.ts';
 import { scaleIn } from './astronaut-layer.ts';
 import { type Line, linesOf } from './ghost-lines.ts';

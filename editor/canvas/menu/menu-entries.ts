@@ -2,7 +2,7 @@ import { appearanceOf, PLACEABLES } from '../../../schema/index.ts';
 import { keyLabel, needsOf } from '../../core/commands/index.ts';
 import { type Editor, IS_MAC, type OpenLevel } from '../../core/context/index.ts';
 import { addObject, lockedIn, objectsOf, ownNameOf, titled, visibleIn } from '../../core/document/index.ts';
-import { orderActions } from '../../order/index.ts';
+import { orderActions } from '../../core/order/index.ts';
 import { hitsAt, REACH } from '../hit-test.ts';
 import type { MenuAction, MenuPart } from '../menu-entry.ts';
 import type { ObjectChanges } from '../object-changes.ts';

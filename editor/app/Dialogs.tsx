@@ -1,0 +1,46 @@
+import { useEffect } from 'react';
+import { useEditor } from '../core/context/index.ts';
+import { HistoryDialog, historyCommands, NameVersionDialog } from '../features/history/index.ts';
+import { ConflictDialog } from '../features/conflicts/index.ts';
+import { DropZone } from '../features/share/index.ts';
+import './dialogs.css';
+import { fileCommands } from '../features/levels/index.ts';
+import { followDisagreement } from '../features/conflicts/index.ts';
+import { HeldBackDialog } from '../features/levels/index.ts';
+import { KeptDialog } from '../features/kept/index.ts';
+import { LinkDialog } from '../features/share/index.ts';
+import { NewLevelDialog } from '../features/levels/index.ts';
+import { ShareDialog } from '../features/share/index.ts';
+import { Tour } from '../features/tour/index.ts';
+import { TrashDialog } from '../features/levels/index.ts';
+import { followLinks } from '../features/share/index.ts';
+
+/** All dialogs of the page, the drop zone for files, and the handling of links that contain a level. */
+export function Dialogs() {
+  const editor = useEditor();
+  useEffect(() => {
+    const stops = [
+      editor.commands.register([...fileCommands(editor), ...historyCommands(editor)]),
+      followDisagreement(editor),
+      followLinks(editor),
+    ];
+    return () => {
+      for (const stop of stops) stop();
+    };
+  }, [editor]);
+  return (
+    <>
+      <NewLevelDialog />
+      <ShareDialog />
+      <TrashDialog />
+      <HistoryDialog />
+      <NameVersionDialog />
+      <ConflictDialog />
+      <KeptDialog />
+      <Tour />
+      <DropZone />
+      <HeldBackDialog />
+      <LinkDialog />
+    </>
+  );
+}

@@ -1,0 +1,21 @@
+export {
+  addLevels,
+  addSamples,
+  copyOf,
+  deleteLevel,
+  duplicateLevel,
+  followSaves,
+  inFolder,
+  nextNumber,
+  openFirst,
+  openHeldBack,
+  openListed,
+  orderLevels,
+  renameTitle,
+  restoreLevel,
+  stemOf,
+} from './level-files.ts';
+export { listHistoryOf } from './list-history.ts';
+export { changePack, editPack } from './pack-steps.ts';
+export { factsKey, factsOf, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
+export { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';

@@ -1,0 +1,52 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { keptWith } from '../../core/kept/index.ts';
+
+/** How many of the level's runs that were completed before a change are completed after it. */
+export interface Surviving {
+  readonly complete: number;
+  readonly of: number;
+}
+
+/** What was done to keep the shown run alive. */
+export type AliveState =
+  /** Nothing had to be done. */
+  | { readonly kind: 'idle' }
+  /** The level is broken, and other times are sought. */
+  | { readonly kind: 'working' }
+  | {
+      readonly kind: 'alive';
+      readonly run: string;
+      /** How many presses and releases are shifted, and the largest shift, ticks. */
+      readonly edges: number;
+      readonly most: number;
+      /** How many minerals are not collected any more. */
+      readonly lost: number;
+      /** How far each edge alone may slip, ticks; null: not measured for the level as it is. */
+      readonly slack: number | null;
+      /** All edges at once; null: not measured for the level as it is. */
+      readonly certified: { readonly ticks: number; readonly exhausted: boolean } | null;
+      /** Whether the change is over, and nothing more is sought for this run. */
+      readonly isFinal: boolean;
+      /** null: not known yet */
+      readonly others: Surviving | null;
+    }
+  | {
+      readonly kind: 'failed';
+      readonly run: string;
+      /** No press or release was shifted farther than this, ticks. */
+      readonly within: number;
+      /** Whether all was tried that is tried. */
+      readonly isWhole: boolean;
+      readonly isFinal: boolean;
+      readonly others: Surviving | null;
+    }
+  /** Only other runs had to be kept alive. */
+  | { readonly kind: 'others'; readonly others: Surviving };
+
+export type AliveStore = StoreApi<AliveState>;
+
+const storeAt = keptWith<object, AliveStore>(() => createStore<AliveState>(() => ({ kind: 'idle' })));
+
+/** What was done last to keep the shown run of a level alive. */
+export const aliveOf = ({ document }: Pick<OpenLevel, 'document'>): AliveStore => storeAt(document);

@@ -1,0 +1,100 @@
+import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
+import { STATE_SIZE } from '../../../engine/index.ts';
+import type { Command } from '../../core/commands/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { chosenOf, comparedOf, isCompared, type Source, sourceKey } from './compared.ts';
+import { compareOrTell, showCompared } from './show-compared.ts';
+
+/** Commands of compared runs. */
+export function compareCommands(editor: Editor, level: OpenLevel): readonly Command[] {
+  const { session } = editor;
+  const store = comparedOf(level);
+  /** The next run of the list that is neither shown nor compared, after the shown one and around; null: there is none. */
+  const nextRun = (): Source | null => {
+    const runs = level.document.file().runs ?? [];
+    const from = runs.findIndex(({ name }) => name === level.proof.proof().run.name);
+    for (let i = 1; i < runs.length; i++) {
+      const source: Source = { kind: 'run', name: runs[(from + i) % runs.length].name };
+      if (!isCompared(store.getState(), source)) return source;
+    }
+    return null;
+  };
+  const needsOne = () => (store.getState().runs.length === 0 ? 'compare a run first' : null);
+  return [
+    {
+      id: 'compare.next',
+      title: 'Compare with the next run',
+      group: 'Run',
+      keys: ['c'],
+      needs: () => (nextRun() === null ? 'the level has no other run to compare' : null),
+      run: () => {
+        const source = nextRun();
+        if (source !== null) compareOrTell(editor, level, source);
+      },
+    },
+    {
+      id: 'compare.attempt',
+      title: 'Compare with the last attempt',
+      group: 'Run',
+      needs: () => (level.attempts.store.getState().length === 0 ? 'play first: there is no attempt yet' : null),
+      run: () => {
+        const last = level.attempts.store.getState().at(-1);
+        if (last !== undefined) compareOrTell(editor, level, { kind: 'attempt', number: last.number });
+      },
+    },
+    {
+      id: 'compare.choose',
+      title: 'Show the difference to the next compared run',
+      group: 'Run',
+      needs: needsOne,
+      run: () => {
+        const now = store.getState();
+        const chosen = chosenOf(now);
+        const at = now.runs.findIndex(({ slot }) => slot === chosen?.slot);
+        const next = now.runs[(at + 1) % now.runs.length];
+        store.setState({ chosen: sourceKey(next.source) });
+      },
+    },
+    {
+      id: 'compare.parting',
+      title: 'Go to where the compared runs part',
+      group: 'Run',
+      keys: ['p'],
+      needs: () => needsOne() ?? (partingTick(level) === null ? 'the runs do not part' : null),
+      run: () => {
+        const tick = partingTick(level);
+        if (tick !== null) session.setState({ tick, hoverTick: null, isPlayingBack: false });
+      },
+    },
+    {
+      id: 'compare.show',
+      title: 'Show the compared run, and compare the shown one with it',
+      group: 'Run',
+      keys: ['x'],
+      needs: needsOne,
+      run: () => {
+        const one = chosenOf(store.getState());
+        if (one !== null) showCompared(editor, level, one.source);
+      },
+    },
+    {
+      id: 'compare.clear',
+      title: 'Stop comparing runs',
+      group: 'Run',
+      keys: ['Shift+c'],
+      needs: needsOne,
+      run: () => store.setState({ runs: [] }),
+    },
+  ];
+}
+
+/** The first tick at which the shown run and the chosen one are apart; null: they are not, or it is not known. */
+function partingTick(level: OpenLevel): number | null {
+  const now = comparedOf(level).getState();
+  const one = chosenOf(now);
+  const found = one === null ? null : (now.trajectories.get(sourceKey(one.source))?.found ?? null);
+  if (found === null) return null;
+  const { states, count } = level.proof.proof().run.way;
+  const places = Float32Array.from({ length: 2 * count }, (_, i) => states[(i >> 1) * STATE_SIZE + (i & 1)]);
+  return partingsOf(distancesOf(places, found.points.subarray(0, -2))).parts;
+}

@@ -1,0 +1,89 @@
+import { useMemo, useRef } from 'react';
+import { useStore } from 'zustand';
+import {
+  type ComparableRun,
+  compareRuns,
+  distancesOf,
+  type Partings,
+  partingsOf,
+  type RunsDifference,
+} from '../../../check/runs/index.ts';
+import { STATE_SIZE } from '../../../engine/index.ts';
+import { useLevel, useWhenIdle } from '../../core/context/index.ts';
+import { isWhole, type LiveProof } from '../../core/proof/index.ts';
+import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
+import { useSlack } from './use-slack.ts';
+
+/** How the shown run and a compared one differ. */
+export interface ShownDifference {
+  readonly shown: string;
+  readonly row: ComparedRow;
+  readonly difference: RunsDifference;
+  /** px at every tick, as long as both last */
+  readonly distances: Float64Array;
+  readonly partings: Partings;
+  /** Whether it is that of an earlier state of the level. */
+  readonly isStale: boolean;
+}
+
+/** The smallest room of a press or release, both directions together, ticks. */
+const smallest = (slack: readonly { readonly earlier: number; readonly later: number }[] | null): number | null =>
+  slack === null || slack.length === 0 ? null : Math.min(...slack.map(({ earlier, later }) => earlier + later));
+
+/** The shown run's places, as the compared run's trajectory has them. */
+function pointsOf({ run }: LiveProof): Float32Array {
+  const { states, count, last } = run.way;
+  const points = new Float32Array(2 * (count + 1));
+  for (let k = 0; k < count; k++) points.set(states.subarray(k * STATE_SIZE, k * STATE_SIZE + 2), 2 * k);
+  points.set(last.subarray(0, 2), 2 * count);
+  return points;
+}
+
+/** The shown run as it was when the page was last idle: its arrays are overwritten by the next answer. */
+const shownOf = (proof: LiveProof) => {
+  const { run, full, scene } = proof;
+  if (run.name === null || full === null || !isWhole(proof)) return null;
+  const { name, holds, outcome, time, minerals } = run;
+  const clearance = full.clearance?.distance ?? null;
+  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, points: pointsOf(proof) };
+};
+
+const NOTHING = () => null;
+
+/** The difference of the shown run and the chosen one; null while one of them is not known. @param measures whether slack is measured */
+export function useDifference(measures = false): ShownDifference | null {
+  const level = useLevel();
+  const row = useComparedRows().find(({ isChosen }) => isChosen) ?? null;
+  const isAsked = row !== null;
+  const shown = useWhenIdle(level.proof.store, isAsked ? shownOf : NOTHING);
+  const analysis = useStore(level.analysis);
+  const otherSlack = useSlack(measures && row?.found?.end.outcome === 'completed' && !row.isStale ? row.holds : null);
+  const own = shown !== null && shown.outcome === 'completed' && analysis?.holds === shown.holds.join() ? analysis.slack : null;
+  const [ownSlack, theirSlack] = [smallest(own), smallest(otherSlack)];
+  const found = row?.found ?? null;
+  const key = row === null ? '' : `${row.key} ${row.holds.join()}`;
+  // both must be of the same state of the level
+  const areOfOne = shown !== null && found !== null && row?.scene === shown.scene;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: of the row, only these matter
+  const made = useMemo(() => {
+    if (shown === null || row === null || found === null || !areOfOne) return null;
+    const { end, minerals, clearance, points } = found;
+    const other: ComparableRun = {
+      holds: row.holds,
+      outcome: end.outcome,
+      time: end.time,
+      minerals,
+      clearance,
+      slack: theirSlack,
+    };
+    // the last entry of each is at its end, which is no tick
+    const distances = distancesOf(shown.points.subarray(0, -2), points.subarray(0, -2));
+    const difference = compareRuns({ ...shown, slack: ownSlack }, other);
+    return { key, shown: shown.name, difference, distances, partings: partingsOf(distances) };
+  }, [shown, found, key, areOfOne, ownSlack, theirSlack]);
+  const last = useRef(made);
+  if (made !== null) last.current = made;
+  // until the next one is known, the last difference of these runs stays, and says that it is old
+  const kept = made ?? (last.current?.key === key ? last.current : null);
+  return kept === null || row === null ? null : { ...kept, row, isStale: made === null };
+}

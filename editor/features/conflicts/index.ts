@@ -1,0 +1,2 @@
+export { ConflictDialog } from './ConflictDialog.tsx';
+export { followDisagreement } from './follow-disagreement.ts';

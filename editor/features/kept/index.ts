@@ -1,0 +1,2 @@
+export { KeptDialog } from './KeptDialog.tsx';
+export { tellKept } from './tell-kept.ts';

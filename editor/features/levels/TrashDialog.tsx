@@ -1,0 +1,66 @@
+import { RotateCcw } from 'lucide-react';
+import { useEffect, useState } from 'react';
+import type { TrashEntry } from '../../../schema/index.ts';
+import { useEditor, useSession } from '../../core/context/index.ts';
+import { errorInWords, type StorageError } from '../../core/files/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
+import { restoreLevel } from '../../core/levels/index.ts';
+
+/** The deleted levels, which can be restored. */
+export function TrashDialog() {
+  const { session } = useEditor();
+  const open = useSession((state) => state.overlay === 'trash');
+  const close = () => session.setState({ overlay: null });
+  return (
+    <Dialog open={open} title="Deleted levels" about="Deleted levels are kept here and are never removed." onClose={close}>
+      <Trash onClose={close} />
+    </Dialog>
+  );
+}
+
+function Trash({ onClose }: { readonly onClose: () => void }) {
+  const editor = useEditor();
+  const { storage } = editor.workspace;
+  const [entries, setEntries] = useState<readonly TrashEntry[] | null>(null);
+  const [error, setError] = useState<StorageError | null>(null);
+  useEffect(() => {
+    let isGone = false;
+    void storage.trash().then((answer) => {
+      if (isGone) return;
+      if (answer.ok) setEntries(answer.value);
+      else setError(answer.error);
+    });
+    return () => {
+      isGone = true;
+    };
+  }, [storage]);
+
+  if (error !== null) {
+    return <p role="alert">{errorInWords(error)}</p>;
+  }
+  if (entries === null) return <p>Loading…</p>;
+  if (entries.length === 0) return <p className="trash__empty">No deleted levels.</p>;
+  return (
+    <ul className="trash">
+      {entries.map(({ trash, id, deleted }) => (
+        <li key={trash} className="trash__entry">
+          <span className="trash__name">{id}</span>
+          <time className="trash__time" dateTime={deleted}>
+            {new Date(deleted).toLocaleString()}
+          </time>
+          <Button
+            hint={`Restore ${id} and open it`}
+            look="outlined"
+            icon={<RotateCcw size={14} />}
+            onClick={() => {
+              onClose();
+              void restoreLevel(editor, trash, true);
+            }}
+          >
+            Restore
+          </Button>
+        </li>
+      ))}
+    </ul>
+  );
+}

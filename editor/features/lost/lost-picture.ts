@@ -1,0 +1,68 @@
+import { STATE_SIZE } from '../../../engine/index.ts';
+import type { Ghost } from '../../core/context/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
+import { accuracyNameOf } from '../../core/terms/index.ts';
+import type { Loss, LostKnown, LostMoment } from '../../workers/index.ts';
+import { type LostFindings, lossKey } from './lost-store.ts';
+import { type LostSquare, squaresOf } from './squares.ts';
+
+/** The part of a path on which she is lost, and where it begins. */
+export interface LostWay {
+  readonly at: LostMoment;
+  readonly known: LostKnown;
+  /** x, y in px, alternating, from the moment on. */
+  readonly points: readonly number[];
+  /** Whether it is of the shown run, and not of an attempt. */
+  readonly isShownRun: boolean;
+}
+
+/** What the shade of lost states shows on the canvas. */
+export interface LostPicture {
+  readonly squares: readonly LostSquare[];
+  readonly ways: readonly LostWay[];
+}
+
+/** ticks between two points of a way */
+const EACH = 2;
+
+/** The stretches of a path: from where no run was found, and from where it is proved. */
+function waysOf(loss: Loss, isShownRun: boolean, pointAt: (tick: number) => readonly [number, number] | null): LostWay[] {
+  const { lost, proved, last } = loss;
+  const ways: LostWay[] = [];
+  for (const [at, until] of [
+    [lost, proved?.tick ?? last],
+    [proved, last],
+  ] as const) {
+    if (at === null || (at === lost && proved !== null && proved.tick <= at.tick)) continue;
+    const points: number[] = [];
+    for (let tick = at.tick; tick <= until; tick += EACH) points.push(...(pointAt(tick) ?? []));
+    ways.push({ at, known: at === proved ? 'proved' : 'not found', points, isShownRun });
+  }
+  return ways;
+}
+
+/** An attempt of which the path is known. */
+export interface PathOf {
+  readonly key: string;
+  readonly points: Ghost['points'];
+}
+
+/** What the canvas shows of what is lost. @param attempts whose paths are shown */
+export function lostPictureOf(
+  { losing, losses }: Pick<LostFindings, 'losing' | 'losses'>,
+  { run, terms }: Pick<LiveProof, 'run' | 'terms'>,
+  attempts: readonly PathOf[],
+): LostPicture {
+  const own = run.outcome === 'completed' ? undefined : losses.get(lossKey(run.holds, accuracyNameOf(terms)));
+  const { states, count } = run.way;
+  const along = (tick: number) => (tick < count ? ([states[tick * STATE_SIZE], states[tick * STATE_SIZE + 1]] as const) : null);
+  const others = attempts.flatMap(({ key, points }) => {
+    const loss = losses.get(key);
+    if (loss === undefined || loss.completes) return [];
+    return waysOf(loss, false, (tick) => (2 * tick + 1 < points.length ? [points[2 * tick], points[2 * tick + 1]] : null));
+  });
+  return {
+    squares: squaresOf(losing?.states ?? []),
+    ways: [...others, ...(own === undefined ? [] : waysOf(own, true, along))],
+  };
+}

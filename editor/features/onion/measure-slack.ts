@@ -1,0 +1,74 @@
+import type { StoreApi } from 'zustand/vanilla';
+import type { EdgeSlack } from '../../../solver/index.ts';
+import type { Job, Workers } from '../../workers/index.ts';
+import type { FormerRun } from './former.ts';
+import { FAILS, MEASURING, measured, type SlackKnown } from './slack.ts';
+
+/** The part of the robustness of the shown run, as the Solver panel shows it, that is compared. */
+export interface ShownSlack {
+  readonly phase: 'waiting' | 'measuring' | 'measured' | 'fails' | 'failed';
+  readonly message: string | null;
+  readonly slack: readonly EdgeSlack[] | null;
+  readonly withMinerals: boolean;
+}
+
+/** Of the shown run. */
+export function shownSlack({ phase, message, slack }: ShownSlack): SlackKnown {
+  if (phase === 'fails') return FAILS;
+  if (phase === 'failed') return { is: 'unknown', why: message ?? 'the measurement failed' };
+  return slack === null ? MEASURING : measured(slack);
+}
+
+/** The slack of former runs: known because each was the shown run once, or measured by a worker. */
+export interface FormerSlack {
+  /** Keeps what is known of the shown run. */
+  keep(run: FormerRun, known: SlackKnown): void;
+  /** What is known; if nothing is, a worker measures it. The latest question wins. */
+  ask(run: FormerRun, tell: (known: SlackKnown) => void): SlackKnown;
+  forget(): void;
+}
+
+/** @param robustness of the shown run: its goal applies to former runs, too */
+export function createFormerSlack(
+  workers: Pick<Workers, 'start'>,
+  robustness: Pick<StoreApi<ShownSlack>, 'getState'>,
+): FormerSlack {
+  const kept = new WeakMap<FormerRun, { readonly known: SlackKnown; readonly withMinerals: boolean }>();
+  let job: Job<'slack'> | null = null;
+  let asked: FormerRun | null = null;
+  const keep = (run: FormerRun, known: SlackKnown) => {
+    if (known.is !== 'measuring') kept.set(run, { known, withMinerals: robustness.getState().withMinerals });
+  };
+  const forget = () => {
+    job?.cancel();
+    job = null;
+    asked = null;
+  };
+  return {
+    keep,
+    forget,
+    ask(run, tell) {
+      const { end, unknown, taken } = run.figures;
+      if (end === null) return { is: 'unknown', why: unknown };
+      if (end.outcome !== 'completed' || run.name === null) return FAILS;
+      const { withMinerals } = robustness.getState();
+      const own = kept.get(run);
+      if (own !== undefined && own.withMinerals === withMinerals) return own.known;
+      if (asked === run && job !== null) return MEASURING;
+      forget();
+      asked = run;
+      const goal = { minerals: withMinerals ? taken : ('any' as const) };
+      const mine = workers.start('slack', { level: { ...run.level, runs: [] }, terms: run.terms, holds: run.holds, goal });
+      job = mine;
+      void mine.end.then((end) => {
+        if (job !== mine) return;
+        forget();
+        if (end.kind === 'cancelled') return;
+        const known: SlackKnown = end.kind === 'done' ? measured(end.result) : { is: 'unknown', why: end.message };
+        keep(run, known);
+        tell(known);
+      });
+      return MEASURING;
+    },
+  };
+}

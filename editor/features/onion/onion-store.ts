@@ -1,0 +1,28 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { keptWith } from '../../core/kept/index.ts';
+import type { FormerRun } from './former.ts';
+import { MEASURING, type SlackKnown } from './slack.ts';
+
+/** What the page compares the shown run with. */
+export interface Comparison {
+  /** null: nothing is compared. */
+  readonly former: FormerRun | null;
+  /** `held`: the change is in progress. `ended`: it has just ended. `asked`: by the command. */
+  readonly phase: 'held' | 'ended' | 'asked';
+  /** The slack of the former run. */
+  readonly slack: SlackKnown;
+  /** The slack of the shown run. */
+  readonly slackNow: SlackKnown;
+  /** The differences when the last change ended, for a screen reader. */
+  readonly said: string;
+}
+
+export type OnionStore = StoreApi<Comparison>;
+
+const storeAt = keptWith<object, OnionStore>(() =>
+  createStore<Comparison>(() => ({ former: null, phase: 'ended', slack: MEASURING, slackNow: MEASURING, said: '' })),
+);
+
+/** What the shown run of a level is compared with. */
+export const onionOf = ({ document }: Pick<OpenLevel, 'document'>): OnionStore => storeAt(document);

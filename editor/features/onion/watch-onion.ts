@@ -1,0 +1,210 @@
+import type { StoreApi } from 'zustand/vanilla';
+import type { OpenLevel } from '../../core/context/index.ts';
+import type { DocumentEvent } from '../../core/document/index.ts';
+import type { SessionStore } from '../../core/session/index.ts';
+import type { Workers } from '../../workers/index.ts';
+import { figuresOf } from './figures.ts';
+import { type FormerRun, formerOf, isShown, playsLike } from './former.ts';
+import { createFormerSlack, type ShownSlack, shownSlack } from './measure-slack.ts';
+import { onionOf } from './onion-store.ts';
+import { replayFormer } from './replay-former.ts';
+import { rowsInWords, rowsOf, whyUnknown } from './rows.ts';
+import { MEASURING } from './slack.ts';
+
+/** Compares with before the last change. */
+export const COMPARE_KEY = 'Shift+b';
+
+/** ms that a comparison stays after the change has ended: enough to read it */
+export const STAYS = 6000;
+/** ms that a spoken comparison waits for the slack of both runs */
+export const WAITS = 2500;
+
+/** The comparison of the shown run with what it was before a change. */
+export interface OnionSession {
+  /** A key or the pointer was released: a change in progress may have ended. */
+  released(): void;
+  /** The user goes on to something else: the comparison of a change that has ended disappears. */
+  dismiss(): void;
+  /** Why there is nothing to compare with; null: there is. */
+  needs(): string | null;
+  /** Shows or hides the comparison with before the last change. */
+  toggle(): void;
+  close(): void;
+}
+
+interface OnionParts {
+  readonly level: Pick<OpenLevel, 'document' | 'proof'>;
+  readonly session: SessionStore;
+  readonly workers: Pick<Workers, 'start'>;
+  /** The robustness of the shown run, which the Solver panel shows. */
+  readonly robustness: Pick<StoreApi<ShownSlack>, 'getState' | 'subscribe'>;
+  /** Calls back after `ms`. @returns cancels it */
+  readonly after: (ms: number, call: () => void) => () => void;
+}
+
+/**
+ * While the layer is shown, keeps a copy of the shown run of the level at rest. During a change it is compared with the run as it
+ * becomes.
+ */
+export function watchOnion({ level, session, workers, robustness, after }: OnionParts): OnionSession {
+  const { document, proof } = level;
+  const store = onionOf(level);
+  const former = createFormerSlack(workers, robustness);
+  const isOn = () => session.getState().layers.onion;
+  const isInHand = () => document.settledFile() !== document.file();
+  /** The shown run of the level at rest, and what it was before the last step. */
+  let settled: FormerRun | null = null;
+  let last: FormerRun | null = null;
+  /** The number of steps when `last` was set: a step that grows does not change it. */
+  let done = document.store.getState().done;
+  let forgetTimer = () => {};
+  let forgetSpeech = () => {};
+
+  const hide = () => {
+    forgetTimer();
+    forgetSpeech();
+    former.forget();
+    if (store.getState().former !== null) store.setState({ former: null });
+  };
+  const show = (run: FormerRun, phase: 'held' | 'asked') => {
+    const now = store.getState();
+    if (now.former === run && now.phase === phase) return;
+    forgetTimer();
+    forgetSpeech();
+    const slack = former.ask(run, (known) => {
+      if (store.getState().former === run) store.setState({ slack: known });
+    });
+    store.setState({ former: run, phase, slack, slackNow: shownSlack(robustness.getState()), said: '' });
+  };
+  const speak = () => {
+    const { former: run, slack, slackNow } = store.getState();
+    if (run === null) return;
+    forgetSpeech();
+    const now = figuresOf(proof.proof());
+    const rows = rowsOf(run.figures, now, { before: slack, now: slackNow });
+    store.setState({ said: rowsInWords(rows, whyUnknown(run.figures, now)) });
+  };
+  /** Says it as soon as the slack of both runs is known. */
+  const speakSoon = () => {
+    let stop = () => {};
+    const look = () => {
+      const { former: run, slack, slackNow } = store.getState();
+      if (run !== null && (slack === MEASURING || slackNow === MEASURING)) return false;
+      speak();
+      return true;
+    };
+    if (look()) return;
+    const forget = after(WAITS, speak);
+    stop = store.subscribe(look);
+    forgetSpeech = () => {
+      forgetSpeech = () => {};
+      forget();
+      stop();
+    };
+  };
+  const end = () => {
+    if (store.getState().former === null || store.getState().phase !== 'held') return;
+    store.setState({ phase: 'ended' });
+    forgetTimer = after(STAYS, hide);
+    speakSoon();
+  };
+
+  const onProof = () => {
+    if (!isOn()) return;
+    const now = proof.proof();
+    if (isInHand()) {
+      if (settled !== null && settled.file === document.settledFile() && !playsLike(settled, now)) show(settled, 'held');
+      return;
+    }
+    const before = settled;
+    settled = formerOf(now);
+    if (before === null) return;
+    if (before.file === now.file) {
+      // a gesture was cancelled, another run is shown, or the terms are others
+      const isSame = isShown(before, now) && before.level === now.level;
+      if (before.level !== now.level) last = null;
+      if (!isSame || store.getState().former?.file === now.file) hide();
+      return;
+    }
+    const steps = document.store.getState().done;
+    if (steps !== done || last === null || !document.isGrowing()) last = before;
+    done = steps;
+    if (document.isGrowing() && isShown(last, now) && !playsLike(last, now)) show(last, 'held');
+    else hide();
+  };
+  /** The end of a gesture: nothing visible changes. */
+  const onStep = (event: DocumentEvent) => {
+    if (!isOn() || settled?.file === event.file) return;
+    const before = settled;
+    settled = formerOf(proof.proof());
+    // the layer was hidden when the gesture began
+    if (before?.file !== event.before) return;
+    last = before;
+    done = document.store.getState().done;
+    end();
+  };
+  const onRobustness = () => {
+    if (!isOn()) return;
+    const slackNow = shownSlack(robustness.getState());
+    if (settled !== null && !isInHand() && settled.file === proof.proof().file) former.keep(settled, slackNow);
+    if (store.getState().former !== null) store.setState({ slackNow });
+  };
+  const look = () => {
+    if (isOn()) {
+      settled ??= isInHand() ? null : formerOf(proof.proof());
+      return;
+    }
+    hide();
+    store.setState({ said: '' });
+    settled = null;
+    last = null;
+  };
+  look();
+  onRobustness();
+  let wasOn = isOn();
+  const stops = [
+    proof.store.subscribe(onProof),
+    document.onStep(onStep),
+    robustness.subscribe(onRobustness),
+    session.subscribe(() => {
+      if (isOn() === wasOn) return;
+      wasOn = isOn();
+      look();
+    }),
+  ];
+  return {
+    released() {
+      const { former: run, phase } = store.getState();
+      if (run === null || phase !== 'held' || isInHand()) return;
+      // a gesture that has changed nothing ends without a step
+      if (document.isGrowing()) {
+        end();
+        return;
+      }
+      hide();
+      settled = formerOf(proof.proof());
+    },
+    dismiss() {
+      if (store.getState().phase === 'ended') hide();
+    },
+    needs() {
+      if (!isOn()) return 'show the run before and after a change first';
+      return last === null ? 'change something first' : null;
+    },
+    toggle() {
+      const { former: run, phase } = store.getState();
+      if (run !== null && phase === 'asked') {
+        hide();
+        return;
+      }
+      if (last === null || isInHand()) return;
+      last = replayFormer(last, proof.proof());
+      show(last, 'asked');
+      speakSoon();
+    },
+    close() {
+      for (const stop of stops) stop();
+      hide();
+    },
+  };
+}

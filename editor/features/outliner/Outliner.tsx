@@ -1,0 +1,129 @@
+import { memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
+import { useStore } from 'zustand';
+import type { LevelFile } from '../../../schema/index.ts';
+import { useEditor, useLevel, useSelectedKeys, useSession, useWhenIdle } from '../../core/context/index.ts';
+import { type DocumentState, groupsIn, type ObjectKey, objectsOf, reorderObject } from '../../core/document/index.ts';
+import { leavesBetween, type Modifiers, Tree } from '../../core/tree/index.ts';
+import { orderActions } from '../../core/order/index.ts';
+import { NoteList } from './NoteList.tsx';
+import { type LineActions, ObjectLine } from './ObjectLine.tsx';
+import { type ObjectRow, objectRows } from './object-rows.ts';
+import { outlineMenu } from './outline-menu.ts';
+import './outliner.css';
+import { useProblems } from './use-problems.ts';
+
+/** px */
+const rowHeight = () => 26;
+
+const fileOf = ({ file }: DocumentState): LevelFile => file;
+
+/** All objects of the level by group and kind; the selection is shared with the canvas. */
+export function Outliner() {
+  // The canvas has priority during a drag.
+  const file = useWhenIdle(useLevel().document.store, fileOf);
+  const keys = useDeferredValue(useSelectedKeys());
+  return <Outline file={file} keys={keys} />;
+}
+
+const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile; readonly keys: readonly ObjectKey[] }) {
+  const editor = useEditor();
+  const level = useLevel();
+  const { commands, session } = editor;
+  const { document, selection, hovered } = level;
+  const selected = useMemo(() => new Set(keys), [keys]);
+  const problems = useProblems();
+  const pointedAt = useStore(hovered);
+  const renaming = useSession((state) => state.renaming);
+  const [folded, setFolded] = useState<ReadonlySet<string>>(new Set());
+  const [active, setActive] = useState<string | null>(null);
+  /** The start of the range that Shift selects. */
+  const anchor = useRef<string | null>(null);
+  const rows = useMemo(() => objectRows(file, folded), [file, folded]);
+  const order = useMemo(() => orderActions(editor, level), [editor, level]);
+
+  const last = keys[keys.length - 1] ?? null;
+  useEffect(() => {
+    if (last === null) return;
+    setActive((now) => (now !== null && selection.keys().includes(now) ? now : last));
+    anchor.current ??= last;
+  }, [last, selection]);
+  // A row whose name is edited must be shown.
+  useEffect(() => {
+    if (renaming === null) return;
+    const all = objectRows(document.file(), new Set());
+    const index = all.findIndex(({ key }) => key === renaming);
+    const folder = all[index]?.depth === 2 ? all.slice(0, index).findLast(({ depth }) => depth === 1) : undefined;
+    if (folder !== undefined) setFolded((now) => new Set([...now].filter((key) => key !== folder.key)));
+    setActive(renaming);
+  }, [renaming, document]);
+
+  const toggle = ({ key }: ObjectRow) =>
+    setFolded((now) => (now.has(key) ? new Set([...now].filter((other) => other !== key)) : new Set([...now, key])));
+  const pick = ({ key, expanded }: ObjectRow, { shift, mod }: Modifiers) => {
+    if (expanded !== null) return;
+    if (shift && anchor.current !== null) {
+      selection.select(leavesBetween(rows, anchor.current, key));
+      return;
+    }
+    anchor.current = key;
+    if (mod) selection.toggle([key]);
+    else selection.select([key]);
+  };
+  const show = ({ keys }: ObjectRow) => {
+    selection.select(keys);
+    commands.run('view.fit-selection');
+  };
+  const rename = (row: ObjectRow) => {
+    if (row.found !== null || row.group !== null) session.setState({ renaming: row.key });
+  };
+  const move = ({ key, title }: ObjectRow, place: number) => document.change(`Reorder ${title}`, reorderObject(key, place));
+  const actions = useMemo(
+    (): LineActions => ({
+      onLock: ({ keys, marks }) => order.lock(keys, !marks.isLocked),
+      onHide: ({ keys, marks }) => order.hide(keys, !marks.isHidden),
+      onRename: ({ key, group }, name) => (group === null ? order.name(key, name) : order.renameGroup(group, name)),
+      problemOf({ group }, name) {
+        if (group === null) return null;
+        if (name === '') return 'A group needs a name: type one, or press Esc.';
+        return groupsIn(document.file()).has(name) ? `There is a group ${name}: type another name.` : null;
+      },
+      onRenamed: () => session.setState({ renaming: null }),
+    }),
+    [order, document, session],
+  );
+
+  return (
+    <section className="panel outliner" aria-label="Objects">
+      <div className="panel__head">
+        <h2 className="panel__title">Objects</h2>
+        <span className="outliner__count numbers">{objectsOf(file).size}</span>
+      </div>
+      <Tree
+        label="Objects of the level"
+        rows={rows}
+        rowHeight={rowHeight}
+        multiple
+        follows
+        selected={selected}
+        hovered={pointedAt}
+        active={active}
+        onActive={setActive}
+        onPick={pick}
+        onOpen={show}
+        onToggle={toggle}
+        onMove={move}
+        onHover={(row) => hovered.setState(row === null || row.found === null ? null : row.key, true)}
+        onKey={(event, row) => {
+          if (event.key !== 'F2') return false;
+          rename(row);
+          return true;
+        }}
+        menu={(row) => outlineMenu(row, { editor, level, rows, order, onShow: show, onToggle: toggle, onRename: rename })}
+        render={(row) => (
+          <ObjectLine row={row} problems={problems.get(row.key)} isRenaming={row.key === renaming} actions={actions} />
+        )}
+      />
+      <NoteList file={file} />
+    </section>
+  );
+});

@@ -1,0 +1,108 @@
+import { FilePlus2, Gauge, Redo2, Square, Undo2, X } from 'lucide-react';
+import { useStore } from 'zustand';
+import type { Terms } from '../../../engine/index.ts';
+import { useEditor } from '../../core/context/index.ts';
+import type { FolderPack } from '../../core/files/index.ts';
+import { Button } from '../../core/ui/index.ts';
+import { editPack, listHistoryOf } from '../../core/levels/index.ts';
+import { gradesOf } from './grades.ts';
+import { NameField } from './NameField.tsx';
+import type { PackModel } from './pack-model.ts';
+
+interface PackHeadProps {
+  readonly model: PackModel;
+  readonly pack: FolderPack;
+  readonly terms: Terms;
+  readonly canEdit: boolean;
+  readonly onClose: () => void;
+}
+
+/** The name of the pack, and what can be done with all of it. */
+export function PackHead({ model, pack, terms, canEdit, onClose }: PackHeadProps) {
+  const editor = useEditor();
+  const history = listHistoryOf(editor);
+  const { undoLabel, redoLabel, undoesList, redoesList } = useStore(history.store);
+  return (
+    <header className="pack__head">
+      <h2 className="unseen" id="pack-title">
+        Pack
+      </h2>
+      {model.name !== null && canEdit ? (
+        <NameField
+          key={model.name}
+          label="Name of the pack"
+          name={model.name}
+          className="pack__title"
+          onDone={(name) => void editPack(editor, 'Rename the pack', (now) => ({ ...now, name }))}
+        />
+      ) : (
+        <p className="pack__title">{model.name ?? 'All levels'}</p>
+      )}
+      <span className="pack__space" />
+      <Button
+        hint={undoesList ? `Undo: ${undoLabel}` : 'Undo: nothing of the list of levels'}
+        shortcut="Ctrl Z"
+        icon={<Undo2 size={15} />}
+        disabled={!undoesList}
+        onClick={history.undo}
+      />
+      <Button
+        hint={redoesList ? `Redo: ${redoLabel}` : 'Redo: nothing of the list of levels'}
+        shortcut="Ctrl Shift Z"
+        icon={<Redo2 size={15} />}
+        disabled={!redoesList}
+        onClick={history.redo}
+      />
+      <Measure model={model} terms={terms} />
+      {pack.kind === 'none' && (
+        <Button
+          hint="Write this order into a file pack.json, which then gives the order whatever the files are called"
+          look="outlined"
+          icon={<FilePlus2 size={15} />}
+          onClick={() => void editPack(editor, 'Make pack.json', (made) => made)}
+        >
+          Make pack.json
+        </Button>
+      )}
+      <Button hint="Close" shortcut="Esc" icon={<X size={16} />} onClick={onClose} />
+    </header>
+  );
+}
+
+/** Measures the grades that are missing, and can be stopped. */
+function Measure({ model, terms }: Pick<PackHeadProps, 'model' | 'terms'>) {
+  const editor = useEditor();
+  const grades = gradesOf(editor);
+  const running = useStore(grades.store, (state) => state.running);
+  const entries = model.cards.flatMap(({ entry }) => (entry === null ? [] : [entry]));
+  const missing = model.cards.filter(({ entry, grade }) => entry?.status === 'valid' && (grade === null || grade.isOld)).length;
+  if (running !== null) {
+    const name = model.cards.find(({ id }) => id === running.id)?.entry?.name ?? running.id;
+    return (
+      <span className="pack__measure">
+        <progress max={running.of} value={running.done} aria-label="Levels measured" />
+        <span className="pack__note pack__running">
+          {running.done + 1} of {running.of}: {name}
+        </span>
+        <Button hint="Stop measuring; what is measured stays" look="outlined" icon={<Square size={13} />} onClick={grades.stop}>
+          Stop
+        </Button>
+      </span>
+    );
+  }
+  return (
+    <Button
+      hint={
+        missing === 0
+          ? 'All grades are measured'
+          : 'Measure how hard each level is by its own runs, one after the other. gq difficulty searches for more runs and can find a lower grade'
+      }
+      look="outlined"
+      icon={<Gauge size={15} />}
+      disabled={missing === 0}
+      onClick={() => grades.measure(entries, terms)}
+    >
+      {missing === 0 ? 'Measured' : 'Measure'}
+    </Button>
+  );
+}

@@ -1,0 +1,61 @@
+import { FileDown } from 'lucide-react';
+import { useEffect, useState } from 'react';
+import { useEditor } from '../../core/context/index.ts';
+import { folderOf } from '../../core/files/index.ts';
+import { droppedFiles, openPlayFiles } from '../plays/index.ts';
+import { isPlayFile } from '../../core/shelf/index.ts';
+import { IMPORT_TOPIC, importFiles } from './import-files.ts';
+
+const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;
+
+/** Imports levels and opens plays that are dropped anywhere on the page, as files or in folders. */
+export function DropZone() {
+  const editor = useEditor();
+  const [isOver, setIsOver] = useState(false);
+  useEffect(() => {
+    const stopping = new AbortController();
+    // Entering a child fires before leaving its parent, so the drag has left the page when the depth is 0.
+    let depth = 0;
+    const listen = (type: 'dragenter' | 'dragover' | 'dragleave' | 'drop', act: (event: DragEvent) => void) =>
+      window.addEventListener(type, (event) => hasFiles(event) && act(event), { signal: stopping.signal, capture: true });
+    listen('dragenter', (event) => {
+      event.preventDefault();
+      depth++;
+      setIsOver(true);
+    });
+    listen('dragover', (event) => {
+      event.preventDefault();
+      if (event.dataTransfer !== null) event.dataTransfer.dropEffect = 'copy';
+    });
+    listen('dragleave', () => {
+      depth = Math.max(0, depth - 1);
+      if (depth === 0) setIsOver(false);
+    });
+    listen('drop', (event) => {
+      event.preventDefault();
+      event.stopPropagation();
+      depth = 0;
+      setIsOver(false);
+      const folder = folderOf(editor.workspace.store.getState().opened?.id() ?? '');
+      const { notices } = editor;
+      notices.settle(IMPORT_TOPIC);
+      const take = async (files: readonly File[]) => {
+        const plays = files.filter(isPlayFile);
+        const levels = files.filter((file) => !isPlayFile(file));
+        if (plays.length > 0) void openPlayFiles(editor, plays);
+        if (levels.length === 0) return;
+        const { refusals } = await importFiles(editor, folder, levels, true);
+        if (refusals.length > 0) notices.show('error', refusals.join('\n'), { topic: IMPORT_TOPIC });
+      };
+      if (event.dataTransfer !== null) void droppedFiles(event.dataTransfer).then(take);
+    });
+    return () => stopping.abort();
+  }, [editor]);
+  if (!isOver) return null;
+  return (
+    <div className="dropzone" role="status">
+      <FileDown size={28} aria-hidden />
+      Drop levels to import them, plays to open them
+    </div>
+  );
+}

@@ -1,0 +1,109 @@
+import { Braces, Copy, FileImage, Image } from 'lucide-react';
+import { useMemo, useState } from 'react';
+import { formatLevel, leavingFolder } from '../../../schema/index.ts';
+import { useDocument, useEditor, useFolderTerms, useLevel, usePageTheme } from '../../core/context/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
+import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from './index.ts';
+
+/** px */
+const PREVIEW = 560;
+
+/** Exports the open level as a file or a picture. */
+export function ExportTab() {
+  const { notices } = useEditor();
+  const { opened, proof } = useLevel();
+  const open = useDocument((state) => state.file);
+  const folder = useFolderTerms();
+  const [withRules, setWithRules] = useState(true);
+  const whole = useMemo(() => leavingFolder(open, folder.rules), [open, folder.rules]);
+  const file = withRules ? whole : open;
+  const shown = usePageTheme();
+  const [theme, setTheme] = useState(shown);
+  const [withRun, setWithRun] = useState(true);
+  const [width, setWidth] = useState(1280);
+  const preview = useMemo(() => {
+    const svg = pictureSvg(proof.proof(), { theme, width: PREVIEW, withRun });
+    return `data:image/svg+xml,${encodeURIComponent(svg)}`;
+  }, [proof, theme, withRun]);
+  const stem = opened.id().split('/').at(-1) ?? 'level';
+
+  const keep = async (make: () => ExportedFile | Promise<ExportedFile>) => {
+    try {
+      const file = await make();
+      if (await keepFile(file)) notices.show('info', `Saved ${file.name}.`, { topic: 'export' });
+    } catch (error) {
+      notices.show('error', `The export failed: ${error instanceof Error ? error.message : error}.`, { topic: 'export' });
+    }
+  };
+  const svg = () => pictureSvg(proof.proof(), { theme, width, withRun });
+
+  return (
+    <div className="share">
+      <section className="share__part" aria-label="Level file">
+        <h3 className="share__title">Level file</h3>
+        <p className="share__about">The file that gq check, gq render and this editor read.</p>
+        {whole !== open && (
+          <label className="share__check">
+            <input type="checkbox" checked={withRules} onChange={(event) => setWithRules(event.target.checked)} />
+            include the rules of {folder.file}, so that it plays the same elsewhere
+          </label>
+        )}
+        <div className="share__buttons">
+          <Button
+            hint="Download the level"
+            look="main"
+            icon={<Braces size={15} />}
+            onClick={() => void keep(() => levelFile(opened.id(), file))}
+          >
+            {stem}.level.json
+          </Button>
+          <Button
+            hint="Copy the level as text"
+            look="outlined"
+            icon={<Copy size={15} />}
+            onClick={() => void copyText(notices, 'the level', formatLevel(file))}
+          >
+            Copy as text
+          </Button>
+        </div>
+      </section>
+      <section className="share__part" aria-label="Picture">
+        <h3 className="share__title">Picture</h3>
+        <div className="share__picture">
+          <img className="share__preview" src={preview} alt="Preview of the exported level" />
+          <div className="share__options">
+            <label className="share__check">
+              <input type="checkbox" checked={withRun} onChange={(event) => setWithRun(event.target.checked)} />
+              include the shown run
+            </label>
+            <label className="share__check">
+              <input
+                type="checkbox"
+                checked={theme === 'light'}
+                onChange={(event) => setTheme(event.target.checked ? 'light' : 'dark')}
+              />
+              light theme, for printing
+            </label>
+            <NumberField label="Width" value={width} min={160} max={8192} whole step={10} unit="px" onChange={setWidth} />
+            <Button
+              hint="Download as a PNG image"
+              look="main"
+              icon={<Image size={15} />}
+              onClick={() => void keep(async () => ({ name: `${stem}.png`, blob: await toPng(svg(), 1) }))}
+            >
+              PNG
+            </Button>
+            <Button
+              hint="Download as an SVG drawing"
+              look="outlined"
+              icon={<FileImage size={15} />}
+              onClick={() => void keep(() => ({ name: `${stem}.svg`, blob: new Blob([svg()], { type: 'image/svg+xml' }) }))}
+            >
+              SVG
+            </Button>
+          </div>
+        </div>
+      </section>
+    </div>
+  );
+}

@@ -1,0 +1,104 @@
+import { useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { enteringFolder, formatLevel, type LevelFile } from '../../../schema/index.ts';
+import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../../core/context/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
+import { addLevels } from '../../core/levels/index.ts';
+import { slugOf } from './index.ts';
+import { surveyLink } from './survey-link.ts';
+
+/** width of the picture, px */
+const WIDTH = 420;
+
+/** Asks before a level from the page's address is added: any website can link here with one. */
+export function LinkDialog() {
+  const { incoming } = useEditor();
+  const file = useStore(incoming);
+  const close = () => incoming.setState(null, true);
+  return (
+    <Dialog
+      open={file !== null}
+      title="Add the level from the link?"
+      about="The level comes from the author of the link. Nothing is stored unless you add it."
+      onClose={close}
+    >
+      {file !== null && <Asked file={file} onClose={close} />}
+    </Dialog>
+  );
+}
+
+/** A picture and the verdict of the level, made by a worker so that a costly level does not block the page. */
+function usePicture(text: string): { readonly url: string | null; readonly words: string } {
+  const { workers } = useEditor();
+  const theme = usePageTheme();
+  const { folder: terms } = usePageTerms();
+  const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'checking…' });
+  useEffect(() => {
+    let url: string | null = null;
+    // Rules of a folder do not apply to a level from a link.
+    const job = workers.start('thumbnail', { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
+    void job.end.then((end) => {
+      if (end.kind === 'cancelled') return;
+      if (end.kind !== 'done') {
+        setShown({ url: null, words: 'unknown: it takes too long to simulate' });
+        return;
+      }
+      url = URL.createObjectURL(new Blob([end.result.svg], { type: 'image/svg+xml' }));
+      setShown({ url, words: end.result.verdict });
+    });
+    return () => {
+      job.cancel();
+      if (url !== null) URL.revokeObjectURL(url);
+    };
+  }, [workers, text, terms, theme]);
+  return shown;
+}
+
+function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: () => void }) {
+  const editor = useEditor();
+  const text = useMemo(() => formatLevel(file), [file]);
+  const { counts, size, warnings } = useMemo(() => surveyLink(file, text), [file, text]);
+  const { url, words } = usePicture(text);
+  const folder = useFolderTerms();
+  const [busy, setBusy] = useState(false);
+  const add = async () => {
+    setBusy(true);
+    const kept = enteringFolder(file, folder.rules);
+    const added = await addLevels(editor, '', [{ stem: slugOf(file.name), file: kept }]);
+    setBusy(false);
+    if (added.length === 0) return;
+    onClose();
+    const ruled = kept === file ? '' : ` It keeps its own rules instead of those of ${folder.file}.`;
+    editor.notices.show('info', `"${file.name}" was added from the link.${ruled}`, { topic: 'link' });
+  };
+  return (
+    <div className="form link">
+      <p className="link__name">{file.name}</p>
+      {file.description !== undefined && <p className="link__text">{file.description}</p>}
+      {url !== null && <img className="link__picture" src={url} alt="" />}
+      <dl className="link__facts">
+        <dt>Contents</dt>
+        <dd>{counts}</dd>
+        <dt>Size</dt>
+        <dd>{size}</dd>
+        <dt>Verdict</dt>
+        <dd>{words}</dd>
+      </dl>
+      {warnings.length > 0 && (
+        <ul className="link__warnings" aria-label="Warnings">
+          {warnings.map((warning) => (
+            <li key={warning}>{warning}</li>
+          ))}
+        </ul>
+      )}
+      <div className="form__buttons">
+        <Button hint="Close without adding the level" look="outlined" onClick={onClose}>
+          Don't add
+        </Button>
+        <Button hint="Add it as a new level and open it" look="main" disabled={busy} onClick={() => void add()}>
+          Add level
+        </Button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,99 @@
+import { chaptersOf } from '../../../check/pack/index.ts';
+import { plural } from '../../../check/words/index.ts';
+import { levelsOfPack, type RefusedLevel } from '../../../schema/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { errorInWords, folderPackIn, problemInWords } from '../../core/files/index.ts';
+import { accuracyNameOf } from '../../core/terms/index.ts';
+import { downloadFile, fetchGame, singlePage, slugOf } from './index.ts';
+import { collectLevels } from './collect-levels.ts';
+
+/** What is published, and as what. */
+export type Target = 'folder' | 'levelFolder' | 'file' | 'levelFile';
+
+export interface PublishWish {
+  readonly target: Target;
+  /** The name of the folder. */
+  readonly site: string;
+  readonly title: string;
+  readonly withRuns: boolean;
+  /** Whether to publish levels that are not known to be completable. */
+  readonly force: boolean;
+  readonly onProgress: (checked: number, all: number) => void;
+}
+
+/** What became of it. */
+export type Published =
+  | { readonly kind: 'done'; readonly message: string }
+  /** `reasons`: what must be corrected first, one sentence or two each */
+  | { readonly kind: 'failed'; readonly message: string; readonly reasons: readonly string[] }
+  | { readonly kind: 'refused'; readonly levels: readonly RefusedLevel[] };
+
+const megabytes = (bytes: number): string => `${(bytes / 1e6).toFixed(1)} MB`;
+
+/** Publishes levels. Never rejects. */
+export async function publish(editor: Editor, wish: PublishWish): Promise<Published> {
+  try {
+    // what is published is what is saved
+    const { opened } = editor.workspace.store.getState();
+    if (opened !== null && !(await opened.saver.flush()))
+      throw new Error(`the latest changes to “${opened.id()}” are not saved yet, and would be missing`);
+    return await (wish.target === 'folder' || wish.target === 'levelFolder' ? intoFolder : asFile)(editor, wish);
+  } catch (error) {
+    const message = `The levels could not be published: ${error instanceof Error ? error.message : error}.`;
+    return { kind: 'failed', message, reasons: [] };
+  }
+}
+
+async function intoFolder({ workspace }: Editor, { target, site, title, withRuns, force }: PublishWish): Promise<Published> {
+  const { storage, store } = workspace;
+  const level = target === 'folder' ? null : (store.getState().opened?.id() ?? null);
+  if (storage.publish === null) throw new Error('this page has no folders');
+  const answer = await storage.publish({ site, level, title, withRuns, force });
+  if (answer.ok) {
+    const { site: path, levels, bytes } = answer.value;
+    const message = `Published ${plural(levels, 'level')} in ${path} (${megabytes(bytes)}). Open index.html there, or put the folder on any web server.`;
+    return { kind: 'done', message };
+  }
+  if (answer.error.levels !== undefined) return { kind: 'refused', levels: answer.error.levels };
+  const { files = [] } = answer.error;
+  const reasons = files.flatMap(({ file, problems }) => problems.map((problem) => problemInWords(file, problem)));
+  return { kind: 'failed', message: errorInWords(answer.error), reasons };
+}
+
+async function asFile(editor: Editor, { target, title, withRuns, force, onProgress }: PublishWish): Promise<Published> {
+  const { workspace, workers } = editor;
+  const { list, opened } = workspace.store.getState();
+  const pack = folderPackIn({ list });
+  if (target === 'file' && (pack.kind === 'invalid' || pack.kind === 'unreadable'))
+    throw new Error(`${pack.file} is not valid, so the order of the levels is not known`);
+  const order = target === 'file' && pack.kind === 'valid' ? pack.reading.pack : null;
+  const listed = order === null ? null : new Set(levelsOfPack(order));
+  const entries = (list?.levels ?? []).filter(({ id }) => (target === 'file' ? listed?.has(id) !== false : id === opened?.id()));
+  if (entries.length === 0) throw new Error(order === null ? 'there is no level' : 'pack.json lists no level');
+  const { folder: terms } = editor.terms.getState();
+  const { levels, refused } = await collectLevels(entries, {
+    storage: workspace.storage,
+    workers,
+    terms,
+    withRuns,
+    onProgress: (checked) => onProgress(checked, entries.length),
+  });
+  if (refused.some(({ verdict }) => verdict === 'invalid') || (refused.length > 0 && !force))
+    return { kind: 'refused', levels: refused };
+  const game = await fetchGame(new URL('game/', document.baseURI).href);
+  const chapters = order === null ? null : chaptersOf(order);
+  const inChapters = levels.map((level) => {
+    const chapter = chapters?.get(level.id);
+    return chapter === undefined ? level : { ...level, chapter };
+  });
+  const blob = new Blob(
+    [singlePage(game, { title, accuracy: accuracyNameOf(terms), maxTime: terms.maxTime, levels: inChapters })],
+    {
+      type: 'text/html',
+    },
+  );
+  const name = `${slugOf(title)}.html`;
+  downloadFile({ name, blob });
+  const message = `Downloaded ${name}: ${plural(levels.length, 'level')}, ${megabytes(blob.size)}. Open it in a browser, send it, or put it on any web server.`;
+  return { kind: 'done', message };
+}

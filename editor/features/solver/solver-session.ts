@@ -1,0 +1,62 @@
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { pageTimers } from '../../core/files/index.ts';
+import { afterRest } from '../../core/panel/index.ts';
+import { type LostSession, watchLost } from '../lost/index.ts';
+import { type OnionSession, watchOnion } from '../onion/index.ts';
+import { type CheckWatch, watchChecks } from './check-watch.ts';
+import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
+import { createFixSession, type FixSession } from './fix-session.ts';
+import { createOverlay, type OverlayStore } from './overlay.ts';
+import { type ProofWatch, watchProofs } from './proof-watch.ts';
+import { type RobustnessWatch, watchRobustness } from './robustness-watch.ts';
+import { createSearchSession, type SearchSession } from './search-session.ts';
+import { createSearchSettings, type SearchSettingsStore } from './search-settings.ts';
+
+/** The searches and measurements of one level, while it is open. */
+export interface SolverSession {
+  readonly settings: SearchSettingsStore;
+  readonly search: SearchSession;
+  readonly robustness: RobustnessWatch;
+  readonly difficulty: DifficultySession;
+  readonly fixes: FixSession;
+  readonly proofs: ProofWatch;
+  readonly checks: CheckWatch;
+  readonly lost: LostSession;
+  /** The comparison with what was before a change. */
+  readonly onion: OnionSession;
+  readonly overlay: OverlayStore;
+}
+
+const sessions = new WeakMap<OpenLevel, SolverSession>();
+
+/** The solver session of an open level, created on first use; it ends when another level is opened. */
+export function solverSessionOf({ workers, session, open }: Editor, level: OpenLevel): SolverSession {
+  const known = sessions.get(level);
+  if (known !== undefined) return known;
+  const settings = createSearchSettings();
+  const overlay = createOverlay();
+  const search = createSearchSession({ level, session, workers, settings, overlay, now: () => performance.now() });
+  const robustness = watchRobustness({ level, workers, after: pageTimers.after, afterRest });
+  const proofs = watchProofs({ level, workers, afterRest });
+  const checks = watchChecks({ level, workers, afterRest });
+  const lost = watchLost({ level, session, workers, afterRest });
+  const onion = watchOnion({ level, session, workers, robustness: robustness.store, after: pageTimers.after });
+  const difficulty = createDifficultySession({ level, workers, settings });
+  const fixes = createFixSession({ level, session, workers, settings });
+  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, onion, overlay };
+  sessions.set(level, solver);
+  const stop = open.subscribe((current) => {
+    if (current === level) return;
+    stop();
+    sessions.delete(level);
+    search.close();
+    robustness.close();
+    difficulty.close();
+    fixes.close();
+    proofs.close();
+    checks.close();
+    lost.close();
+    onion.close();
+  });
+  return solver;
+}
