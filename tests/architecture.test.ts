@@ -196,7 +196,7 @@ describe('the check of imports finds a bypassed index file', () => {
     'editor/canvas/colours.ts',
     'editor/canvas/layers/way.ts',
     'editor/features/solver/search.ts',
-    'editor/panels/bare/a.ts',
+    'editor/features/bare/a.ts',
   ];
   const passed = (path: string, specifier: string) => {
     const text = `import type { A } from '${specifier}';`;
@@ -211,8 +211,8 @@ describe('the check of imports finds a bypassed index file', () => {
     ['editor/canvas/stage.ts', './layers/way.ts', 'editor/canvas/layers/index.ts'],
     ['editor/canvas/pointer/pan.ts', '../layers/way.ts', 'editor/canvas/layers/index.ts'],
     ['editor/features/runs/a.ts', '../solver/search.ts', 'editor/features/solver/index.ts'],
-    ['editor/features/runs/a.ts', '../bare/a.ts', 'editor/panels/bare/index.ts'],
-    ['editor/main.tsx', './panels/solver/search.ts', 'editor/features/solver/index.ts'],
+    ['editor/features/runs/a.ts', '../bare/a.ts', 'editor/features/bare/index.ts'],
+    ['editor/main.tsx', './features/solver/search.ts', 'editor/features/solver/index.ts'],
   ])('%s imports %s', (path, specifier, face) => {
     expect(passed(path, specifier)).toEqual([expect.stringMatching(`: passes by ${face}$`)]);
   });
@@ -224,7 +224,7 @@ describe('the check of imports finds a bypassed index file', () => {
     ['editor/canvas/stage.ts', './colours.ts'],
     ['editor/canvas/layers/way.ts', '../colours.ts'],
     ['editor/canvas/layers/deep/a.ts', '../way.ts'],
-    ['editor/main.tsx', './panels/solver/index.ts'],
+    ['editor/main.tsx', './features/solver/index.ts'],
   ])('accepts %s: %s', (path, specifier) => expect(passed(path, specifier)).toEqual([]));
 });
 

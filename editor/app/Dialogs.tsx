@@ -1,19 +1,12 @@
 import { useEffect } from 'react';
 import { useEditor } from '../core/context/index.ts';
+import { ConflictDialog, followDisagreement } from '../features/conflicts/index.ts';
 import { HistoryDialog, historyCommands, NameVersionDialog } from '../features/history/index.ts';
-import { ConflictDialog } from '../features/conflicts/index.ts';
-import { DropZone } from '../features/share/index.ts';
+import { DropZone, followLinks, LinkDialog, ShareDialog } from '../features/share/index.ts';
 import './dialogs.css';
-import { fileCommands } from '../features/levels/index.ts';
-import { followDisagreement } from '../features/conflicts/index.ts';
-import { HeldBackDialog } from '../features/levels/index.ts';
 import { KeptDialog } from '../features/kept/index.ts';
-import { LinkDialog } from '../features/share/index.ts';
-import { NewLevelDialog } from '../features/levels/index.ts';
-import { ShareDialog } from '../features/share/index.ts';
+import { fileCommands, HeldBackDialog, NewLevelDialog, TrashDialog } from '../features/levels/index.ts';
 import { Tour } from '../features/tour/index.ts';
-import { TrashDialog } from '../features/levels/index.ts';
-import { followLinks } from '../features/share/index.ts';
 
 /** All dialogs of the page, the drop zone for files, and the handling of links that contain a level. */
 export function Dialogs() {

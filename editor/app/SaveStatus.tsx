@@ -2,10 +2,10 @@ import { CircleAlert, CircleCheck, CloudOff, Download, Eye, FileWarning, GitMerg
 import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
 import { useDocument, useEditor, useLevel } from '../core/context/index.ts';
+import { keepFile, levelFile } from '../core/exchange/index.ts';
 import { problemsInWords, type SaveState } from '../core/files/index.ts';
 import type { Keeping } from '../core/journal/index.ts';
 import { Button, Hint } from '../core/ui/index.ts';
-import { keepFile, levelFile } from '../features/share/index.ts';
 
 const LOOKS: Readonly<Record<SaveState['kind'], { Icon: ComponentType<{ size: number }>; text: string }>> = {
   saved: { Icon: CircleCheck, text: 'saved' },

@@ -2,9 +2,9 @@ import { CircleQuestionMark, Clock, Play, Redo2, Search, Settings, Share2, Squar
 import { useStore } from 'zustand';
 import { keyLabel } from '../core/commands/index.ts';
 import { IS_MAC, useDocument, useEditor, useSession } from '../core/context/index.ts';
+import { listHistoryOf } from '../core/levels/index.ts';
 import { Button } from '../core/ui/index.ts';
 import { HISTORY_KEY } from '../features/history/index.ts';
-import { listHistoryOf } from '../core/levels/index.ts';
 import { SaveStatus } from './SaveStatus.tsx';
 import { VerdictBadge } from './VerdictBadge.tsx';
 

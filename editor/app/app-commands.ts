@@ -1,11 +1,11 @@
-import { ALIVE_KEY } from '../features/alive/index.ts';
 import type { Command } from '../core/commands/index.ts';
 import type { Editor } from '../core/context/index.ts';
+import { listHistoryOf } from '../core/levels/index.ts';
 import { LAYERS, type Layer } from '../core/session/index.ts';
+import { ALIVE_KEY } from '../features/alive/index.ts';
 import { LEEWAY_KEY } from '../features/leeway/index.ts';
 import { LOST_KEY } from '../features/lost/index.ts';
 import { MEND_KEY, mendSessionOf } from '../features/mend/index.ts';
-import { listHistoryOf } from '../core/levels/index.ts';
 import { solverSessionOf } from '../features/solver/index.ts';
 import { showPanel } from './show-panel.ts';
 

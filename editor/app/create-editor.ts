@@ -1,6 +1,5 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
-import { aliveOf, keepAlive } from '../features/alive/index.ts';
 import { attemptsAt } from '../core/attempts/index.ts';
 import { createCommands } from '../core/commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../core/context/index.ts';
@@ -16,14 +15,15 @@ import {
   pageTimers,
   tabName,
 } from '../core/files/index.ts';
+import { openHeldBack } from '../core/levels/index.ts';
 import { createNotices } from '../core/notices/index.ts';
 import { afterRest } from '../core/panel/index.ts';
 import { createProofStore } from '../core/proof/index.ts';
 import { createSession } from '../core/session/index.ts';
 import { createSettings } from '../core/settings/index.ts';
 import { createPageTerms } from '../core/terms/index.ts';
+import { aliveOf, keepAlive } from '../features/alive/index.ts';
 import { watchMend } from '../features/mend/index.ts';
-import { openHeldBack } from '../core/levels/index.ts';
 import { attemptGhosts } from '../features/play/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';

@@ -1,10 +1,10 @@
 import { RULES } from '../../schema/index.ts';
-import { comparedOf, compareOrTell, isCompared } from '../features/compare/index.ts';
 import type { Editor } from '../core/context/index.ts';
 import { nameOf, titled } from '../core/document/index.ts';
 import { folderTermsIn } from '../core/files/index.ts';
-import { ruleLabel, ruleValues } from '../features/inspector/index.ts';
 import { openListed } from '../core/levels/index.ts';
+import { comparedOf, compareOrTell, isCompared } from '../features/compare/index.ts';
+import { ruleLabel, ruleValues } from '../features/inspector/index.ts';
 import { objectRows } from '../features/outliner/index.ts';
 import { goToRule } from './rule-commands.ts';
 

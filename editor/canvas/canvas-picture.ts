@@ -1,10 +1,10 @@
 import type { StoreApi } from 'zustand/vanilla';
 import { type Box, joinHolds } from '../../engine/index.ts';
-import { raceOf } from '../features/compare/index.ts';
 import type { Editor, OpenLevel, Pose } from '../core/context/index.ts';
+import { shelfOf } from '../core/shelf/index.ts';
+import { raceOf } from '../features/compare/index.ts';
 import { type LostPicture, lossKey, lostOf, lostPictureOf } from '../features/lost/index.ts';
 import { type OnionPicture, onionOf, onionPictureOf } from '../features/onion/index.ts';
-import { shelfOf } from '../core/shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import type { SearchPicture } from './layers/index.ts';
 import { poseAt } from './run-pose.ts';

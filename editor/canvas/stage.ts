@@ -1,14 +1,14 @@
 import { CANVAS, Game, Scale, Scene, type Types, WEBGL } from 'phaser';
 import type { Box } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
-import type { Racer } from '../features/compare/index.ts';
 import type { Ghost, Pose } from '../core/context/index.ts';
 import type { ObjectKey } from '../core/document/index.ts';
 import type { LiveProof } from '../core/proof/index.ts';
 import type { Layer } from '../core/session/index.ts';
+import type { DeathMap } from '../core/shelf/index.ts';
+import type { Racer } from '../features/compare/index.ts';
 import type { LostPicture } from '../features/lost/index.ts';
 import type { OnionPicture } from '../features/onion/index.ts';
-import type { DeathMap } from '../core/shelf/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
 import { isFrameDue } from './frame-pace.ts';

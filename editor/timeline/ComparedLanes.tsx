@@ -2,10 +2,10 @@ import { Diff, X } from 'lucide-react';
 import type { CSSProperties } from 'react';
 import { useStore } from 'zustand';
 import { outcomeAsPredicate } from '../../check/words/index.ts';
-import { type ComparedRow, comparedOf, compareOrTell, showCompared, useComparedRows } from '../features/compare/index.ts';
 import { useEditor, useLevel, useProof, useTouch } from '../core/context/index.ts';
 import { plural } from '../core/figures/index.ts';
 import { Button, useCoarse } from '../core/ui/index.ts';
+import { type ComparedRow, comparedOf, compareOrTell, showCompared, useComparedRows } from '../features/compare/index.ts';
 import { type Scale, toX } from './scale.ts';
 
 interface ComparedLanesProps {

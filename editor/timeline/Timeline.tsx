@@ -1,8 +1,8 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useComparedRows, useDifference } from '../features/compare/index.ts';
 import { useEditor, useLevel, useProof, useSession, useTouch, useWhenIdle } from '../core/context/index.ts';
 import type { LiveProof, Reach } from '../core/proof/index.ts';
+import { useComparedRows, useDifference } from '../features/compare/index.ts';
 import { ComparedLanes } from './ComparedLanes.tsx';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';

@@ -1,10 +1,10 @@
 import { ChevronFirst, ChevronLast, Pause, Play, StepBack, StepForward, ZoomIn, ZoomOut } from 'lucide-react';
 import { memo } from 'react';
-import { AliveToggle } from '../features/alive/index.ts';
 import { useDocument, useEditor, useProof, useSession } from '../core/context/index.ts';
 import { endInWords } from '../core/proof/index.ts';
 import { RATE_NAMES, RATES } from '../core/session/index.ts';
 import { Button } from '../core/ui/index.ts';
+import { AliveToggle } from '../features/alive/index.ts';
 import { holdsInWords, type Reached } from './reached.ts';
 import { TimelineLegend } from './TimelineLegend.tsx';
 

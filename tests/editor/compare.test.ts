@@ -1,16 +1,5 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  comparedOf,
-  isFresh,
-  MOST_COMPARED,
-  type Source,
-  sourceHolds,
-  sourceKey,
-  toggleCompared,
-} from '../../editor/features/compare/compared.ts';
-import { placeOf, raceOf } from '../../editor/features/compare/racers.ts';
-import { watchCompared } from '../../editor/features/compare/watch-compared.ts';
 import { type Attempts, createAttempts } from '../../editor/core/attempts/attempts.ts';
 import type { OpenLevel } from '../../editor/core/context/index.ts';
 import {
@@ -23,6 +12,17 @@ import {
 } from '../../editor/core/document/index.ts';
 import { createProofStore, type ProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
+import {
+  comparedOf,
+  isFresh,
+  MOST_COMPARED,
+  type Source,
+  sourceHolds,
+  sourceKey,
+  toggleCompared,
+} from '../../editor/features/compare/compared.ts';
+import { placeOf, raceOf } from '../../editor/features/compare/racers.ts';
+import { watchCompared } from '../../editor/features/compare/watch-compared.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/jobs/index.ts';
 import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';

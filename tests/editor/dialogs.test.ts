@@ -1,12 +1,12 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { freeId, nextNumber } from '../../editor/core/levels/level-files.ts';
+import { TEMPLATES } from '../../editor/core/templates/index.ts';
 import { dropPlace, leavesBetween, parentOf, stepFrom, type TreeRow } from '../../editor/core/tree/tree-rows.ts';
 import { diffLines } from '../../editor/features/conflicts/line-diff.ts';
 import { valueInWords } from '../../editor/features/conflicts/value-in-words.ts';
-import { freeId, nextNumber } from '../../editor/core/levels/level-files.ts';
 import { levelRows } from '../../editor/features/levels/level-rows.ts';
 import { isSameRow, objectRows } from '../../editor/features/outliner/object-rows.ts';
-import { TEMPLATES } from '../../editor/core/templates/index.ts';
 import type { LevelEntry } from '../../schema/index.ts';
 
 const entry = (id: string, name: string | null = id): LevelEntry => ({

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { tellKept } from '../../editor/features/kept/tell-kept.ts';
 import { createEditedLevel, setLevelProperty } from '../../editor/core/document/index.ts';
 import { inTimeOrLate } from '../../editor/core/files/page-surroundings.ts';
 import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
 import { createNotices } from '../../editor/core/notices/index.ts';
+import { tellKept } from '../../editor/features/kept/tell-kept.ts';
 import { breathe, FILE, TurnedClock } from './stage.ts';
 
 /** The state of a promise so far. */

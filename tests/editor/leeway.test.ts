@@ -12,7 +12,13 @@ import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
 import { leewayOf } from '../../editor/features/leeway/leeway-store.ts';
-import { meaningInWords, movedInWords, noteInWords, reachInWords, samplingInWords } from '../../editor/features/leeway/leeway-words.ts';
+import {
+  meaningInWords,
+  movedInWords,
+  noteInWords,
+  reachInWords,
+  samplingInWords,
+} from '../../editor/features/leeway/leeway-words.ts';
 import { isOnlyMoved, type Question, type Seen } from '../../editor/features/leeway/question.ts';
 import { watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
 import { type JobEnd, type Leeway, MOST_REACH, type Reach, type Requests, type Workers } from '../../editor/workers/index.ts';

@@ -3,7 +3,6 @@ import { createStore } from 'zustand/vanilla';
 import type { Editor, OpenLevel } from '../../editor/core/context/index.ts';
 import { createBrowserStorage, createOpeningMarks, createWorkspace, type Workspace } from '../../editor/core/files/index.ts';
 import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
-import { createNotices } from '../../editor/core/notices/index.ts';
 import {
   addLevels,
   deleteLevel,
@@ -13,6 +12,7 @@ import {
   restoreLevel,
 } from '../../editor/core/levels/level-files.ts';
 import { listHistoryOf } from '../../editor/core/levels/list-history.ts';
+import { createNotices } from '../../editor/core/notices/index.ts';
 import { formatLevel, type LevelEntry, type LevelFile } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 

@@ -12,11 +12,11 @@ import {
   type Workspace,
 } from '../../editor/core/files/index.ts';
 import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
-import { createNotices } from '../../editor/core/notices/index.ts';
 import { addLevels, deleteLevel, duplicateLevel, restoreLevel } from '../../editor/core/levels/level-files.ts';
-import { moveTo } from '../../editor/features/levels/level-menu.ts';
 import { listHistoryOf } from '../../editor/core/levels/list-history.ts';
 import { editPack } from '../../editor/core/levels/pack-steps.ts';
+import { createNotices } from '../../editor/core/notices/index.ts';
+import { moveTo } from '../../editor/features/levels/level-menu.ts';
 import { formatLevel, formatPack, type LevelEntry, type LevelFile, type PackFile } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 

@@ -2,8 +2,8 @@ import { createHash } from 'node:crypto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Editor } from '../../editor/core/context/index.ts';
+import { fetchGame, playPageOf, singlePage } from '../../editor/core/exchange/index.ts';
 import { type PublishWish, publish } from '../../editor/features/share/publish.ts';
-import { fetchGame, playPageOf, singlePage } from '../../editor/features/share/index.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 

@@ -4,10 +4,10 @@ import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { applyPatches, createEditedLevel, diffFiles } from '../../editor/core/document/index.ts';
+import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/core/exchange/index.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { surveyLink } from '../../editor/features/share/survey-link.ts';
-import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/features/share/index.ts';
 import { TEMPLATES } from '../../editor/core/templates/index.ts';
+import { surveyLink } from '../../editor/features/share/survey-link.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {

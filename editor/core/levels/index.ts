@@ -1,3 +1,4 @@
+export { FolderSelect } from './FolderSelect.tsx';
 export {
   addLevels,
   addSamples,

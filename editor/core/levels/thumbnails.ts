@@ -1,10 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
+import { type LevelFacts, oneAtATime, type Results } from '../../workers/index.ts';
 import type { Editor } from '../context/index.ts';
 import { keptWith } from '../kept/index.ts';
 import { termsKey } from '../terms/index.ts';
-import { type LevelFacts, oneAtATime, type Results } from '../../workers/index.ts';
 
 const THEMES = ['dark', 'light'] as const;
 type Theme = (typeof THEMES)[number];

@@ -4,8 +4,8 @@ import type { PlayVerdict } from '../../../game/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { type Attempt, attemptInWords, causeInWords } from '../../core/attempts/index.ts';
 import type { Replay } from '../../core/session/index.ts';
-import type { TreeRow } from '../../core/tree/index.ts';
 import type { OpenedPlay } from '../../core/shelf/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
 
 /** An attempt of this session or an opened play, as the list shows it. */
 export interface AttemptRow extends TreeRow {

@@ -2,10 +2,10 @@ import type { StoreApi } from 'zustand/vanilla';
 import type { Attempt } from '../../core/attempts/index.ts';
 import type { Ghost } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
-import { termsAt } from '../../core/terms/index.ts';
-import { attemptGhosts } from '../play/index.ts';
 import type { OpenedPlay } from '../../core/shelf/index.ts';
+import { termsAt } from '../../core/terms/index.ts';
 import type { Workers } from '../../workers/index.ts';
+import { attemptGhosts } from '../play/index.ts';
 
 /** Paths that are shown at once: more of them are a tangle. */
 const MOST = 40;

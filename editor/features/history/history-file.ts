@@ -1,8 +1,8 @@
 import type { OpenLevel } from '../../core/context/index.ts';
+import { chooseFiles, downloadFile } from '../../core/exchange/index.ts';
 import { plural } from '../../core/figures/index.ts';
-import type { PastVersion } from '../../core/versions/index.ts';
-import { chooseFiles, downloadFile } from '../share/index.ts';
 import { stemOf } from '../../core/levels/index.ts';
+import type { PastVersion } from '../../core/versions/index.ts';
 import { formatHistory, readHistory } from './history-text.ts';
 
 /** Saves all versions of a level as one file. @returns what was done, as a sentence */

@@ -2,8 +2,8 @@ import { EyeOff, Lock, LockOpen } from 'lucide-react';
 import { useCallback } from 'react';
 import { useDocument, useEditor, useLevel, useSelectedKeys } from '../../core/context/index.ts';
 import { type FoundObject, LONGEST_NAME, MARK_KEYS, marksOf, setMark } from '../../core/document/index.ts';
-import { Button } from '../../core/ui/index.ts';
 import { areAll } from '../../core/order/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import type { Field } from './fields.ts';
 

@@ -2,9 +2,9 @@ import { Download, Trash2 } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useSession } from '../../core/context/index.ts';
-import { Button, Dialog } from '../../core/ui/index.ts';
+import { keepFile, levelFile } from '../../core/exchange/index.ts';
 import { openListed } from '../../core/levels/index.ts';
-import { keepFile, levelFile } from '../share/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 
 /** Changes that never reached the disk but are kept in this browser: the user can open, download or discard them. */
 export function KeptDialog() {

@@ -1,7 +1,7 @@
 import { useStore } from 'zustand';
 import { useEditor } from '../../core/context/index.ts';
-import { Button, Dialog } from '../../core/ui/index.ts';
 import { deleteLevel, openHeldBack, openListed } from '../../core/levels/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 
 /**
  * Asks what to do with a level that was being opened when the page last stopped. Opening it again automatically could make the

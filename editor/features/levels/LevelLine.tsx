@@ -4,10 +4,18 @@ import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
 import { type OpenLevel, useEditor, usePageTerms, usePageTheme } from '../../core/context/index.ts';
 import { problemsInWords } from '../../core/files/index.ts';
+import {
+  type ListedVerdict,
+  pictureOf,
+  stemOf,
+  thumbnailKey,
+  thumbnailsOf,
+  VerdictSign,
+  verdictOf,
+} from '../../core/levels/index.ts';
 import { isOtherAccuracy } from '../../core/terms/index.ts';
 import { MoreButton } from '../../core/tree/index.ts';
 import { useVerdict } from '../solver/index.ts';
-import { stemOf, pictureOf, thumbnailKey, thumbnailsOf, verdictOf, type ListedVerdict, VerdictSign } from '../../core/levels/index.ts';
 
 /** The thumbnail and the verdict of a listed level, made while its row is visible. */
 function useThumbnail(entry: LevelEntry): { readonly url: string | null; readonly verdict: ListedVerdict } {

@@ -2,12 +2,12 @@ import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, usePageTerms, usePageTheme, useSession } from '../../core/context/index.ts';
+import { slugOf } from '../../core/exchange/index.ts';
 import { folderOf } from '../../core/files/index.ts';
-import { Button, Dialog, NumberField } from '../../core/ui/index.ts';
-import { FileNameFields, fileNameProblem } from './index.ts';
 import { addLevels, nextNumber } from '../../core/levels/index.ts';
-import { slugOf } from '../share/index.ts';
 import { TEMPLATES, type Template } from '../../core/templates/index.ts';
+import { Button, Dialog, NumberField } from '../../core/ui/index.ts';
+import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 import { levelPicture } from './level-picture.ts';
 
 /** Pictures wider than this ratio are shown whole; cropping the sides would cut off objects. */

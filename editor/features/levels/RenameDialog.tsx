@@ -3,9 +3,9 @@ import { useStore } from 'zustand';
 import { renameLevel as renameInPack } from '../../../check/pack/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { errorInWords, folderOf } from '../../core/files/index.ts';
+import { changePack, inFolder, renameTitle, stemOf } from '../../core/levels/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
-import { inFolder, renameTitle, stemOf, changePack } from '../../core/levels/index.ts';
 
 /** Renames a level, its file, or both. */
 export function RenameDialog({ id, onClose }: { readonly id: string; readonly onClose: () => void }) {

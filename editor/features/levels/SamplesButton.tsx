@@ -1,6 +1,6 @@
 import { useEditor } from '../../core/context/index.ts';
-import { Button } from '../../core/ui/index.ts';
 import { addSamples } from '../../core/levels/index.ts';
+import { Button } from '../../core/ui/index.ts';
 
 /** Offers the levels that come with the toolkit. */
 export function SamplesButton() {

@@ -3,8 +3,8 @@ import { useEffect, useState } from 'react';
 import type { TrashEntry } from '../../../schema/index.ts';
 import { useEditor, useSession } from '../../core/context/index.ts';
 import { errorInWords, type StorageError } from '../../core/files/index.ts';
-import { Button, Dialog } from '../../core/ui/index.ts';
 import { restoreLevel } from '../../core/levels/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 
 /** The deleted levels, which can be restored. */
 export function TrashDialog() {

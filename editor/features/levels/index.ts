@@ -1,10 +1,9 @@
 export { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
-export { FolderSelect } from './FolderSelect.tsx';
-export { LevelsPanel } from './LevelsPanel.tsx';
-export { SamplesButton } from './SamplesButton.tsx';
-export { TextDialog } from './TextDialog.tsx';
 export { fileCommands } from './file-commands.ts';
 export { HeldBackDialog } from './HeldBackDialog.tsx';
+export { LevelsPanel } from './LevelsPanel.tsx';
 export { levelPicture } from './level-picture.ts';
 export { NewLevelDialog } from './NewLevelDialog.tsx';
+export { SamplesButton } from './SamplesButton.tsx';
+export { TextDialog } from './TextDialog.tsx';
 export { TrashDialog } from './TrashDialog.tsx';

@@ -2,8 +2,8 @@ import { moveLevel } from '../../../check/pack/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
 import { folderOf, folderPackIn, idsIn } from '../../core/files/index.ts';
+import { deleteLevel, duplicateLevel, editPack, orderLevels } from '../../core/levels/index.ts';
 import type { MenuEntry } from '../../core/tree/index.ts';
-import { deleteLevel, duplicateLevel, orderLevels, editPack } from '../../core/levels/index.ts';
 import type { LevelRow } from './level-rows.ts';
 
 interface MenuParts {

@@ -1,8 +1,8 @@
 import type { LevelEntry } from '../../../schema/index.ts';
 import { plural } from '../../core/figures/index.ts';
 import { folderOf } from '../../core/files/index.ts';
-import type { TreeRow } from '../../core/tree/index.ts';
 import { stemOf } from '../../core/levels/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
 
 export interface LevelRow extends TreeRow {
   /** null for the row of a folder */

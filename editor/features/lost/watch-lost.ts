@@ -4,8 +4,8 @@ import type { Attempt } from '../../core/attempts/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { isWhole } from '../../core/proof/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
 import { hashNow, shelfOf } from '../../core/shelf/index.ts';
+import { accuracyNameOf } from '../../core/terms/index.ts';
 import type { Job, Losses, Workers } from '../../workers/index.ts';
 import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
 

@@ -3,13 +3,13 @@ import { type Mended, mendedInWords } from '../../../check/index.ts';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { joinHolds, simulate } from '../../../engine/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { AliveState } from '../alive/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../../core/document/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { createPreview, type SessionStore } from '../../core/session/index.ts';
 import type { SettingsStore } from '../../core/settings/index.ts';
 import type { Job, Mending, Workers } from '../../workers/index.ts';
+import type { AliveState } from '../alive/index.ts';
 
 /** Seeks what mends the level. */
 export const MEND_KEY = 'Shift+m';

@@ -9,8 +9,8 @@ import {
   objectsOf,
   titled,
 } from '../../core/document/index.ts';
-import type { TreeRow } from '../../core/tree/index.ts';
 import { groupRowKey } from '../../core/order/index.ts';
+import type { TreeRow } from '../../core/tree/index.ts';
 
 export interface ObjectRow extends TreeRow {
   readonly title: string;

@@ -1,8 +1,8 @@
 import { keyLabel } from '../../core/commands/index.ts';
 import { type Editor, IS_MAC, type OpenLevel } from '../../core/context/index.ts';
 import { reorderObject } from '../../core/document/index.ts';
-import type { MenuEntry } from '../../core/tree/index.ts';
 import type { OrderActions } from '../../core/order/index.ts';
+import type { MenuEntry } from '../../core/tree/index.ts';
 import type { ObjectRow } from './object-rows.ts';
 
 interface MenuParts {

@@ -4,8 +4,8 @@ import { ENGINE_ID } from '../../../game/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
 import { keptWith } from '../../core/kept/index.ts';
-import type { Job } from '../../workers/index.ts';
 import { factsKey } from '../../core/levels/index.ts';
+import type { Job } from '../../workers/index.ts';
 import type { ShownGrade } from './pack-model.ts';
 
 /** A measured grade; `value` is null if none of the level's runs completes it. */

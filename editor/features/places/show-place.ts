@@ -2,8 +2,8 @@ import { closestName, type LevelEntry, type PlaceReading } from '../../../schema
 import { poseAt } from '../../canvas/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { allLevels } from '../../core/files/index.ts';
-import { isWhole } from '../../core/proof/index.ts';
 import { openListed } from '../../core/levels/index.ts';
+import { isWhole } from '../../core/proof/index.ts';
 import { levelsCalled, nearlyCalled } from './find-level.ts';
 
 /** characters of a link that a notice repeats */

@@ -1,5 +1,5 @@
 import { directoryOpen, fileOpen } from 'browser-fs-access';
-import { unlessClosed } from '../share/index.ts';
+import { unlessClosed } from '../../core/exchange/index.ts';
 import { isPlayFile, PLAY_EXTENSION } from '../../core/shelf/index.ts';
 
 /** Lets the user choose the files of plays. @returns null if none were chosen */

@@ -1,9 +1,9 @@
 import { decodePlay, playToText } from '../../../game/index.ts';
 import { type LevelFile, leavingFolder, type OwnRules } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
-import { termsAt } from '../../core/terms/index.ts';
-import { copyText, keepFile, LONGEST_LINK, linkTo, plainName } from '../share/index.ts';
+import { copyText, keepFile, LONGEST_LINK, linkTo, plainName } from '../../core/exchange/index.ts';
 import { bareTitle, PLAY_EXTENSION } from '../../core/shelf/index.ts';
+import { termsAt } from '../../core/terms/index.ts';
 
 /** A play to be sent. */
 export interface SharedPlay {

@@ -1,9 +1,9 @@
 import { Copy } from 'lucide-react';
 import { useEditor, useProof } from '../../core/context/index.ts';
+import { copyText } from '../../core/exchange/index.ts';
 import { useThrottledProof } from '../../core/panel/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { copyText } from '../share/index.ts';
 
 /** ms between two updates: a hash covers every tick of the run */
 const WAIT = 300;

@@ -1,11 +1,11 @@
 import { Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
 import { useDocument, useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { PlayButton } from '../../core/panel/index.ts';
 import { type MenuEntry, Tree } from '../../core/tree/index.ts';
 import { Button } from '../../core/ui/index.ts';
+import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
 import { AttemptList } from './AttemptList.tsx';
 import { runChanges } from './change-runs.ts';
 import { DifferencePanel } from './DifferencePanel.tsx';

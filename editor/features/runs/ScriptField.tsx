@@ -2,8 +2,8 @@ import { Copy } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { useDocument, useEditor, useLevel } from '../../core/context/index.ts';
+import { copyText } from '../../core/exchange/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { copyText } from '../share/index.ts';
 import { draftsOf, dropDraft, endScript, remarksInWords, scriptText, shownDraft, typeScript } from './script-draft.ts';
 import './script.css';
 

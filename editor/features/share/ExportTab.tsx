@@ -2,8 +2,8 @@ import { Braces, Copy, FileImage, Image } from 'lucide-react';
 import { useMemo, useState } from 'react';
 import { formatLevel, leavingFolder } from '../../../schema/index.ts';
 import { useDocument, useEditor, useFolderTerms, useLevel, usePageTheme } from '../../core/context/index.ts';
+import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from '../../core/exchange/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
-import { copyText, type ExportedFile, keepFile, levelFile, pictureSvg, toPng } from './index.ts';
 
 /** px */
 const PREVIEW = 560;

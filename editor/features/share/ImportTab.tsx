@@ -1,10 +1,10 @@
 import { CircleAlert, FolderOpen } from 'lucide-react';
 import { useEffect, useId, useState } from 'react';
 import { useEditor } from '../../core/context/index.ts';
+import { chooseFiles } from '../../core/exchange/index.ts';
 import { folderOf } from '../../core/files/index.ts';
+import { FolderSelect } from '../../core/levels/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { FolderSelect } from '../levels/index.ts';
-import { chooseFiles } from './index.ts';
 import { IMPORT_TOPIC, type ImportResult, importContents, importFiles } from './import-files.ts';
 
 /** Imports levels of this toolkit or of the original game from files or text. */

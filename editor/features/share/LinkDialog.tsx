@@ -2,9 +2,9 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { enteringFolder, formatLevel, type LevelFile } from '../../../schema/index.ts';
 import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../../core/context/index.ts';
-import { Button, Dialog } from '../../core/ui/index.ts';
+import { slugOf } from '../../core/exchange/index.ts';
 import { addLevels } from '../../core/levels/index.ts';
-import { slugOf } from './index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
 import { surveyLink } from './survey-link.ts';
 
 /** width of the picture, px */

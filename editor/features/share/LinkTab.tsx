@@ -3,8 +3,8 @@ import { useEffect, useId, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { leavingFolder } from '../../../schema/index.ts';
 import { useDocument, useEditor, useFolderTerms } from '../../core/context/index.ts';
+import { copyText, type Linking, linkTo, playPageOf } from '../../core/exchange/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { copyText, type Linking, linkTo, playPageOf } from './index.ts';
 
 /** A link that contains the open level: for this editor, or for a page on which it can only be played. */
 export function LinkTab() {

@@ -4,8 +4,8 @@ import { useStore } from 'zustand';
 import { LEVEL_ID_PART, type RefusedLevel } from '../../../schema/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { folderPackIn } from '../../core/files/index.ts';
-import { Button } from '../../core/ui/index.ts';
 import { VerdictSign } from '../../core/levels/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { type Published, publish, type Target } from './publish.ts';
 
 /** characters */

@@ -1,7 +1,7 @@
 import type { Editor } from '../../core/context/index.ts';
+import { type Importing, importLevels } from '../../core/exchange/index.ts';
 import { problemsInWords } from '../../core/files/index.ts';
 import { addLevels } from '../../core/levels/index.ts';
-import { type Importing, importLevels } from './index.ts';
 
 /** What the user chose, dropped or pasted: the bytes of a file, or a text. */
 export interface Given {

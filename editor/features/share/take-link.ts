@@ -1,6 +1,6 @@
 import { placeIn } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
-import { levelOf } from './index.ts';
+import { levelOf } from '../../core/exchange/index.ts';
 
 /** Takes the level out of the page's address and asks the user whether to add it; a reload does not ask again. */
 async function takeLink({ notices, incoming }: Editor): Promise<void> {

@@ -1,6 +1,6 @@
 import { useId } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../../core/context/index.ts';
+import { useEditor } from '../context/index.ts';
 
 /** Selects the folder of a level; hidden if there is only one. */
 export function FolderSelect({ value, onChange }: { readonly value: string; readonly onChange: (folder: string) => void }) {

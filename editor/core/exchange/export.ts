@@ -1,6 +1,6 @@
 import { renderSvg } from '../../../picture/index.ts';
 import { formatLevel, type LevelFile } from '../../../schema/index.ts';
-import type { LiveProof } from '../../core/proof/index.ts';
+import type { LiveProof } from '../proof/index.ts';
 
 /** A file to save. */
 export interface ExportedFile {

@@ -1,5 +1,5 @@
 import { importOriginal, LEVEL_ID_PART, type LevelFile, type Problem } from '../../../schema/index.ts';
-import { readText } from '../../core/files/index.ts';
+import { readText } from '../files/index.ts';
 
 /** Levels read from a file that the user chose or dropped. */
 export type Importing =

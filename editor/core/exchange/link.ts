@@ -1,7 +1,7 @@
 import type { Terms } from '../../../engine/index.ts';
 import { levelFragment, levelTextOf } from '../../../phaser/links/index.ts';
 import { formatLevel, type LevelFile, type Problem } from '../../../schema/index.ts';
-import { readText } from '../../core/files/index.ts';
+import { readText } from '../files/index.ts';
 
 /** A link, or why there is none. */
 export type Linking =

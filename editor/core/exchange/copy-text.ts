@@ -1,4 +1,4 @@
-import type { Notices } from '../../core/notices/index.ts';
+import type { Notices } from '../notices/index.ts';
 
 /** Copies a text to the clipboard and reports the result. @param what a name for it: `the link` */
 export async function copyText(notices: Notices, what: string, text: string): Promise<void> {
