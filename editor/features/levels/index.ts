@@ -1,8 +1,6 @@
-export { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
 export { fileCommands } from './file-commands.ts';
 export { HeldBackDialog } from './HeldBackDialog.tsx';
 export { LevelsPanel } from './LevelsPanel.tsx';
-export { levelPicture } from './level-picture.ts';
 export { NewLevelDialog } from './NewLevelDialog.tsx';
 export { SamplesButton } from './SamplesButton.tsx';
 export { TextDialog } from './TextDialog.tsx';
