@@ -7,7 +7,7 @@ import { expect, it } from 'vitest';
 
 const editor = fileURLToPath(new URL('../../editor/', import.meta.url));
 /** They change how others look, for a finger and for high contrast. */
-const FOR_ALL = ['ui/touch.css', 'ui/contrast.css'];
+const FOR_ALL = ['core/ui/touch.css', 'core/ui/contrast.css'];
 
 /** The classes that a stylesheet dresses by themselves: `.note`, not `.row .note`; looks of them (`.note--old`) may be shared. */
 function classesIn(css: string): Set<string> {

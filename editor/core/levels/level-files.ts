@@ -4,8 +4,7 @@ import type { Editor } from '../context/index.ts';
 import { folderOf, folderPackIn, idsIn } from '../files/index.ts';
 import { loadSamples } from '../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
-import { changePack } from './pack-steps.ts';
-import { tellError, valueOrNotice } from './tell-error.ts';
+import { changePack, tellError, valueOrNotice } from './pack-steps.ts';
 
 /** The name of a level's file, without folder and extension. */
 export const stemOf = (id: string): string => id.slice(id.lastIndexOf('/') + 1);

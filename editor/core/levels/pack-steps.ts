@@ -1,11 +1,10 @@
 import { formatPack, PACK_VERSION, type PackFile, readPack } from '../../../schema/index.ts';
 import type { Editor } from '../context/index.ts';
-import { folderPackIn } from '../files/index.ts';
+import { type Answer, errorInWords, folderPackIn, type StorageError } from '../files/index.ts';
 import { listHistoryOf } from './list-history.ts';
-import { tellError } from './tell-error.ts';
 
 /** A change of the order of the levels. */
-export interface PackChange {
+interface PackChange {
   readonly forward: (pack: PackFile) => PackFile;
   /**
    * Takes it back in a file that somebody has changed since. null: that is not possible, nor is `forward` in a file that has changed,
@@ -15,7 +14,7 @@ export interface PackChange {
 }
 
 /** A change that was made. Each resolves to whether it succeeded; a failure is reported. */
-export interface MadePackChange {
+interface MadePackChange {
   undo(): Promise<boolean>;
   redo(): Promise<boolean>;
 }
@@ -85,7 +84,7 @@ export async function changePack(editor: Editor, { forward, backward }: PackChan
 }
 
 /** The order of the levels as it is without a `pack.json`. */
-export function packOfList({ workspace }: Editor): PackFile {
+function packOfList({ workspace }: Editor): PackFile {
   const { list } = workspace.store.getState();
   const name = /([^/\\]+)[/\\]*$/.exec(list?.folder.path ?? '')?.[1] ?? '';
   const isNamed = workspace.storage.kind === 'server' && !['', '.', '..', 'levels'].includes(name);
@@ -127,4 +126,16 @@ async function changeOrMakePack(editor: Editor, forward: PackChange['forward']):
     undo: () => put(editor, text, null, null, 'so this cannot be undone'),
     redo: () => put(editor, null, text, null, 'so this cannot be done again'),
   };
+}
+
+/** Shows a notice about a failure. */
+export function tellError({ notices }: Editor, error: StorageError): void {
+  notices.show('warning', errorInWords(error), { topic: 'level-files' });
+}
+
+/** The value of an answer; for a refusal null, and a notice says why. */
+export function valueOrNotice<T>(editor: Editor, answer: Answer<T>): T | null {
+  if (answer.ok) return answer.value;
+  tellError(editor, answer.error);
+  return null;
 }
