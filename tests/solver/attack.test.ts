@@ -15,7 +15,7 @@ import {
   SMALL,
 } from '../../bench/soak/attack/index.ts';
 import type { AccuracyName } from '../../engine/index.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { pack } from '../levels/shipped-pack.ts';
 
 const CONTINUOUS = ALL_ACCURACIES.filter((name) => name !== 'arcade');
