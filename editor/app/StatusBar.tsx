@@ -1,7 +1,6 @@
 import { useStore } from 'zustand';
-import { useDocument, useEditor, usePageTerms, useProof, useSession } from '../core/context/index.ts';
+import { useDocument, useEditor, usePageTerms, useProof, useProofInPace, useSession } from '../core/context/index.ts';
 import { objectsOf } from '../core/document/index.ts';
-import { useThrottledProof } from '../core/panel/index.ts';
 import { endInWords, type LiveProof } from '../core/proof/index.ts';
 import { OtherAccuracy } from '../features/accuracy/index.ts';
 import { useProblemCount } from '../features/problems/index.ts';
@@ -13,7 +12,7 @@ const msOf = ({ ms }: LiveProof): string => ms.toFixed(1);
 
 /** How long the last simulation took, throttled: figures that change with every frame can't be read. */
 function ProofTime() {
-  return useThrottledProof(msOf);
+  return useProofInPace(msOf);
 }
 
 /** The number of objects and problems, the view, and how the shown run ends. */

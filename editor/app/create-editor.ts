@@ -1,5 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
+import { after, afterRest } from '../core/ask/index.ts';
 import { attemptsAt } from '../core/attempts/index.ts';
 import { createCommands } from '../core/commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../core/context/index.ts';
@@ -12,12 +13,10 @@ import {
   type Link,
   type OpenedLevel,
   pageSurroundings,
-  pageTimers,
   tabName,
 } from '../core/files/index.ts';
 import { openHeldBack } from '../core/levels/index.ts';
 import { createNotices } from '../core/notices/index.ts';
-import { afterRest } from '../core/panel/index.ts';
 import { createProofStore } from '../core/proof/index.ts';
 import { createSession } from '../core/session/index.ts';
 import { createSettings } from '../core/settings/index.ts';
@@ -184,6 +183,7 @@ export async function createEditor(): Promise<Editor> {
   workspace.store.subscribe(({ link }, before) => {
     if (link !== before.link) tellLink(link);
   });
+  const workers = createWorkers({ spawn: spawnPageWorker, after });
   const editor: Editor = {
     settings,
     terms: createPageTerms(workspace, settings),
@@ -198,7 +198,8 @@ export async function createEditor(): Promise<Editor> {
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
     unchecked: new Set(),
-    workers: createWorkers({ spawn: spawnPageWorker, after: pageTimers.after }),
+    workers,
+    desk: { workers, afterRest, after },
     open: createStore<OpenLevel | null>(() => null),
   };
   let last: { opened: OpenedLevel; close: () => void } | null = null;

@@ -1,7 +1,7 @@
 import { useEffect } from 'react';
 import type { StoreApi } from 'zustand';
+import { afterRest } from '../core/ask/index.ts';
 import { useEditor, useLevel } from '../core/context/index.ts';
-import { afterRest } from '../core/panel/index.ts';
 import { watchLeeway } from '../features/leeway/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { toLevel } from './view.ts';

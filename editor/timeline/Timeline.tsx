@@ -1,6 +1,7 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useLevel, useProof, useSession, useTouch, useWhenIdle } from '../core/context/index.ts';
+import { useInPace } from '../core/ask/index.ts';
+import { useEditor, useLevel, useProof, useSession, useTouch } from '../core/context/index.ts';
 import type { LiveProof, Reach } from '../core/proof/index.ts';
 import { useComparedRows, useDifference } from '../features/compare/index.ts';
 import { ComparedLanes } from './ComparedLanes.tsx';
@@ -66,8 +67,8 @@ export function Timeline() {
   const isBroken = useProof((proof) => reachedBy(proof).isBroken);
   const reached = useMemo(() => ({ until, isBroken }), [until, isBroken]);
   const ticks = useStore(level.proof.reach, ticksOf);
-  const details = useWhenIdle(level.proof.store, detailsOf);
-  const drawnTicks = useWhenIdle(level.proof.reach, ticksOf);
+  const details = useInPace(level.proof.store, detailsOf, 'idle');
+  const drawnTicks = useInPace(level.proof.reach, ticksOf, 'idle');
   const analysis = useStore(level.analysis);
   const box = useRef<HTMLDivElement>(null);
   const graphs = useRef<HTMLDivElement>(null);

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { afterRest } from '../../editor/core/panel/after-rest.ts';
+import { afterRest } from '../../editor/core/ask/index.ts';
 
 /** Requested frames, which the test runs. */
 function stageFrames() {

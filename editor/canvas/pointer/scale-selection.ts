@@ -1,6 +1,5 @@
 import { scaleObjects } from '../../core/document/index.ts';
-import type { SelectionBox } from '../selection-box/index.ts';
-import { cursorOf, type ScaleHandle, scalingOf } from '../selection-box/index.ts';
+import { cursorOf, type ScaleHandle, type SelectionBox, scalingOf } from '../selection-box/index.ts';
 import type { PointerContext, PointerInput, PointerState } from './state.ts';
 
 const percent = (factor: number): string => `${Math.round(factor * 1000) / 10} %`;

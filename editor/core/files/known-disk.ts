@@ -1,5 +1,4 @@
-import type { LevelFile } from '../../../schema/index.ts';
-import { isSame } from '../../../schema/index.ts';
+import { isSame, type LevelFile } from '../../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
 
 /** What was on disk when it was last read or written. */

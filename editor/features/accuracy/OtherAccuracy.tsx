@@ -1,4 +1,4 @@
-import { useDebouncedProof } from '../../core/panel/index.ts';
+import { useProofAtRest } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { otherEndOf } from './other-accuracy.ts';
 
@@ -11,7 +11,7 @@ const px = (distance: number): string => (distance >= 0.05 ? distance.toFixed(1)
 
 /** Whether another accuracy would give the same outcome for the shown run, in a few words. */
 export function OtherAccuracy() {
-  const other = useDebouncedProof(compared, REST);
+  const other = useProofAtRest(compared, REST);
   if (other === null) return null;
   const { name, distance, isSame } = other;
   return (

@@ -2,9 +2,9 @@ import { FolderOpen, X } from 'lucide-react';
 import { type KeyboardEvent, useCallback, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { joinHolds } from '../../../engine/index.ts';
-import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { useEditor, useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
 import { plural } from '../../core/figures/index.ts';
-import { PlayButton, Progress, useThrottledProof } from '../../core/panel/index.ts';
+import { PlayButton, Progress } from '../../core/panel/index.ts';
 import { hashNow, shelfOf } from '../../core/shelf/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../../core/tree/index.ts';
 import { Button } from '../../core/ui/index.ts';
@@ -139,7 +139,7 @@ function Changed() {
   const level = useLevel();
   const of = useStore(shelfOf(level).store, (state) => state.of);
   // the hash is computed anew only if the level has changed
-  useThrottledProof((proof) => proof.level);
+  useProofInPace((proof) => proof.level);
   if (of === null || hashNow(level) === of.hash) return null;
   return (
     <p className="attempts-panel__note" role="note">

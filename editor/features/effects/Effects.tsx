@@ -1,9 +1,9 @@
 import { Timer } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { useLevel, useProof } from '../../core/context/index.ts';
+import { useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
 import { type Fact, nextTurn, percent } from '../../core/figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../../core/panel/index.ts';
+import { Facts, Section } from '../../core/panel/index.ts';
 import { limitInWords } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import './effects.css';
@@ -85,7 +85,7 @@ function workFacts({ work, time }: Survey): Fact[] {
 
 /** The effects that the level calls for and those it does not, and what each costs in the shown run. */
 export function Effects() {
-  const survey = useThrottledProof(surveyOf, WAIT);
+  const survey = useProofInPace(surveyOf, WAIT);
   const limit = useProof((proof) => proof.limit);
   if (survey !== null) return <Surveyed survey={survey} />;
   return <p className="panel__body part__note">{limit === null ? 'Loading…' : limitInWords(limit)}</p>;

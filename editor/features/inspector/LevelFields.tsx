@@ -1,9 +1,9 @@
 import { CircleDot, UserRound } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../core/context/index.ts';
+import { useEditor, useLevel, useProofInPace } from '../../core/context/index.ts';
 import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../core/document/index.ts';
 import type { Fact } from '../../core/figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../../core/panel/index.ts';
+import { Facts, Section } from '../../core/panel/index.ts';
 import { endInWords, isWhole, type LiveProof } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
@@ -38,7 +38,7 @@ const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(
 export function LevelFields({ file }: { readonly file: LevelFile }) {
   const { commands } = useEditor();
   const { selection } = useLevel();
-  const run = useThrottledProof(summaryOf);
+  const run = useProofInPace(summaryOf);
   const place = ({ x, y }: { readonly x: number; readonly y: number }) => `${Math.round(x)}, ${Math.round(y)}`;
   const links: readonly (readonly [key: ObjectKey, name: string, where: string, icon: React.ReactNode])[] = [
     [ASTRONAUT, 'Astronaut', place(file.astronaut), <UserRound key="icon" size={14} />],

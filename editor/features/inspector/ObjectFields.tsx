@@ -13,7 +13,7 @@ import {
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
 import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../core/context/index.ts';
+import { useEditor, useLevel, useProofInPace } from '../../core/context/index.ts';
 import {
   type FoundObject,
   marksOf,
@@ -26,7 +26,7 @@ import {
   unlocked,
 } from '../../core/document/index.ts';
 import { type Fact, plural } from '../../core/figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../../core/panel/index.ts';
+import { Facts, Section } from '../../core/panel/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
@@ -115,7 +115,7 @@ function RunFacts({ objectKey }: { readonly objectKey: string }) {
   );
   return (
     <Section title="In the shown run">
-      <Facts facts={useThrottledProof(pick)} />
+      <Facts facts={useProofInPace(pick)} />
     </Section>
   );
 }

@@ -1,7 +1,6 @@
 import { Copy } from 'lucide-react';
-import { useEditor, useProof } from '../../core/context/index.ts';
+import { useEditor, useProof, useProofInPace } from '../../core/context/index.ts';
 import { copyText } from '../../core/exchange/index.ts';
-import { useThrottledProof } from '../../core/panel/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 
@@ -16,7 +15,7 @@ const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
  */
 export function RunHash() {
   const { notices } = useEditor();
-  const hash = useThrottledProof(hashOf, WAIT);
+  const hash = useProofInPace(hashOf, WAIT);
   const accuracy = useProof(({ terms }) => terms.accuracy.name);
   return (
     <p className="runs__hash">

@@ -5,6 +5,7 @@ import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../../cor
 import { slugOf } from '../../core/exchange/index.ts';
 import { addLevels } from '../../core/levels/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
+import { jobs } from '../../workers/index.ts';
 import { surveyLink } from './survey-link.ts';
 
 /** width of the picture, px */
@@ -36,7 +37,7 @@ function usePicture(text: string): { readonly url: string | null; readonly words
   useEffect(() => {
     let url: string | null = null;
     // Rules of a folder do not apply to a level from a link.
-    const job = workers.start('thumbnail', { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
+    const job = workers.start(jobs.thumbnail, { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
     void job.end.then((end) => {
       if (end.kind === 'cancelled') return;
       if (end.kind !== 'done') {
