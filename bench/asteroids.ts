@@ -11,7 +11,7 @@ const SAME = 1e-6;
 export const bench = define({
   what: '10,000 asteroids against 100',
   options: {},
-  claims: { ratio: atMost(3, `cost of ${MANY.name} / ${FEW.name} asteroids`) },
+  claims: { ratio: atMost(3, `cost of ${MANY.name} / of ${FEW.name}`) },
   run() {
     const ratios: Record<string, number> = {};
     const rows = ACCURACY_NAMES.map((name) => {

@@ -1,7 +1,7 @@
 import { compile } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { createSearch, type Goal, verifyRun } from '../solver/index.ts';
-import { type Chain, FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from './chains/index.ts';
+import { type Chain, FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from '../tests/scenes/chains/index.ts';
 import { atMost, define, number, numbers, oneOf } from './harness/index.ts';
 
 // counts the ticks to a first run through chains of narrow doors; ticks are the same on every machine

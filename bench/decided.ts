@@ -1,6 +1,15 @@
 import { compile, DEFAULT_ACCURACY, simulate } from '../engine/index.ts';
 import { type Level, resolveLevel } from '../schema/index.ts';
 import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from '../tests/scenes/random-set/index.ts';
+import { SLIPS, slipped } from '../tests/scenes/slips.ts';
+import {
+  hashStyledSet,
+  STYLED_SET_HASH,
+  STYLED_SET_SIZE,
+  STYLES,
+  styledLevel,
+  styleOf,
+} from '../tests/scenes/styled-set/index.ts';
 import { decideAll, type Effort, refuteSome, type Stratum, tell } from './decide/index.ts';
 import {
   accuracy,
@@ -16,8 +25,6 @@ import {
   text,
   words,
 } from './harness/index.ts';
-import { SLIPS, slipped } from './slips/slip.ts';
-import { hashStyledSet, STYLED_SET_HASH, STYLED_SET_SIZE, STYLES, styledLevel, styleOf } from './styled-set/index.ts';
 
 /** The strata of the random and the styled set. */
 const STRATA: readonly Stratum[] = [

@@ -46,6 +46,6 @@ async function main([name, ...args]: readonly string[]): Promise<void> {
 }
 
 await main(process.argv.slice(2)).catch((error: unknown) => {
-  console.error(error instanceof Error && error.message.startsWith('expected') ? error.message : error);
+  console.error(error instanceof Error && /^(--|expected|Unknown|Unexpected)/.test(error.message) ? error.message : error);
   process.exitCode = 2;
 });

@@ -23,16 +23,13 @@ export {
   type Bench,
   define,
   flag,
-  type Limit,
   number,
   numbers,
-  type Options,
   oneOf,
   optionName,
-  type Report,
   readOptions,
   text,
   words,
 } from './record.ts';
 export { consume, figure, keeps, machine, publish, tableOf, verdictsOf } from './report.ts';
-export { lowerRank, mean, median, nearestRank, processorClock, processorTime, type Spread, spread, sum } from './statistics.ts';
+export { lowerRank, mean, median, nearestRank, processorClock, processorTime, spread, sum } from './statistics.ts';

@@ -3,9 +3,9 @@ import { join } from 'node:path';
 import { MAX_FILE_SIZE } from '../../schema/index.ts';
 import { checkBySteps } from '../../tests/judges/by-steps.ts';
 import { checkGraze, GRAZED_AT, graze } from '../../tests/judges/contacts.ts';
+import { randomHeavy } from '../../tests/scenes/random-heavy.ts';
 import { steppableScene } from '../../tests/scenes/windy-scene.ts';
 import { inFolder, tryGq } from '../harness/index.ts';
-import { randomHeavy } from './random-heavy.ts';
 import { type Attacked, type Span, seedsOf } from './span.ts';
 
 /** Checks that objects which she touches or misses by 1e-9 to 1 px are found or not, seed by seed. */
