@@ -55,7 +55,7 @@ const FOLDERS = [
   'server',
 ].map((name) => `tests/${name}`);
 
-/** `npm test` tries few examples of each property, so that it does not take long. */
+/** The deep set tries few examples of each property, so that it does not take long. */
 const TIMES = 10;
 
 /** Tries the properties of the tests on ten times as many examples, with one seed after the other. What a test that fails prints names the seed. */
@@ -64,7 +64,7 @@ export function attackProperties({ from, until }: Span): Attacked {
   for (const seed of seedsOf({ from, most: Number.POSITIVE_INFINITY, until })) {
     const ended = spawnSync(
       process.execPath,
-      ['node_modules/vitest/vitest.mjs', 'run', '--mode', 'built', '--project', 'node', ...FOLDERS],
+      ['node_modules/vitest/vitest.mjs', 'run', '--mode', 'built', '--project', 'deep', ...FOLDERS],
       {
         cwd: PROJECT,
         env: { ...process.env, PROPERTY_SEED: String(seed), PROPERTY_RUNS: String(TIMES) },
