@@ -1,10 +1,12 @@
-import { type Dirent, readdirSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { resolve, sep } from 'node:path';
 import { Failure, systemReason } from './failure.ts';
 import { type FoundPack, isPackFile, NOT_A_LEVEL, packFileOf } from './found-pack.ts';
 import type { Ignore } from './ignore.ts';
 import { entryName, packFormat } from './packs/index.ts';
 import { namedPath, shellPath } from './shown-path.ts';
+import { filesBelow, once, statOrError } from './walk.ts';
+import { siblingHint } from './sibling-hint.ts';
+import { isNearlyLevelName, nearLevelsHint } from './near-levels.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
 
@@ -63,18 +65,14 @@ async function expand(
   const stats = statOrError(path);
   if (!(stats instanceof Error)) {
     if (!stats.isDirectory()) return isPackFile(path) ? NOT_A_LEVEL : [path];
-    const found = walk(path, (name) => LEVEL_FILE.test(name), unreadable);
+    const found = filesBelow(path, (name) => LEVEL_FILE.test(name), unreadable);
     if (found.length > 0 || unreadable.length > before) return without(await inOrder(path, found, packs), leftOut);
-    // as below, the schema comes with it
-    const { isNearlyLevelName, nearLevelsHint } = await import('./near-levels.ts');
-    const near = nearLevelsHint(walk(path, isNearlyLevelName, []));
+    const near = nearLevelsHint(filesBelow(path, isNearlyLevelName, []));
     return `the directory contains no *.level.json${near}${packsHint(path)}`;
   }
   const entry = entryName(path);
   if (entry !== null && !(statOrError(entry.pack) instanceof Error)) return [path];
   if (!/[*?]/.test(path)) {
-    // imported only if needed: it loads the schema, which a check leaves to its workers
-    const { siblingHint } = await import('./sibling-hint.ts');
     return systemReason(stats) + ((stats as NodeJS.ErrnoException).code === 'ENOENT' ? siblingHint(path) : '');
   }
   const pattern = path.split(sep).join('/');
@@ -82,7 +80,7 @@ async function expand(
   const root = fixed.includes('/') ? fixed.slice(0, fixed.lastIndexOf('/') + 1) : '.';
   if (statOrError(root) instanceof Error) return `there is no directory ${root}`;
   const matches = globToRegExp(pattern);
-  const found = walk(root, (file) => !isPackFile(file), unreadable).filter((file) => matches.test(file));
+  const found = filesBelow(root, (file) => !isPackFile(file), unreadable).filter((file) => matches.test(file));
   return found.length > 0 || unreadable.length > before ? without(found, leftOut) : 'no file matches this pattern';
 }
 
@@ -91,7 +89,7 @@ async function inOrder(folder: string, files: string[], packs: FoundPack[]): Pro
   const file = packFileOf(folder);
   if (file === null) return files;
   if (!packs.some((pack) => resolve(pack.file) === resolve(file))) packs.push({ file, folder, levels: files });
-  // as above, the schema comes with it
+  // only a folder with a pack file pays for the schema
   const { orderFiles } = await import('./pack-file/index.ts');
   return orderFiles(files, folder, file);
 }
@@ -110,37 +108,6 @@ function without(files: string[], leftOut: LeftOut | null): string[] | string {
   return `all its level files are ignored: in ${leftOut.file}, ${by}; name a file to check it all the same, or use --no-config`;
 }
 
-/** Every file below a directory whose path passes, sorted by path. Follows links, but enters no directory twice. */
-export function walk(root: string, passes: (path: string) => boolean, unreadable: { path: string; reason: string }[]): string[] {
-  const found: string[] = [];
-  const seen = new Set<string>();
-  const pending = [root];
-  for (let directory = pending.pop(); directory !== undefined; directory = pending.pop()) {
-    let entries: Dirent[];
-    try {
-      const real = realpathSync(directory);
-      if (seen.has(real)) continue;
-      seen.add(real);
-      entries = readdirSync(directory, { withFileTypes: true });
-    } catch (error) {
-      unreadable.push({ path: directory, reason: systemReason(error) });
-      continue;
-    }
-    const prefix = directory === '.' ? '' : directory.endsWith('/') ? directory : `${directory}/`;
-    for (const entry of entries) {
-      const path = prefix + entry.name;
-      const kind = entry.isSymbolicLink() ? statOrError(path) : entry;
-      if (!(kind instanceof Error) && kind.isDirectory()) {
-        if (!entry.name.startsWith('.') && entry.name !== 'node_modules') pending.push(path);
-      } else if (passes(path) && (kind instanceof Error || kind.isFile())) {
-        // a broken link is kept: reading it reports the error
-        found.push(path);
-      }
-    }
-  }
-  return found.sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
-}
-
 /** Compiles a pattern: `*` and `?` match characters of one name, `**` matches any directories. */
 function globToRegExp(pattern: string): RegExp {
   const source = pattern.replace(/\*\*\/|\*+|\?|[^*?]+/g, (part) => {
@@ -153,29 +120,9 @@ function globToRegExp(pattern: string): RegExp {
   return new RegExp(`^${source}$`, 'su');
 }
 
-/** Each file once, however its path is written. */
-export function once(files: readonly string[]): string[] {
-  const seen = new Set<string>();
-  return files.filter((file) => {
-    const full = resolve(file);
-    if (seen.has(full)) return false;
-    seen.add(full);
-    return true;
-  });
-}
-
-/** The stats of a path, or the error. */
-export function statOrError(path: string): Stats | Error {
-  try {
-    return statSync(path);
-  } catch (error) {
-    return error as Error;
-  }
-}
-
 /** For a directory without a level file: that packs in it are to be named. */
 function packsHint(directory: string): string {
-  const [pack, ...more] = walk(directory, (name) => packFormat(name) !== null, []);
+  const [pack, ...more] = filesBelow(directory, (name) => packFormat(name) !== null, []);
   if (pack === undefined) return '';
   const count = more.length === 0 ? 'a pack' : `${more.length + 1} packs`;
   return `; it has ${count}, which must be named: ${shellPath(pack)}`;

@@ -3,7 +3,7 @@ import { lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } f
 import { dirname, join, resolve } from 'node:path';
 import { renamePatiently } from '../disk.ts';
 import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import { makeFolders } from '../make-folders.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';

@@ -1,5 +1,5 @@
 import { setMaxListeners } from 'node:events';
-import { statOrError } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import { openPool } from '../pool.ts';
 import { isStream } from '../read-bytes.ts';
 import { hearSignals, type StoppingSignal, stoppable } from '../signals.ts';

@@ -1,7 +1,8 @@
 import { dirname, relative, resolve } from 'node:path';
 import { isSame } from '../../schema/index.ts';
 import { Failure } from '../failure.ts';
-import { findLevelFiles, statOrError } from '../files.ts';
+import { findLevelFiles } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import { readBytes } from '../read-bytes.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { termsSaid } from '../terms.ts';

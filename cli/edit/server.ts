@@ -5,7 +5,7 @@ import { dirname } from 'node:path';
 import { createAdaptorServer } from '@hono/node-server';
 import type { ConfigOptions } from '../config-file.ts';
 import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import { namedPath, shellPath } from '../shown-path.ts';
 import { siblingHint } from '../sibling-hint.ts';
 import { createAccess } from './access.ts';

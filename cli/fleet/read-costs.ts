@@ -1,7 +1,7 @@
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import { readRegularFile } from '../regular-file.ts';
 import { namedPath } from '../shown-path.ts';
 import { Costs } from './balance.ts';

@@ -1,5 +1,5 @@
 import { resolve, sep } from 'node:path';
-import { statOrError } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import type { OpenedLock } from './lock-file.ts';
 import { lockedFile } from './lock-file.ts';
 

@@ -4,7 +4,7 @@ import { formatLock, LOCK_VERSION, type Lock, readLock } from '../../schema/inde
 import { showProblems } from '../code-frames.ts';
 import { colorsFor } from '../colors.ts';
 import { Failure } from '../failure.ts';
-import { statOrError } from '../files.ts';
+import { statOrError } from '../walk.ts';
 import { readBytes } from '../read-bytes.ts';
 import { showFileProblems } from '../report-parts/index.ts';
 import { shellPath } from '../shown-path.ts';

@@ -7,7 +7,7 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { statOrError } from '../../files.ts';
+import { statOrError } from '../../walk.ts';
 import { findConfigured } from '../../level-paths.ts';
 import { formatOption } from '../../options.ts';
 import { expectOutput, levelsRead } from '../../output-file.ts';

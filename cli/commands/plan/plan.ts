@@ -4,7 +4,7 @@ import { plural } from '../../../check/words/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions } from '../../config-file.ts';
 import { Failure } from '../../failure.ts';
-import { statOrError } from '../../files.ts';
+import { statOrError } from '../../walk.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
 import { PATHS, pathsOr } from '../../level-paths.ts';
 import { wholeNumberOption } from '../../options.ts';

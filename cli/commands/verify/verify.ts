@@ -8,7 +8,8 @@ import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import { Failure, systemReason } from '../../failure.ts';
-import { once, statOrError, unreadableFolders, walk } from '../../files.ts';
+import { unreadableFolders } from '../../files.ts';
+import { once, statOrError, filesBelow } from '../../walk.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
 import { jobsOption } from '../../options.ts';
 import { firstPack } from '../../packs/index.ts';
@@ -153,7 +154,7 @@ function findPlays(paths: readonly string[]): FoundPlays {
       unmatched.push(`${namedPath(path)}: ${systemReason(stats)}${hint}`);
     } else if (stats.isDirectory()) {
       const before = unreadable.length;
-      const found = walk(path, (name) => PLAY_FILE.test(name), unreadable);
+      const found = filesBelow(path, (name) => PLAY_FILE.test(name), unreadable);
       if (found.length === 0 && unreadable.length === before)
         unmatched.push(`${namedPath(path)}: the directory contains no *.gqr`);
       files.push(...found);

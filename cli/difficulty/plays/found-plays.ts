@@ -1,7 +1,7 @@
 import { resolve } from 'node:path';
 import process from 'node:process';
 import { Failure, systemReason } from '../../failure.ts';
-import { statOrError, walk } from '../../files.ts';
+import { statOrError, filesBelow } from '../../walk.ts';
 import { sortedByPlay } from '../../order-of-play.ts';
 import { namedPath } from '../../shown-path.ts';
 import { siblingHint } from '../../sibling-hint.ts';
@@ -51,7 +51,7 @@ export function findPlays(paths: readonly string[]): FoundPlays {
       files.push({ path, hasLines: !PLAY.test(path), player: null });
     } else {
       const before = unreadable.length;
-      const all = walk(path, () => true, unreadable);
+      const all = filesBelow(path, () => true, unreadable);
       const plays = all.filter((file) => PLAY.test(file) || LINES.test(file));
       const others = all.length - plays.length;
       ignored += others;
