@@ -4,7 +4,7 @@ import { createRequire } from 'node:module';
 import { extname, join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
-import { walk } from '../walk.ts';
+import { walk } from '../io/index.ts';
 
 /** The rooms that decide what a command reports. */
 export const DECIDING_ROOMS = ['schema', 'engine', 'solver', 'check', 'cli'] as const;

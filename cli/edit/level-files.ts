@@ -1,8 +1,6 @@
 import { lstatSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { systemReason } from '../failure.ts';
-import { inOrderOfPlay, sortedByPlay } from '../order-of-play.ts';
-import { isShown, walk } from '../walk.ts';
+import { inOrderOfPlay, isShown, sortedByPlay, systemReason, walk } from '../io/index.ts';
 
 export const SUFFIX = '.level.json';
 

@@ -1,10 +1,6 @@
 import { relative, resolve } from 'node:path';
-import { Failure, systemReason } from '../failure.ts';
-import { findLevelFiles, unreadableFolders } from '../files.ts';
-import { once, statOrError, filesBelow } from '../walk.ts';
-import { ignoreOf } from '../ignore.ts';
-import type { Contents } from '../packs/index.ts';
-import { namedPath } from '../shown-path.ts';
+import { findLevelFiles, ignoreOf, unreadableFolders } from '../find/index.ts';
+import { type Contents, Failure, filesBelow, namedPath, once, statOrError, systemReason } from '../io/index.ts';
 import type { Plan } from './plan.ts';
 
 /** The files and packs of a set, in its order. */

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
-import { findLevelFiles } from '../../cli/files.ts';
+import { findLevelFiles } from '../../cli/find/index.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
 // drifting for an hour takes long enough to be interrupted

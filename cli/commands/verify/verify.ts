@@ -4,23 +4,29 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { PLAY_LIMITS } from '../../../game/index.ts';
 import type { VerifyReport } from '../../../schema/index.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure, systemReason } from '../../failure.ts';
-import { unreadableFolders } from '../../files.ts';
-import { once, statOrError, filesBelow } from '../../walk.ts';
+import { unreadableFolders } from '../../find/index.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
+import {
+  colorsFor,
+  Failure,
+  filesBelow,
+  firstPack,
+  hearSignals,
+  namedPath,
+  once,
+  print,
+  readRegularFile,
+  STDIN,
+  siblingHint,
+  statOrError,
+  systemReason,
+  visibleLine,
+} from '../../io/index.ts';
 import { jobsOption } from '../../options.ts';
-import { firstPack } from '../../packs/index.ts';
-import { print } from '../../print.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { readRegularFile } from '../../regular-file.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { namedPath } from '../../shown-path.ts';
-import { siblingHint } from '../../sibling-hint.ts';
-import { hearSignals } from '../../signals.ts';
-import { STDIN } from '../../stdin.ts';
 import { maxWorkOption, type TermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import {
@@ -41,7 +47,6 @@ import {
   unusableLevels,
   verifyInOrder,
 } from '../../verify/index.ts';
-import { visibleLine } from '../../visible.ts';
 
 /** Plays in files that are read together. */
 const TOGETHER = 32;

@@ -1,11 +1,6 @@
 import { resolve } from 'node:path';
 import process from 'node:process';
-import { Failure, systemReason } from '../../failure.ts';
-import { statOrError, filesBelow } from '../../walk.ts';
-import { sortedByPlay } from '../../order-of-play.ts';
-import { namedPath } from '../../shown-path.ts';
-import { siblingHint } from '../../sibling-hint.ts';
-import { STDIN } from '../../stdin.ts';
+import { Failure, filesBelow, namedPath, STDIN, siblingHint, sortedByPlay, statOrError, systemReason } from '../../io/index.ts';
 
 /** A file with plays. */
 export interface PlayFile {

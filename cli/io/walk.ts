@@ -1,6 +1,6 @@
 import { type Dirent, readdirSync, readFileSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { Failure, systemReason } from './failure.ts';
+import { Failure, systemReason } from './messages.ts';
 
 /** How a folder is walked. */
 export interface Walking {
@@ -63,9 +63,6 @@ const isLinkOf = (kind: Dirent | Stats): boolean => kind.isSymbolicLink();
 
 /** Whether a folder is neither hidden nor one of packages. */
 export const isShown = (folder: string): boolean => !folder.startsWith('.') && folder !== 'node_modules';
-
-/** Directories that could not be read, and why, in words. */
-export type Unreadable = readonly { readonly path: string; readonly reason: string }[];
 
 /**
  * The files that a command means by a directory, sorted by path: every one below it whose path passes, except in hidden

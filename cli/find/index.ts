@@ -1,12 +1,23 @@
-import { resolve, sep } from 'node:path';
-import { Failure, systemReason } from './failure.ts';
-import { type FoundPack, isPackFile, NOT_A_LEVEL, packFileOf } from './found-pack.ts';
-import type { Ignore } from './ignore.ts';
-import { entryName, packFormat } from './packs/index.ts';
-import { namedPath, shellPath } from './shown-path.ts';
-import { filesBelow, once, statOrError } from './walk.ts';
-import { siblingHint } from './sibling-hint.ts';
-import { isNearlyLevelName, nearLevelsHint } from './near-levels.ts';
+import { basename, join, relative, resolve, sep } from 'node:path';
+import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
+import type { Configuration } from '../configuration.ts';
+import {
+  entryName,
+  Failure,
+  type FoundPack,
+  filesBelow,
+  isPackFile,
+  NOT_A_LEVEL,
+  namedPath,
+  once,
+  packFileOf,
+  packFormat,
+  readRegularFile,
+  shellPath,
+  siblingHint,
+  statOrError,
+  systemReason,
+} from '../io/index.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
 
@@ -90,7 +101,7 @@ async function inOrder(folder: string, files: string[], packs: FoundPack[]): Pro
   if (file === null) return files;
   if (!packs.some((pack) => resolve(pack.file) === resolve(file))) packs.push({ file, folder, levels: files });
   // only a folder with a pack file pays for the schema
-  const { orderFiles } = await import('./pack-file/index.ts');
+  const { orderFiles } = await import('../pack-file/index.ts');
   return orderFiles(files, folder, file);
 }
 
@@ -126,4 +137,103 @@ function packsHint(directory: string): string {
   if (pack === undefined) return '';
   const count = more.length === 0 ? 'a pack' : `${more.length + 1} packs`;
   return `; it has ${count}, which must be named: ${shellPath(pack)}`;
+}
+
+/** The help of an argument for paths. */
+export const PATHS =
+  'level files, directories, or quoted patterns with * ** ? (default: "levels" of gq.config.json, else levels)';
+
+/**
+ * The paths that a command works on: those that are given, else those of the configuration, else `levels`.
+ */
+export const pathsOr = (paths: readonly string[], { levels }: Pick<Configuration, 'levels'>): readonly string[] =>
+  paths.length > 0 ? paths : (levels ?? ['levels']);
+
+/**
+ * Finds the level files that a command works on, without those that the configuration leaves out.
+ * @throws Failure with every path that matches nothing, or only what is left out
+ */
+export async function findConfigured(paths: readonly string[], configuration: Configuration): Promise<FoundFiles> {
+  const { file, levels } = configuration;
+  try {
+    return await findLevelFiles(pathsOr(paths, configuration), { file, ignores: await ignoreOf(configuration) });
+  } catch (error) {
+    if (!(error instanceof Failure) || paths.length > 0 || levels === null) throw error;
+    throw new Failure(`${error.message}\nno path was given, so "levels" of ${file} counts`);
+  }
+}
+
+/** Finds the pattern of a configuration that leaves a file out; null if none does. */
+export type Ignore = (file: string) => string | null;
+
+interface Pattern {
+  readonly text: string;
+  /** Whether it takes files back in that an earlier pattern leaves out. */
+  readonly isNegated: boolean;
+  readonly onlyDirectories: boolean;
+  readonly matches: (path: string) => boolean;
+}
+
+/**
+ * The patterns of a configuration, as in .gitignore: without a slash they match a name at any depth, with one a path from the
+ * directory of the configuration; a directory stands for everything below it; `!` takes back; the last pattern that matches
+ * decides. Other than there, a file below a directory that is left out can be taken back.
+ */
+export async function ignoreOf({ directory, ignore }: Pick<Configuration, 'directory' | 'ignore'>): Promise<Ignore> {
+  if (ignore.length === 0) return () => null;
+  // only a configuration with patterns pays for it
+  const { default: picomatch } = await import('picomatch');
+  const patterns = ignore.map((text): Pattern => {
+    const isNegated = text.startsWith('!');
+    const body = text.slice(isNegated ? 1 : 0).replace(/^(?:\.\/)+/, '');
+    const onlyDirectories = body.endsWith('/');
+    const plain = body.replace(/\/+$/, '').replace(/^\/+/, '');
+    const glob = body.replace(/\/+$/, '').includes('/') ? plain : `**/${plain}`;
+    const isMatch = picomatch(glob, { dot: true, nonegate: true });
+    return { text, isNegated, onlyDirectories, matches: (path) => isMatch(path) };
+  });
+  return (file) => {
+    const path = relative(directory, resolve(file)).split(sep).join('/');
+    const steps = path.split('/');
+    const directories = steps.slice(1).map((_, i) => steps.slice(0, i + 1).join('/'));
+    let last: Pattern | null = null;
+    for (const pattern of patterns) {
+      if (directories.some((one) => pattern.matches(one)) || (!pattern.onlyDirectories && pattern.matches(path))) last = pattern;
+    }
+    return last === null || last.isNegated ? null : last.text;
+  };
+}
+
+/** A name that is nearly that of a level file: `far.json`, `far.level.json.txt`, `far.level.txt`. */
+const NEARLY = /^([^.].*?)(?:\.level)?\.json$|^([^.].*?)\.level(?:\.json)?(?:\.\w+)?$/i;
+
+/** Files that are opened to see whether they hold a level, and those that a message names. */
+const MOST_OPENED = 100;
+const MOST_NAMED = 3;
+
+export const isNearlyLevelName = (path: string): boolean => NEARLY.test(basename(path));
+
+/** What a file should be called to be found in a directory. */
+function levelName(path: string): string {
+  const [, ofJson, ofLevel] = NEARLY.exec(basename(path)) ?? [];
+  return `${ofJson ?? ofLevel}.level.json`;
+}
+
+/** Whether a file holds what every level has; one that cannot be read is none. */
+function looksLikeLevel(path: string): boolean {
+  try {
+    const text = Buffer.from(readRegularFile(path, MAX_FILE_SIZE)).toString();
+    return text.includes('"blackHole"') && text.includes('"astronaut"');
+  } catch {
+    return false;
+  }
+}
+
+/** For a directory without a level file: `; far.json looks like a level: …` for each file that only has another name, else nothing. */
+export function nearLevelsHint(files: readonly string[]): string {
+  const near = files.slice(0, MOST_OPENED).filter(looksLikeLevel);
+  const named = near
+    .slice(0, MOST_NAMED)
+    .map((path) => `; ${join(path)} looks like a level: did you mean to call it ${levelName(path)}?`);
+  return named.join('') + (near.length > MOST_NAMED ? `; and ${near.length - MOST_NAMED} more` : '');
 }
