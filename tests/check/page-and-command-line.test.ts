@@ -5,7 +5,7 @@ import { termsOnDisk } from '../../cli/edit/terms-on-disk.ts';
 import { ACCURACIES, type AccuracyName, type Terms, termsOf } from '../../engine/index.ts';
 import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { HEAVY_LEVELS } from '../scenes/heavy-levels.ts';
 import { BAD_LEVELS } from '../schema/fixtures/bad-levels.ts';
 import { inTheList, onThePage, type Said } from './on-the-page.ts';

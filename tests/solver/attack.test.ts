@@ -15,7 +15,7 @@ import {
   type Prover,
   SMALL,
 } from '../attackers/index.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { pack } from '../levels/shipped-pack.ts';
 
 const CONTINUOUS = ALL_ACCURACIES.filter((name) => name !== 'arcade');
