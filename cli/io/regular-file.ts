@@ -1,4 +1,6 @@
 import { closeSync, constants, fstatSync, openSync, readSync } from 'node:fs';
+import { pointerFile } from '../../schema/basics/index.ts';
+import { Failure, namedPath } from './messages.ts';
 
 // non-blocking, as opening a pipe must not wait for its writer. The type is checked after opening, because the path may lead to
 // another file a moment later. Windows has no such flag.
@@ -68,4 +70,16 @@ export function readBeyond(descriptor: number, limit: number): Uint8Array {
     piece = Buffer.allocUnsafe(Math.min(2 * piece.length, 4 * 1024 * 1024));
     filled = 0;
   }
+}
+
+/**
+ * Refuses a file that only says where its content is, as Git LFS leaves it.
+ * @param expected what the file should be, in words
+ * @param head its bytes, or the first of them if it is longer than a kilobyte
+ * @throws Failure that says how to get the content
+ */
+export function refusePointer(path: string, expected: string, head: Uint8Array): void {
+  const pointer = pointerFile(head);
+  if (pointer === null) return;
+  throw new Failure(`${namedPath(path)}: expected ${expected}, found ${pointer.found}. ${pointer.hint}`);
 }

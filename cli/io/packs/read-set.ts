@@ -1,5 +1,4 @@
-import { Failure } from '../failure.ts';
-import { namedPath } from '../shown-path.ts';
+import { Failure, namedPath } from '../messages.ts';
 import { type Batch, type BatchLimits, BatchMaker, type Contents, sizeOf } from './batch.ts';
 import { packFormat } from './formats.ts';
 import { openPack } from './open-pack.ts';

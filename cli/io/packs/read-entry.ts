@@ -1,8 +1,6 @@
 import * as zlib from 'node:zlib';
-import { Failure } from '../failure.ts';
-import { refusePointer } from '../pointer.ts';
-import { readRegularFile } from '../regular-file.ts';
-import { namedPath } from '../shown-path.ts';
+import { Failure, namedPath } from '../messages.ts';
+import { readRegularFile, refusePointer } from '../regular-file.ts';
 import { packFormat } from './formats.ts';
 import { AFTER_ZEROS, damaged, noZstd, UNEXPECTED_END } from './open-pack.ts';
 import { isBlank, NEWLINE } from './read-lines.ts';

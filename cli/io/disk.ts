@@ -6,9 +6,11 @@ import {
   fsyncSync,
   linkSync,
   lstatSync,
+  mkdirSync,
   openSync,
   renameSync,
   rmSync,
+  statSync,
   writeFileSync,
 } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -179,3 +181,72 @@ function syncFolder(folder: string): void {
     // Windows and some network file systems can't do this; the file itself is already synced
   }
 }
+
+/** Characters that are written at once. */
+const PIECE = 256 * 1024;
+
+/**
+ * Writes a file beside its place, piece by piece, and moves it there at the end. Until then nothing is at its place.
+ * All methods throw system errors; `discard` doesn't.
+ */
+export class LineWriter {
+  readonly unfinished: string;
+  private readonly descriptor: number;
+  private waiting = '';
+  private isOpen = true;
+
+  constructor(path: string) {
+    this.unfinished = join(dirname(path), `.gq-edit-${randomBytes(8).toString('hex')}.tmp`);
+    this.descriptor = openSync(this.unfinished, 'wx', 0o666);
+  }
+
+  write(text: string): void {
+    this.waiting += text;
+    if (this.waiting.length >= PIECE) this.flush();
+  }
+
+  /** Syncs and closes the file. */
+  end(): void {
+    this.flush();
+    fsyncSync(this.descriptor);
+    this.close();
+  }
+
+  /** Removes the unfinished file, if it is still there. */
+  discard(): void {
+    this.close();
+    rmSync(this.unfinished, { force: true });
+  }
+
+  private flush(): void {
+    // writes everything or throws; a single writeSync may write less if the disk is nearly full
+    writeFileSync(this.descriptor, this.waiting);
+    this.waiting = '';
+  }
+
+  private close(): void {
+    if (this.isOpen) closeSync(this.descriptor);
+    this.isOpen = false;
+  }
+}
+
+/**
+ * Makes a folder and those above it that are missing. As `mkdirSync` with `recursive`, which never ends where the system says of a
+ * new folder that it does not exist though the one above it does, as in /proc (seen with Node 20.20).
+ * @returns the outermost folder that was made; undefined if the folder is there already
+ * @throws system errors
+ */
+export function makeFolders(folder: string): string | undefined {
+  if (isFolder(folder)) return undefined;
+  const above = dirname(folder);
+  const outermost = above === folder ? undefined : makeFolders(above);
+  try {
+    mkdirSync(folder);
+  } catch (error) {
+    // another process may have made it
+    if (!isFolder(folder)) throw error;
+  }
+  return outermost ?? folder;
+}
+
+const isFolder = (path: string): boolean => statSync(path, { throwIfNoEntry: false })?.isDirectory() === true;

@@ -1,6 +1,7 @@
-import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
-import { Failure, systemReason } from './failure.ts';
+import { Failure, systemReason } from './messages.ts';
 
 /** The largest answer of git that is read, bytes: a list of names, or the contents of all levels. */
 const MOST_OUTPUT = 2 ** 30;
@@ -28,6 +29,8 @@ export interface GitAnswer {
  * @returns the system's error if git can't be started
  */
 export function tryGit(args: readonly string[], { folder, input, timeout }: GitQuestion): GitAnswer | Error {
+  // loaded only now: it takes 5 ms, and most commands don't ask git
+  const { spawnSync } = process.getBuiltinModule('node:child_process');
   const { status, stdout, stderr, error } = spawnSync('git', args, {
     cwd: folder,
     input,
@@ -107,3 +110,11 @@ export class Git {
 /** What to do in a shallow clone, after what is missing. */
 export const FETCH_MORE =
   'this clone is shallow: git fetch --unshallow gets its history (in GitHub Actions: fetch-depth: 0 for actions/checkout; in GitLab: the variable GIT_DEPTH: 0)';
+
+/** The root of the repository around a folder, absolute; the folder itself if there is none. */
+export function repositoryOf(folder: string): string {
+  for (let at = resolve(folder); ; at = dirname(at)) {
+    if (existsSync(join(at, '.git'))) return at;
+    if (dirname(at) === at) return resolve(folder);
+  }
+}

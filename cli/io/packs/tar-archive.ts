@@ -1,8 +1,7 @@
 import { createRequire } from 'node:module';
 import type { Parser, ReadEntry } from 'tar';
-import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
-import { Failure } from '../failure.ts';
-import { namedPath } from '../shown-path.ts';
+import { MAX_FILE_SIZE } from '../../../schema/basics/index.ts';
+import { Failure, namedPath } from '../messages.ts';
 
 /** Of a longer file only slightly more than this is kept, which readers then refuse. */
 const MOST_BYTES = MAX_FILE_SIZE + 4096;

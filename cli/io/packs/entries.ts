@@ -1,4 +1,4 @@
-import { Failure } from '../failure.ts';
+import { Failure } from '../messages.ts';
 import type { Batch, Contents } from './batch.ts';
 import { unwrap } from './unwrap.ts';
 

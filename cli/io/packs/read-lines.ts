@@ -1,4 +1,4 @@
-import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
+import { MAX_FILE_SIZE } from '../../../schema/basics/index.ts';
 import type { Batch, BatchMaker } from './batch.ts';
 
 export const NEWLINE = 0x0a;

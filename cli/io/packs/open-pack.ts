@@ -1,10 +1,8 @@
 import { createReadStream, readSync } from 'node:fs';
 import { pipeline, type Readable, type Transform } from 'node:stream';
 import * as zlib from 'node:zlib';
-import { Failure, systemReason } from '../failure.ts';
-import { refusePointer } from '../pointer.ts';
-import { NotAFile, openRegularFile } from '../regular-file.ts';
-import { namedPath } from '../shown-path.ts';
+import { Failure, namedPath, systemReason } from '../messages.ts';
+import { NotAFile, openRegularFile, refusePointer } from '../regular-file.ts';
 import type { PackFormat } from './formats.ts';
 import { ZstdFrame } from './zstd-frame.ts';
 
