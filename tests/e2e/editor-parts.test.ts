@@ -15,10 +15,10 @@ const TYPES: Record<string, string> = { '.html': 'text/html', '.js': 'text/javas
 
 /** The interface of the page under test: parts of the editor with the browser's real database, locks and workers. */
 const ENTRY = `
-import { createEditedLevel, moveObjects } from '${root}/editor/document/index.ts';
-import { createJournal, openIndexedDbStore } from '${root}/editor/journal/index.ts';
-import { claimLevel } from '${root}/editor/files/writer-lock.ts';
-import { pageTimers } from '${root}/editor/files/index.ts';
+import { createEditedLevel, moveObjects } from '${root}/editor/core/document/index.ts';
+import { createJournal, openIndexedDbStore } from '${root}/editor/core/journal/index.ts';
+import { claimLevel } from '${root}/editor/core/files/writer-lock.ts';
+import { pageTimers } from '${root}/editor/core/files/index.ts';
 import { createWorkers, jobs, spawnPageWorker } from '${root}/editor/workers/index.ts';
 import { DEFAULT_TERMS } from '${root}/engine/index.ts';
 import { resolveLevel } from '${root}/schema/index.ts';
