@@ -160,6 +160,8 @@ export async function keepPage(context: BrowserContext, page: Page, folder: stri
       await page.getByRole('heading', { level: 1 }).filter({ hasNotText: 'Between' }).waitFor();
       remove((name) => name === `${ID}.level.json`);
       await isListed(page, names.length);
+      // not in the list, which has keys of its own
+      await page.getByRole('application', { name: 'Level canvas' }).focus();
       await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
       await page.mouse.move(0, 0);
     },
