@@ -357,7 +357,12 @@ describe.each(names)('%s', (name) => {
     await clock.pass(200_000);
     const { phase, gaveUp, message } = state();
     if (phase === 'asking') expect(port.isOver).toBe(false);
-    else expect({ phase, gaveUp, message }).toMatchObject({ phase: 'failed', gaveUp: true, message: expect.stringContaining('work limit') });
+    else
+      expect({ phase, gaveUp, message }).toMatchObject({
+        phase: 'failed',
+        gaveUp: true,
+        message: expect.stringContaining('work limit'),
+      });
   });
 
   it('ends with the level or the component: what is asked is cancelled, and nothing is heard or asked any more', async () => {
