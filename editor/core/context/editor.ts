@@ -1,6 +1,5 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { Workers } from '../../workers/index.ts';
 import type { Desk } from '../ask/index.ts';
 import type { AttemptKeeper, Attempts } from '../attempts/index.ts';
 import type { Commands } from '../commands/index.ts';
@@ -75,8 +74,7 @@ export interface Editor {
   readonly heldBack: StoreApi<string | null>;
   /** Ids of levels that are opened without being simulated. */
   readonly unchecked: Set<string>;
-  readonly workers: Workers;
-  /** Where questions are asked: these workers. */
+  /** Where questions to workers are asked. */
   readonly desk: Desk;
   /** null while no level is open */
   readonly open: StoreApi<OpenLevel | null>;
