@@ -7,6 +7,7 @@ import { parse as parseYaml } from 'yaml';
 import { brokenLinks, missingFiles } from './docs/links.ts';
 import { ALL_PAGES, PROJECT, RUN_PAGES, readPage, shownIn } from './docs/page.ts';
 import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } from './docs/terminal.ts';
+import { itDeep } from './depth.ts';
 
 // Reads the pages as their reader does, from top to bottom: makes the files, runs the commands, compares what is printed.
 // `npm run docs:outputs` rewrites what is printed in the pages instead.
@@ -25,6 +26,9 @@ const withoutSeconds = (text: string): string => text.replace(/(, )\d+\.\d s(, s
 
 /** What a page says in the section about what is not there yet is left out: it names what does not exist. */
 const withoutMissing = (prose: string): string => prose.replace(/^## Not there yet\n[\s\S]*?(?=^## |(?![\s\S]))/m, '');
+
+/** Pages whose commands search for seconds. */
+const DEAR = ['docs/difficulty.md', 'docs/softlocks.md'];
 
 describe.each(RUN_PAGES)('%s', (path) => {
   const page = readPage(path);
@@ -66,7 +70,7 @@ describe.each(RUN_PAGES)('%s', (path) => {
       },
     }));
   });
-  if (steps.length > 0) it.each(steps)('$step', ({ take }) => take());
+  if (steps.length > 0) (DEAR.includes(path) ? itDeep : it).each(steps)('$step', ({ take }) => take());
 
   it('has code that can be read', () => {
     for (const { language, code, line, title } of page.blocks) {
@@ -186,7 +190,7 @@ describe('programs in the pages', () => {
   // Phaser's own declarations have errors
   const inBrowser = { module: 'esnext', moduleResolution: 'bundler', lib: ['es2023', 'dom'], types: [], skipLibCheck: true };
 
-  it.each([
+  itDeep.each([
     { where: 'in Node', those: programs.filter((program) => !usesPhaser(program)), options: inNode },
     { where: 'with Phaser', those: programs.filter(usesPhaser), options: { target: 'es2022', ...inBrowser } },
   ])('fit the types of the library $where', ({ those, options }) => {

@@ -5,6 +5,7 @@ import { afterAll, beforeEach, describe, expect, it } from 'vitest';
 import { once } from '../once.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
+import { someOf } from '../depth.ts';
 
 // Each test imitates the job of a service: a clone as its checkout makes it, and the variables that it sets.
 
@@ -101,7 +102,7 @@ const PUSHED: [string, (before: string, branch?: string) => Record<string, strin
   ['GitLab', (before, branch = 'main') => onGitlab({ CI_COMMIT_BEFORE_SHA: before, CI_COMMIT_BRANCH: branch })],
 ];
 
-describe.each(PUSHED)('gq check --changed on %s, for a push', (_, pushed) => {
+describe.each(someOf(PUSHED, 1))('gq check --changed on %s, for a push', (_, pushed) => {
   it('checks what all its commits have changed, though the branch of the remote is where they end', async () => {
     const before = head();
     write('a');

@@ -6,6 +6,7 @@ import { applyDiff, type Change } from '../../review/index.ts';
 import { type DiffReport, diffReportSchema, formatLevel, type LevelFile, withIds } from '../../schema/index.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
+import { itDeep } from '../depth.ts';
 
 // with real git, in repositories of their own
 
@@ -244,13 +245,13 @@ describe('gq inside git', () => {
     write('levels/a.level.json', level({ name: 'Inside', blackHole: { x: 171, y: 0 } }));
   });
 
-  it('is an external diff: git diff prints what changed in words', () => {
+  itDeep('is an external diff: git diff prints what changed in words', () => {
     const text = shown('-c', `diff.gq-level.command=${GQ} difftool`, 'diff', '--ext-diff', '--', 'levels/a.level.json');
     expect(text).toContain('~ levels/a.level.json');
     expect(text).toContain('black hole moved 1 px right');
   });
 
-  it('is a difftool: it writes a page, and prints its path where there is no display', () => {
+  itDeep('is a difftool: it writes a page, and prints its path where there is no display', () => {
     const tool = `${GQ} difftool "$LOCAL" "$REMOTE" "$MERGED"`;
     const text = shown('-c', `difftool.gq.cmd=${tool}`, 'difftool', '--no-prompt', '--tool=gq', '--', 'levels/a.level.json');
     expect(text).toMatch(/gq-diff-\w+[\\/]a\.level\.json\.html\n$/);

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, makeFiles } from './gq.ts';
+import { someOf } from '../depth.ts';
 
 // git takes any small exit code of a merge driver for a conflict in a file that holds both sides. A gq that can't start leaves
 // our version only: whoever commits it loses theirs without a word.
@@ -35,7 +36,7 @@ const REPLACEMENTS = [
   ['gq is too old for the command', 'process.exitCode = 2;'],
 ] as const;
 
-describe.each(REPLACEMENTS)('git, set up by gq git-setup, when %s', (_, script) => {
+describe.each(someOf(REPLACEMENTS, 1))('git, set up by gq git-setup, when %s', (_, script) => {
   beforeEach(async () => {
     folder = makeFiles({ [FILE]: level('base', 16), ...(script !== null && { 'other.cjs': script }) });
     git('init', '-qb', 'main');

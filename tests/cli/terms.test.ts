@@ -6,6 +6,7 @@ import { COMMANDS } from '../../cli/commands/index.ts';
 import { createPlayer, encodePlay, playOf } from '../../game/index.ts';
 import { readLevel } from '../../schema/index.ts';
 import { type Ended, gq, makeFiles } from './gq.ts';
+import { itDeep } from '../depth.ts';
 
 // She swings around an asteroid past a nova, whose place decides between accuracies.
 const swing = (nova: { readonly x: number; readonly y: number }, changes: object = {}) => ({
@@ -315,7 +316,9 @@ const usually = (name: string): Promise<Said> => {
 describe.each(Object.keys(PROBES))('gq %s', (name) => {
   const { ask, kinds, onlyConfigured = ['rules'] } = PROBES[name];
 
-  it.each(kinds)('answers under other terms: %s', async (kind) => {
+  // gq accuracy measures every accuracy, for seconds
+  const test = name === 'accuracy' ? itDeep : it;
+  test.each(kinds)('answers under other terms: %s', async (kind) => {
     const usual = await usually(name);
     const { config, options }: Unusual = UNUSUAL[kind];
     const configured = await ask(folderWith(config), []);
@@ -342,7 +345,7 @@ const OTHERWISE: Readonly<Record<Kind, object>> = {
 describe('a run that lasts longer than 60 s', () => {
   const folder = () => folderWith({ maxTime: 120 }, { 'slow.level.json': JSON.stringify(SLOW) });
 
-  it('is one for slack, certified ticks, softlocks, difficulty and fixes, too', async () => {
+  itDeep('is one for slack, certified ticks, softlocks, difficulty and fixes, too', async () => {
     const at = folder();
     expect(await run(at, ['check', 'slow.level.json', '--require-slack', '1'])).toMatchObject({ code: 0 });
     expect(await run(at, ['check', 'slow.level.json', '--require-slack', '1', '--max-time', '60'])).toMatchObject({ code: 1 });

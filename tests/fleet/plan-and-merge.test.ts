@@ -18,6 +18,7 @@ import {
   shardOfText,
   type TestSet,
 } from './sets.ts';
+import { itDeep } from '../depth.ts';
 
 interface Report {
   readonly levels: readonly { readonly file: string; readonly verdict: string; readonly ms: number }[];
@@ -199,7 +200,7 @@ describe('a plan', () => {
     expect(once.stderr).toContain('wrote twice.json: 12 levels in 2 shards');
   });
 
-  it('has empty shards if there are more than levels', async () => {
+  itDeep('has empty shards if there are more than levels', async () => {
     rmSync(join(set.directory, 'out'), { recursive: true, force: true });
     const merged = await doAll({ ...set, paths: ['lines.ndjson.gz'] }, 40, [...Array(40).keys()]);
     expect(JSON.parse(merged.stdout).levels).toHaveLength(12);

@@ -11,6 +11,7 @@ import { gq } from '../cli/gq.ts';
 import { until } from '../until.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf, put } from './running.ts';
+import { itDeep } from '../depth.ts';
 
 const made = makeFolder({ 'levels/a.level.json': levelText('a'), 'file.txt': '', 'empty/x.txt': '' });
 const cwd = made.folder;
@@ -61,7 +62,7 @@ describe('gq edit', () => {
     await edit.end('SIGTERM');
   });
 
-  it.runIf(process.platform !== 'win32')(
+  itDeep.runIf(process.platform !== 'win32')(
     'ends with 130 on Ctrl-C and 143 on SIGTERM while pages listen, and leaves no partial file',
     async () => {
       for (const [signal, code, step] of [
@@ -101,7 +102,7 @@ describe('gq edit', () => {
     await empty.end('SIGTERM');
   });
 
-  it('reports that a port is taken; without --port, it takes the next one, and can serve the same folder', async () => {
+  itDeep('reports that a port is taken; without --port, it takes the next one, and can serve the same folder', async () => {
     const first = await gqEdit([], { cwd });
     const second = await gqEdit([], { cwd });
     expect(second.port).not.toBe(first.port);
@@ -128,7 +129,7 @@ describe('gq edit', () => {
     (await listenOn(first.port)).close();
   });
 
-  it.runIf(process.platform === 'linux')('opens the browser without a shell, and reports a failure', async () => {
+  itDeep.runIf(process.platform === 'linux')('opens the browser without a shell, and reports a failure', async () => {
     const opened = join(cwd, 'opened');
     put(cwd, 'bin/xdg-open', `#!/bin/sh\nprintf '%s\\n' "$#" "$@" > '${opened}'\n`);
     chmodSync(join(cwd, 'bin/xdg-open'), 0o755);

@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, type Page, pageOf, serve } from './running.ts';
+import { itDeep } from '../depth.ts';
 
 // Each writer adds its own marks to a level that others write at the same time. An acknowledged mark is never lost.
 
@@ -112,7 +113,7 @@ describe('writers at the same time', () => {
     made.remove();
   });
 
-  it('lose nothing in several processes', async () => {
+  itDeep('lose nothing in several processes', async () => {
     const made = makeFolder({ 'one.level.json': start() });
     const edits = await Promise.all([1, 2, 3].map(() => gqEdit(['.', '--port', '0'], { cwd: made.folder })));
     await Promise.all(

@@ -16,6 +16,7 @@ import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
 import { createLongProof, levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
 import { holdsOf, shipped } from '../levels/shipped-pack.ts';
+import { describeDeep, itDeep, someOf } from '../depth.ts';
 
 function surveyed(level: Level, ticks: number, accuracy: AccuracyName = 'precise'): { scene: Scene; survey: SoftlockSurvey } {
   const scene = compile(level, accuracy);
@@ -272,7 +273,7 @@ describe('since when a run was lost', () => {
     expect(search.solutions.length).toBeGreaterThan(0);
   });
 
-  it('comes no earlier with more effort, and is proved no later', () => {
+  itDeep('comes no earlier with more effort, and is proved no later', () => {
     const tracing = createSoftlockSurvey(scene, { traced: [[[0, 600]]], explores: false });
     let [open, proved] = [-1, Number.POSITIVE_INFINITY];
     for (let i = 0; i < 30; i++) {
@@ -288,7 +289,7 @@ describe('since when a run was lost', () => {
 });
 
 describe('no state on a run that completes the level is called lost', () => {
-  it.each(['hot-rock', 'firewalk', 'blind-date', 'run-up'])(
+  it.each(someOf(['hot-rock', 'firewalk', 'blind-date', 'run-up'], 1))(
     'in %s, although the survey does not know the run',
     (slug) => {
       const { level } = shipped(slug);
@@ -310,7 +311,7 @@ describe('no state on a run that completes the level is called lost', () => {
   );
 });
 
-describe('finer proofs', () => {
+describeDeep('finer proofs', () => {
   it('prove states that others leave open, and withstand searches with other seeds', () => {
     const found = createSoftlockSurvey(scene, { explores: false });
     found.advance(6_000_000);

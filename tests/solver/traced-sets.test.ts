@@ -8,6 +8,7 @@ import { proveBy } from '../../solver/index.ts';
 import { at, level } from './impossible-levels.ts';
 import { type Moment, momentsOf } from './traced/moments.ts';
 import { fanSets, firstOutside, orbitSets, pipeSets, type Sets, staysWithin } from './traced/sets.ts';
+import { itDeep } from '../depth.ts';
 
 // What the provers compute is compared with plays here, and the checker is not asked: a set that leaves out a state of play is an
 // error of the prover, even if no certificate with it is ever accepted.
@@ -87,7 +88,7 @@ describe('every state of play lies in the sets of the prover', () => {
 const BOUND: readonly Prover[] = ['out-of-range', 'enclosed', 'line-trap', 'dead-end'];
 
 describe('every state of play lies where the proof says that she stays', () => {
-  it('in levels of any style, at each accuracy that it covers', () => {
+  itDeep('in levels of any style, at each accuracy that it covers', () => {
     const looks = Object.fromEntries(BOUND.map((prover) => [prover, 0]));
     fc.assert(
       fc.property(fc.nat(1_000_000), fc.constantFrom('arcade', 'precise'), (seed, asked) => {

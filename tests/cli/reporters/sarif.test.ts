@@ -8,6 +8,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { checkSarif } from '../../../cli/reporters/sarif.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
+import { itDeep } from '../../depth.ts';
 
 // the schema is of draft 4, of which it uses nothing that has another meaning in draft 7, but for the name of its id
 const {
@@ -118,7 +119,7 @@ describe('the sarif reporter', () => {
     });
   });
 
-  it('has at most as many results as GitHub takes, errors first, and counts the others', () => {
+  itDeep('has at most as many results as GitHub takes, errors first, and counts the others', () => {
     const MOST = 25_000;
     const levelsWith = (errors: number, warnings: number) => {
       const problems = [
