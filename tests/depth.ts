@@ -10,10 +10,11 @@ export const isDeep = runs >= 1;
 export const isHunt = runs >= 10;
 
 /** What declares nothing, so that the quick set does not list what it leaves to the deep one as skipped. */
-const nothing = Object.assign(() => {}, { each: () => () => {} });
+const nothing = Object.assign(() => {}, { each: () => () => {}, runIf: () => () => {} });
 
 /** `it` for a test that is dear, or repeats for more cases what another one says: it is in the deep set alone. */
-export const itDeep = (isDeep ? it : nothing) as Pick<typeof it, 'each'> & ((name: string, test: () => unknown) => void);
+export const itDeep = (isDeep ? it : nothing) as Pick<typeof it, 'each' | 'runIf'> &
+  ((name: string, test: () => unknown) => void);
 
 /** `describe` for a group of such tests. */
 export const describeDeep = (isDeep ? describe : nothing) as Pick<typeof describe, 'each'> &

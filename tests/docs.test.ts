@@ -4,10 +4,10 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { parse as parseYaml } from 'yaml';
+import { itDeep } from './depth.ts';
 import { brokenLinks, missingFiles } from './docs/links.ts';
 import { ALL_PAGES, PROJECT, RUN_PAGES, readPage, shownIn } from './docs/page.ts';
 import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } from './docs/terminal.ts';
-import { itDeep } from './depth.ts';
 
 // Reads the pages as their reader does, from top to bottom: makes the files, runs the commands, compares what is printed.
 // `npm run docs:outputs` rewrites what is printed in the pages instead.

@@ -6,9 +6,9 @@ import { runInNewContext } from 'node:vm';
 import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { buildReportSchema, readLevel } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { narrowGap } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 const short = { runs: [{ name: 'short', holds: [[0, 1]] }] };
 const files = makeFiles({

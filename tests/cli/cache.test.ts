@@ -12,9 +12,9 @@ import { type CheckedLevel, checkFiles, openLevelCache } from '../../cli/check/i
 import { accuracyOf, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { importGraph } from '../architecture/import-graph.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 const SETTINGS: Required<CheckSettings> = {
   terms: {

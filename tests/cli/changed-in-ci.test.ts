@@ -2,10 +2,10 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import { someOf } from '../depth.ts';
 import { once } from '../once.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
-import { someOf } from '../depth.ts';
 
 // Each test imitates the job of a service: a clone as its checkout makes it, and the variables that it sets.
 

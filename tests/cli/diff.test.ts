@@ -4,9 +4,9 @@ import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { applyDiff, type Change } from '../../review/index.ts';
 import { type DiffReport, diffReportSchema, formatLevel, type LevelFile, withIds } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 // with real git, in repositories of their own
 

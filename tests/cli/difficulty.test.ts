@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { difficultyReportSchema } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { shipped, withoutRuns } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 const files = makeFiles({
   'alone.level.json': withoutRuns('12-detour'),
@@ -83,25 +83,28 @@ describe('gq difficulty', () => {
     expect((await difficulty('named.level.json --jobs 1')).levels[0].measured?.run.name).toBe('all');
   });
 
-  itDeep("compares the level's own runs with those of a search, measures the one that forgives most, and names runs of the level", async () => {
-    // too little effort for a search without known runs
-    const alone = await difficulty('alone.level.json --effort 100 --jobs 1');
-    expect([alone.code, alone.levels[0].why]).toEqual([
-      1,
-      expect.stringMatching(/^no run was found after simulating \d+ runs?, \d+ ticks/),
-    ]);
-    const { code, levels } = await difficulty(`${shipped('22-vault')} --effort 100 --jobs 1`);
-    const { run, comparison, grade, robustness, forecast } = levels[0].measured!;
-    expect(code).toBe(0);
-    const [first, ...others] = comparison.runs;
-    expect(others.length).toBeGreaterThan(0);
-    expect([run.name, run.holds]).toEqual([first.name, first.holds]);
-    expect(comparison.runs.map(({ name }) => name)).toContain('solution');
-    expect(comparison.meanP40).toBeLessThanOrEqual(first.p40 + 0.02);
-    expect(grade.value).toBeLessThanOrEqual(Math.min(...comparison.runs.map((own) => own.grade)) + 0.1001);
-    expect(Math.abs(robustness.p40 - first.p40)).toBeLessThan(0.05);
-    expect(forecast!.attempts[0].pass.p).toBeLessThan(forecast!.attempts[9].pass.p);
-  });
+  itDeep(
+    "compares the level's own runs with those of a search, measures the one that forgives most, and names runs of the level",
+    async () => {
+      // too little effort for a search without known runs
+      const alone = await difficulty('alone.level.json --effort 100 --jobs 1');
+      expect([alone.code, alone.levels[0].why]).toEqual([
+        1,
+        expect.stringMatching(/^no run was found after simulating \d+ runs?, \d+ ticks/),
+      ]);
+      const { code, levels } = await difficulty(`${shipped('22-vault')} --effort 100 --jobs 1`);
+      const { run, comparison, grade, robustness, forecast } = levels[0].measured!;
+      expect(code).toBe(0);
+      const [first, ...others] = comparison.runs;
+      expect(others.length).toBeGreaterThan(0);
+      expect([run.name, run.holds]).toEqual([first.name, first.holds]);
+      expect(comparison.runs.map(({ name }) => name)).toContain('solution');
+      expect(comparison.meanP40).toBeLessThanOrEqual(first.p40 + 0.02);
+      expect(grade.value).toBeLessThanOrEqual(Math.min(...comparison.runs.map((own) => own.grade)) + 0.1001);
+      expect(Math.abs(robustness.p40 - first.p40)).toBeLessThan(0.05);
+      expect(forecast!.attempts[0].pass.p).toBeLessThan(forecast!.attempts[9].pass.p);
+    },
+  );
 
   it.each([
     ['named.level.json --svg picture.png', 'expected a name that ends in .svg'],

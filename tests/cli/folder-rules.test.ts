@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { itDeep } from '../depth.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 // she falls through the asteroid with any pull, and sooner with a stronger one
 const level = (rules?: object) => fallThrough(rules === undefined ? {} : { rules });

@@ -5,9 +5,9 @@ import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { generatedPath, keepLevel, packPath } from '../../cli/generate/keep-level.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { inDirectory } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 const { directory: cwd, remove } = makeFiles({ 'kept/none': '' });
 afterAll(remove);

@@ -2,9 +2,9 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { someOf } from '../depth.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, makeFiles } from './gq.ts';
-import { someOf } from '../depth.ts';
 
 // git takes any small exit code of a merge driver for a conflict in a file that holds both sides. A gq that can't start leaves
 // our version only: whoever commits it loses theirs without a word.

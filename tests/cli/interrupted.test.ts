@@ -5,9 +5,9 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../../bench/soak/interrupted/signalled-command.ts';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { checkReportSchema } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 // Long checks (--solve, --require-slack) end early on the first signal with what is checked; a second one ends them at once.
 

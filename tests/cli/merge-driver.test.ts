@@ -3,9 +3,9 @@ import { cpSync, existsSync, readFileSync, realpathSync, writeFileSync } from 'n
 import { join } from 'node:path';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, MAIN, makeFiles } from './gq.ts';
-import { itDeep } from '../depth.ts';
 
 // She falls from rest through an asteroid at y 100 into the black hole below while the gun is held.
 const BASE: LevelFile = {

@@ -5,8 +5,8 @@ import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { findLevelFiles } from '../../cli/files.ts';
-import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { itDeep } from '../depth.ts';
+import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
 // drifting for an hour takes long enough to be interrupted
 const drift = fallThrough({

@@ -6,8 +6,8 @@ import { softlockLines } from '../../cli/reporters/softlock-lines.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
 import { type CheckReport, REPORT_SCHEMAS, reportJsonSchema, resolveLevel } from '../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON } from '../../solver/index.ts';
-import { gq, makeFiles } from './gq.ts';
 import { itDeep } from '../depth.ts';
+import { gq, makeFiles } from './gq.ts';
 
 /** She drifts into the black hole unless the weak gun bends her way; past it she is too fast to come back. */
 const past = (changes: Readonly<Record<string, unknown>> = {}) => ({

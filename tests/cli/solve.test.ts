@@ -6,9 +6,9 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
 import { type Proof, verifyProof } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { inDirectory, narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
-import { itDeep } from '../depth.ts';
 
 /** Runs a command in a terminal. */
 const SCRIPT = '/usr/bin/script';

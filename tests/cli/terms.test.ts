@@ -5,8 +5,8 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { COMMANDS } from '../../cli/commands/index.ts';
 import { createPlayer, encodePlay, playOf } from '../../game/index.ts';
 import { readLevel } from '../../schema/index.ts';
-import { type Ended, gq, makeFiles } from './gq.ts';
 import { itDeep } from '../depth.ts';
+import { type Ended, gq, makeFiles } from './gq.ts';
 
 // She swings around an asteroid past a nova, whose place decides between accuracies.
 const swing = (nova: { readonly x: number; readonly y: number }, changes: object = {}) => ({

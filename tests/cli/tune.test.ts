@@ -6,8 +6,8 @@ import { describe, expect, it } from 'vitest';
 import { intervalAround } from '../../cli/tune/interval.ts';
 import { compile, simulate } from '../../engine/index.ts';
 import { readLevel, tuneReportSchema } from '../../schema/index.ts';
-import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { itDeep } from '../depth.ts';
+import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 const cwd = fileURLToPath(new URL('./fixtures', import.meta.url));
 const LEVELS = fileURLToPath(new URL('../../levels', import.meta.url));

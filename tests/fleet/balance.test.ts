@@ -7,8 +7,8 @@ import { balance, Costs, MOST_ASSIGNED } from '../../cli/fleet/balance.ts';
 import { NumberTable } from '../../cli/fleet/number-table.ts';
 import { keyOfHash } from '../../cli/fleet/rule.ts';
 import { gq } from '../cli/gq.ts';
-import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
 import { itDeep } from '../depth.ts';
+import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
 
 const hashOf = (text: string): Buffer => createHash('sha256').update(text).digest();
 const keyText = (text: string): string => keyOfHash(hashOf(text)).toString(16).padStart(12, '0');

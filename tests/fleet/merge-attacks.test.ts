@@ -4,6 +4,7 @@ import fc from 'fast-check';
 import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { fallThrough, gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import { changed, placesIn } from './mistakes.ts';
 import {
   doAll,
@@ -18,7 +19,6 @@ import {
   type TestSet,
   writeResult,
 } from './sets.ts';
-import { itDeep } from '../depth.ts';
 
 // The results of three shards are mutated and merged. A merge may then refuse, or give the true report: nothing else.
 

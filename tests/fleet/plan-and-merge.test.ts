@@ -6,6 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { SetDigest } from '../../cli/fleet/digest.ts';
 import { readPlan } from '../../cli/fleet/plan.ts';
 import { gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import {
   doAll,
   levelTexts,
@@ -18,7 +19,6 @@ import {
   shardOfText,
   type TestSet,
 } from './sets.ts';
-import { itDeep } from '../depth.ts';
 
 interface Report {
   readonly levels: readonly { readonly file: string; readonly verdict: string; readonly ms: number }[];

@@ -4,8 +4,8 @@ import type * as Engine from '../../engine/index.ts';
 import { createPlayer, type Player } from '../../game/index.ts';
 import { committedTable } from '../browsers/hash-table.ts';
 import { hashedRuns } from '../browsers/scenes.ts';
-import { byEsbuild, byVite, run, zipped } from './bundle.ts';
 import { someOf } from '../depth.ts';
+import { byEsbuild, byVite, run, zipped } from './bundle.ts';
 
 const LIGHT = './game/light/index.ts';
 const PARTS = ['aliens', 'recoil', 'repulsors', 'winds', 'wormholes'];

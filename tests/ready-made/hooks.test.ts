@@ -4,8 +4,8 @@ import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
 import { parse } from 'yaml';
 import { type Ended, fallThrough, gq } from '../cli/gq.ts';
-import { makeProject, ofPackage, runIn } from './project.ts';
 import { itDeep } from '../depth.ts';
+import { makeProject, ofPackage, runIn } from './project.ts';
 
 interface Hook {
   readonly id: string;

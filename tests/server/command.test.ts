@@ -8,10 +8,10 @@ import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { readPage } from '../../cli/edit/page-files.ts';
 import { EDIT_API } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import { until } from '../until.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf, put } from './running.ts';
-import { itDeep } from '../depth.ts';
 
 const made = makeFolder({ 'levels/a.level.json': levelText('a'), 'file.txt': '', 'empty/x.txt': '' });
 const cwd = made.folder;

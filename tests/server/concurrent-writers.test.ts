@@ -3,9 +3,9 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, type Page, pageOf, serve } from './running.ts';
-import { itDeep } from '../depth.ts';
 
 // Each writer adds its own marks to a level that others write at the same time. An acknowledged mark is never lost.
 

@@ -6,8 +6,8 @@ import type { KnownLevels } from '../../cli/edit/known-levels.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
-import { levelPath, levelText, makeFolder, put, serve } from './running.ts';
 import { itDeep } from '../depth.ts';
+import { levelPath, levelText, makeFolder, put, serve } from './running.ts';
 
 const entry = (id: string): LevelEntry => ({
   id,

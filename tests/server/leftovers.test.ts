@@ -17,9 +17,9 @@ import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { collectLeftovers } from '../../cli/edit/leftovers.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { itDeep } from '../depth.ts';
 import { gqEdit } from './command.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
-import { itDeep } from '../depth.ts';
 
 let made: ReturnType<typeof makeFolder>;
 beforeEach(() => {

@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import { createAnytimeProof, createDecider, verifyProof, verifyRun } from '../../solver/index.ts';
-import { at, LEVELS, level } from './impossible-levels.ts';
 import { itDeep } from '../depth.ts';
+import { at, LEVELS, level } from './impossible-levels.ts';
 
 const DOOMED = LEVELS.doomed;
 /** Completable without a press. */

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Difficulty, findRuns, measureDifficulty, successProbability, verifyRun } from '../../solver/index.ts';
-import { shippedLevel } from './shipped-level.ts';
 import { itDeep } from '../depth.ts';
+import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;
 const QUICK = { samples: 300, games: 300, effort: 0, asteroidEffort: 0, onePressStride: 60, playerEffort: 0 } as const;

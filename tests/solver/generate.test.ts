@@ -48,7 +48,9 @@ const PLAIN: GeneratorOptions = { seed: 2, size: 'medium', difficulty: 'easy', i
 const WISHES: readonly (GeneratorOptions & { readonly digest: string | null })[] = [
   { ...PLAIN, digest: '7b5679183cf66eaf' },
   ...(isDeep
-    ? ([{ seed: 3, size: 'medium', difficulty: 'easy', ingredients: ['winds', 'wormholes'], digest: '775acfb1f4c10b13' }] as const)
+    ? ([
+        { seed: 3, size: 'medium', difficulty: 'easy', ingredients: ['winds', 'wormholes'], digest: '775acfb1f4c10b13' },
+      ] as const)
     : []),
   ...(isHunt
     ? ([

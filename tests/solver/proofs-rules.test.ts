@@ -4,10 +4,10 @@ import { ACCURACIES, type AccuracyName, compile, simulate } from '../../engine/i
 import { type Level, type OwnRules, RULE_NAMES, RULES, rulesOf } from '../../schema/index.ts';
 import { type About, type PROVERS, type Proof, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
 import { mostPush } from '../../solver/verify/assumptions.ts';
+import { isDeep } from '../depth.ts';
 import { LEVELS } from './impossible-levels.ts';
 import { crowdedLevel, someHolds, windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
-import { isDeep } from '../depth.ts';
 
 // Levels with their own rules: they are proved where they are impossible and never where a run completes them, and a
 // certificate is valid only for the rules for which it was made.

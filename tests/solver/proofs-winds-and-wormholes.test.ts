@@ -3,8 +3,8 @@ import { ACCURACIES, type AccuracyName, compile, STATE_SIZE, simulate } from '..
 import type { Hold, Level } from '../../schema/index.ts';
 import { type About, type Proof, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
 import type { Prover } from '../../solver/proofs/proof.ts';
-import { at, LEVELS, level } from './impossible-levels.ts';
 import { isDeep } from '../depth.ts';
+import { at, LEVELS, level } from './impossible-levels.ts';
 
 // Proofs keep clear of winds and wormholes or follow them; where one of them makes a level completable, there is no proof.
 

@@ -13,10 +13,10 @@ import {
   proveImpossible,
   type RepairOptions,
 } from '../../solver/index.ts';
+import { isDeep } from '../depth.ts';
 import { pack } from '../levels/shipped-pack.ts';
 import { real } from '../real.ts';
 import { LEVELS } from './impossible-levels.ts';
-import { isDeep } from '../depth.ts';
 
 const { precise } = ACCURACIES;
 

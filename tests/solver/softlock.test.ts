@@ -15,8 +15,8 @@ import {
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
 import { createLongProof, levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
-import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 import { describeDeep, itDeep, someOf } from '../depth.ts';
+import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 
 function surveyed(level: Level, ticks: number, accuracy: AccuracyName = 'precise'): { scene: Scene; survey: SoftlockSurvey } {
   const scene = compile(level, accuracy);

@@ -11,8 +11,8 @@ import { DIRECTIONS, TURN } from '../../solver/generate/themes/directions.ts';
 import { bestImage, Site, symmetryOf, THEMES, withImages } from '../../solver/generate/themes/index.ts';
 import { createPackJudge, packLevel, THEME_NAMES, type ThemeName } from '../../solver/index.ts';
 import { createRandom } from '../../solver/random.ts';
-import { once } from '../once.ts';
 import { someOf } from '../depth.ts';
+import { once } from '../once.ts';
 
 interface Place {
   readonly x: number;

@@ -5,10 +5,10 @@ import { mixedLevel, type Prover, playLevel, STYLES } from '../../bench/soak/att
 import { type AccuracyName, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { proveBy } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { at, level } from './impossible-levels.ts';
 import { type Moment, momentsOf } from './traced/moments.ts';
 import { fanSets, firstOutside, orbitSets, pipeSets, type Sets, staysWithin } from './traced/sets.ts';
-import { itDeep } from '../depth.ts';
 
 // What the provers compute is compared with plays here, and the checker is not asked: a set that leaves out a state of play is an
 // error of the prover, even if no certificate with it is ever accepted.

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createSearch, type Proof, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
-import { ALSO, at, LEVELS, level } from './impossible-levels.ts';
 import { isDeep } from '../depth.ts';
+import { ALSO, at, LEVELS, level } from './impossible-levels.ts';
 
 const proofOf = (name: string): Proof => {
   const code = ALSO[name]?.[0] ?? name;
