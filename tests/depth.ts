@@ -1,4 +1,4 @@
-import { describe, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { propertySettings } from './property-settings.ts';
 
 const { runs } = propertySettings(process.env);
@@ -19,6 +19,19 @@ export const itDeep = (isDeep ? it : nothing) as Pick<typeof it, 'each' | 'runIf
 /** `describe` for a group of such tests. */
 export const describeDeep = (isDeep ? describe : nothing) as Pick<typeof describe, 'each'> &
   ((name: string, tests: () => void) => void);
+
+/** What can be said of what a property has gathered. */
+interface Gathered {
+  toBeGreaterThan(least: number): void;
+  toBeGreaterThanOrEqual(least: number): void;
+  toBeLessThan(most: number): void;
+  toEqual(seen: unknown): void;
+}
+
+const SILENT: Gathered = { toBeGreaterThan() {}, toBeGreaterThanOrEqual() {}, toBeLessThan() {}, toEqual() {} };
+
+/** `expect` for how much a property has seen on its way, which shows that it is about something: certain only at full count. */
+export const expectDeep = (seen: unknown): Gathered => (isDeep ? expect(seen) : SILENT);
 
 /** Every case in the deep set; in the quick set so many of them, evenly spread, the first among them. */
 export const someOf = <T>(cases: readonly T[], count: number): readonly T[] =>

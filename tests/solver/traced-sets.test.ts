@@ -4,7 +4,7 @@ import { type AccuracyName, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { proveBy } from '../../solver/index.ts';
 import { mixedLevel, type Prover, playLevel, STYLES } from '../attackers/index.ts';
-import { itDeep } from '../depth.ts';
+import { expectDeep, itDeep } from '../depth.ts';
 import { seeded } from '../scenes/seeded.ts';
 import { at, level } from './impossible-levels.ts';
 import { type Moment, momentsOf } from './traced/moments.ts';
@@ -79,8 +79,8 @@ describe('every state of play lies in the sets of the prover', () => {
       { numRuns: 60 },
     );
     // Otherwise the test would be vacuous.
-    expect(looks).toBeGreaterThan(300);
-    expect(closed).toBeGreaterThan(5);
+    expectDeep(looks).toBeGreaterThan(300);
+    expectDeep(closed).toBeGreaterThan(5);
   });
 });
 
