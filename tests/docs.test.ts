@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { parse as parseYaml } from 'yaml';
-import { itDeep } from './depth.ts';
+import { describeDeep, itDeep } from './depth.ts';
 import { brokenLinks, missingFiles } from './docs/links.ts';
 import { ALL_PAGES, PROJECT, RUN_PAGES, readPage, shownIn } from './docs/page.ts';
 import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } from './docs/terminal.ts';
@@ -176,7 +176,7 @@ describe('docs/accuracy.md', () => {
   });
 });
 
-describe('programs in the pages', () => {
+describeDeep('programs in the pages', () => {
   const programs = RUN_PAGES.map(readPage).flatMap(({ path, blocks }) =>
     blocks
       .filter(({ language, title }) => title !== undefined && (language === 'js' || language === 'ts'))
@@ -190,7 +190,7 @@ describe('programs in the pages', () => {
   // Phaser's own declarations have errors
   const inBrowser = { module: 'esnext', moduleResolution: 'bundler', lib: ['es2023', 'dom'], types: [], skipLibCheck: true };
 
-  itDeep.each([
+  it.each([
     { where: 'in Node', those: programs.filter((program) => !usesPhaser(program)), options: inNode },
     { where: 'with Phaser', those: programs.filter(usesPhaser), options: { target: 'es2022', ...inBrowser } },
   ])('fit the types of the library $where', ({ those, options }) => {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from '../../bench/chains/index.ts';
 import { compile, createSimulation, STATE_SIZE, simulate, TICK_RATE } from '../../engine/index.ts';
 import { createRandom } from '../../solver/index.ts';
 import { itDeep, someOf } from '../depth.ts';
+import { FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from '../scenes/chains/index.ts';
 
 describe.each(someOf(FAMILIES, 2))('a chain that is %s', (family) => {
   it('is completed by its own run, and has one gap in each wall', () => {

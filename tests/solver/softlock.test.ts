@@ -15,7 +15,7 @@ import {
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
 import { createLongProof, levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
-import { describeDeep, itDeep, someOf } from '../depth.ts';
+import { describeDeep, itDeep } from '../depth.ts';
 import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 
 function surveyed(level: Level, ticks: number, accuracy: AccuracyName = 'precise'): { scene: Scene; survey: SoftlockSurvey } {
@@ -108,7 +108,7 @@ describe('where the dead end is known', () => {
   });
 });
 
-describe('a state that is called proved', () => {
+describeDeep('a state that is called proved', () => {
   it.each(['running-start'])(
     'in %s withstands a search with ten times the effort',
     (slug) => {
@@ -288,8 +288,8 @@ describe('since when a run was lost', () => {
   });
 });
 
-describe('no state on a run that completes the level is called lost', () => {
-  it.each(someOf(['hot-rock', 'firewalk', 'blind-date', 'run-up'], 1))(
+describeDeep('no state on a run that completes the level is called lost', () => {
+  it.each(['hot-rock', 'firewalk', 'blind-date', 'run-up'])(
     'in %s, although the survey does not know the run',
     (slug) => {
       const { level } = shipped(slug);
