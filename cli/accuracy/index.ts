@@ -1,2 +1,2 @@
-export { type AccuracyReport, accuracyJson } from './report.ts';
-export { accuracyPretty, brief } from './table.ts';
+export { type AccuracyReport, accuracyJson } from '../commands/accuracy/report.ts';
+export { accuracyPretty, brief } from '../commands/accuracy/table.ts';

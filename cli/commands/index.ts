@@ -39,7 +39,7 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'accuracy',
     summary: 'measure error and cost of every accuracy, for one run of a level',
-    load: () => import('./accuracy.ts'),
+    load: () => import('./accuracy/index.ts'),
   },
   {
     name: 'inspect',
@@ -62,7 +62,7 @@ export const COMMANDS: readonly CommandEntry[] = [
     load: () => import('./plan/index.ts'),
   },
   { name: 'merge', summary: 'put the results of shards together, and miss nothing', load: () => import('./merge/index.ts') },
-  { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
+  { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render/index.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'merge-driver', summary: 'merge two versions of a level, for git', load: () => import('./merge-driver.ts') },
   { name: 'git-setup', summary: 'tell git to merge and compare levels with gq', load: () => import('./git-setup.ts') },

@@ -7,4 +7,4 @@ export {
   viewRun,
   viewSoftlocks,
   viewSolved,
-} from './views.ts';
+} from '../commands/render/views.ts';

@@ -1,1 +1,1 @@
-export { declare } from './difficulty.ts';
+export { declare } from '../difficulty.ts';

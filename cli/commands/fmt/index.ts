@@ -1,1 +1,1 @@
-export { declare } from './fmt.ts';
+export { declare } from '../fmt.ts';

@@ -1,1 +1,1 @@
-export { declare } from './import.ts';
+export { declare } from '../import.ts';

@@ -1,1 +1,1 @@
-export { declare } from './init.ts';
+export { declare } from '../init.ts';

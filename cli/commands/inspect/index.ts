@@ -1,1 +1,1 @@
-export { declare } from './inspect.ts';
+export { declare } from '../inspect.ts';

@@ -1,1 +1,1 @@
-export { declare } from './merge.ts';
+export { declare } from '../merge.ts';

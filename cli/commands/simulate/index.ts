@@ -1,1 +1,1 @@
-export { declare } from './simulate.ts';
+export { declare } from '../simulate.ts';

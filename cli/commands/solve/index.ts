@@ -1,1 +1,1 @@
-export { declare } from './solve.ts';
+export { declare } from '../solve.ts';

@@ -1,1 +1,1 @@
-export { declare } from './submit.ts';
+export { declare } from '../submit.ts';

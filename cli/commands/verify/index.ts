@@ -1,1 +1,1 @@
-export { declare } from './verify.ts';
+export { declare } from '../verify.ts';

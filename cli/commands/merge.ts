@@ -1,7 +1,7 @@
 import { availableParallelism } from 'node:os';
 import { type Command, InvalidArgumentError, Option } from 'commander';
-import { plural } from '../../../check/words/index.ts';
-import type { CommandResult } from '../../command.ts';
+import { plural } from '../../check/words/index.ts';
+import type { CommandResult } from '../command.ts';
 import {
   contentsOf,
   type Gathered,
@@ -16,9 +16,9 @@ import {
   replaySample,
   resultsIn,
   setPaths,
-} from '../../fleet/index.ts';
-import { exitCodeAfter, Failure, levelsRead, namedPath, shellPath, stoppable } from '../../io/index.ts';
-import { jobsOption } from '../../options.ts';
+} from '../fleet/index.ts';
+import { exitCodeAfter, Failure, levelsRead, namedPath, shellPath, stoppable } from '../io/index.ts';
+import { jobsOption } from '../options.ts';
 import {
   chooseReports,
   type Destination,
@@ -26,7 +26,7 @@ import {
   forceReportsOption,
   reporterOption,
   reportFormatOption,
-} from '../../reporters/index.ts';
+} from '../reporters/index.ts';
 
 const LISTS = ['list', 'slurm', 'k8s'] as const;
 

@@ -1,20 +1,20 @@
 import { availableParallelism } from 'node:os';
 import { extname } from 'node:path';
 import { type Command, Option } from 'commander';
-import { compile, type Scene } from '../../engine/index.ts';
-import { renderSvg } from '../../picture/index.ts';
-import type { Hold } from '../../schema/index.ts';
-import type { Goal } from '../../solver/index.ts';
-import { SOFTLOCK_EFFORT } from '../check/index.ts';
-import { type ChosenRun, chooseRun } from '../chosen-run.ts';
-import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
-import { parseHolds } from '../holds-option.ts';
-import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../io/index.ts';
-import { openLevel } from '../level-source.ts';
-import { seedOption, wholeNumberOption } from '../options.ts';
-import { loadPngRenderer } from '../png.ts';
-import { readConfiguration } from '../read-configuration.ts';
+import { compile, type Scene } from '../../../engine/index.ts';
+import { renderSvg } from '../../../picture/index.ts';
+import type { Hold } from '../../../schema/index.ts';
+import type { Goal } from '../../../solver/index.ts';
+import { SOFTLOCK_EFFORT } from '../../check/index.ts';
+import { type ChosenRun, chooseRun } from '../../chosen-run.ts';
+import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { parseHolds } from '../../holds-option.ts';
+import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../../io/index.ts';
+import { openLevel } from '../../level-source.ts';
+import { seedOption, wholeNumberOption } from '../../options.ts';
+import { loadPngRenderer } from '../../png.ts';
+import { readConfiguration } from '../../read-configuration.ts';
 import {
   type View,
   viewAllRuns,
@@ -24,11 +24,11 @@ import {
   viewRun,
   viewSoftlocks,
   viewSolved,
-} from '../render/index.ts';
-import { expectMinerals, mineralsOption } from '../search-options.ts';
-import { type Solved, solveLevel } from '../solve/index.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
-import { refuseUnused } from '../unused-options.ts';
+} from '../../render/index.ts';
+import { expectMinerals, mineralsOption } from '../../search-options.ts';
+import { type Solved, solveLevel } from '../../solve/index.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
+import { refuseUnused } from '../../unused-options.ts';
 
 const DEFAULT_WIDTH = 1200;
 

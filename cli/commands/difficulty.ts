@@ -1,11 +1,11 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { plural } from '../../../check/words/index.ts';
-import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
-import type { Goal } from '../../../solver/index.ts';
-import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { plural } from '../../check/words/index.ts';
+import { type DifficultyPicture, drawDifficulty, type Ground } from '../../picture/difficulty/index.ts';
+import type { Goal } from '../../solver/index.ts';
+import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import {
   type CollectedPlays,
   collectPlays,
@@ -18,9 +18,9 @@ import {
   measureLevels,
   measureSettings,
   refusedPlays,
-} from '../../difficulty/index.ts';
-import { findConfigured, PATHS, unreadableFolders } from '../../find/index.ts';
-import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
+} from '../difficulty/index.ts';
+import { findConfigured, PATHS, unreadableFolders } from '../find/index.ts';
+import { reportWhole, shardOfPlan } from '../fleet/index.ts';
 import {
   colorsFor,
   createProgress,
@@ -33,14 +33,14 @@ import {
   visibleLine,
   widthOf,
   writeWhole,
-} from '../../io/index.ts';
-import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { mineralsOption, USUAL_EFFORT } from '../../search-options.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { addTermsOptions, type TermsOptions } from '../../terms.ts';
-import { refuseUnused } from '../../unused-options.ts';
-import { drawPlayers } from './draw-players.ts';
+} from '../io/index.ts';
+import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { mineralsOption, USUAL_EFFORT } from '../search-options.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
+import { addTermsOptions, type TermsOptions } from '../terms.ts';
+import { refuseUnused } from '../unused-options.ts';
+import { drawPlayers } from './difficulty/draw-players.ts';
 
 interface Options extends ConfigOptions, TermsOptions, ShardOptions {
   readonly run?: string;

@@ -1,18 +1,18 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { compile } from '../../../engine/index.ts';
-import type { Hold, Level, SimulateReport } from '../../../schema/index.ts';
-import { chooseRun } from '../../chosen-run.ts';
-import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { parseHolds } from '../../holds-option.ts';
-import { colorsFor, Failure } from '../../io/index.ts';
-import { openLevel } from '../../level-source.ts';
-import { formatOption, numberOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { reportRun, withinWorkOf } from '../../run-report.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
-import { simulatePretty } from './pretty.ts';
+import { compile } from '../../engine/index.ts';
+import type { Hold, Level, SimulateReport } from '../../schema/index.ts';
+import { chooseRun } from '../chosen-run.ts';
+import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { parseHolds } from '../holds-option.ts';
+import { colorsFor, Failure } from '../io/index.ts';
+import { openLevel } from '../level-source.ts';
+import { formatOption, numberOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { reportRun, withinWorkOf } from '../run-report.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
+import { simulatePretty } from './simulate/pretty.ts';
 
 const MAX_SAMPLES = 1_000_000;
 

@@ -1,21 +1,21 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { termsReport } from '../../check/words/index.ts';
-import { ACCURACIES } from '../../engine/index.ts';
-import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../engine/work-precision/index.ts';
-import { drawDiagram, type Ground, levelDiagram } from '../../picture/accuracy/index.ts';
-import type { Hold } from '../../schema/index.ts';
-import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../accuracy/index.ts';
-import { chooseRun } from '../chosen-run.ts';
-import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
-import { parseHolds } from '../holds-option.ts';
-import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../io/index.ts';
-import { openLevel } from '../level-source.ts';
-import { formatOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { addTermsOptions, customAccuracy, type TermsOptions, termsFrom } from '../terms.ts';
-import { refuseUnused } from '../unused-options.ts';
+import { termsReport } from '../../../check/words/index.ts';
+import { ACCURACIES } from '../../../engine/index.ts';
+import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../../engine/work-precision/index.ts';
+import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accuracy/index.ts';
+import type { Hold } from '../../../schema/index.ts';
+import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../../accuracy/index.ts';
+import { chooseRun } from '../../chosen-run.ts';
+import type { CommandResult } from '../../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { parseHolds } from '../../holds-option.ts';
+import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
+import { openLevel } from '../../level-source.ts';
+import { formatOption } from '../../options.ts';
+import { readConfiguration } from '../../read-configuration.ts';
+import { addTermsOptions, customAccuracy, type TermsOptions, termsFrom } from '../../terms.ts';
+import { refuseUnused } from '../../unused-options.ts';
 
 /** ms for the timing */
 const BUDGET = 3000;

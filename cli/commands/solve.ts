@@ -1,17 +1,17 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import type { Command } from 'commander';
-import type { Level } from '../../../schema/index.ts';
-import type { Goal, Objective } from '../../../solver/index.ts';
-import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { findConfigured, unreadableFolders } from '../../find/index.ts';
-import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
-import { colorsFor, createStatusLine, entryName, Failure, packFormat, statOrError, uncut, visibleLine } from '../../io/index.ts';
-import { type OpenedFile, openLevel } from '../../level-source.ts';
-import { formatOption, jobsOption, wholeNumberOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { expectWritable } from '../../replace-level.ts';
+import type { Level } from '../../schema/index.ts';
+import type { Goal, Objective } from '../../solver/index.ts';
+import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { findConfigured, unreadableFolders } from '../find/index.ts';
+import { reportWhole, shardOfPlan } from '../fleet/index.ts';
+import { colorsFor, createStatusLine, entryName, Failure, packFormat, statOrError, uncut, visibleLine } from '../io/index.ts';
+import { type OpenedFile, openLevel } from '../level-source.ts';
+import { formatOption, jobsOption, wholeNumberOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { expectWritable } from '../replace-level.ts';
 import {
   addSearchOptions,
   expectMinerals,
@@ -19,8 +19,8 @@ import {
   mineralsOption,
   objectiveOption,
   type SearchOptions,
-} from '../../search-options.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
+} from '../search-options.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
 import {
   addRuns,
   askedRuns,
@@ -30,9 +30,9 @@ import {
   settingsFor,
   solveLevel,
   solveReport,
-} from '../../solve/index.ts';
-import { addTermsOptions, type TermsOptions } from '../../terms.ts';
-import { solvePretty } from './pretty.ts';
+} from '../solve/index.ts';
+import { addTermsOptions, type TermsOptions } from '../terms.ts';
+import { solvePretty } from './solve/pretty.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptions {
   readonly minerals: Goal['minerals'];

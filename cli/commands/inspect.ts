@@ -1,18 +1,18 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { playRuns, withinWork } from '../../../check/index.ts';
-import { termsReport } from '../../../check/words/index.ts';
-import { compile, type Work, WorkBudget } from '../../../engine/index.ts';
-import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { countObjects, type Inspection } from '../../inspection.ts';
-import { colorsFor, widthOf } from '../../io/index.ts';
-import { openLevel, warningsOf } from '../../level-source.ts';
-import { formatOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
-import { inspectJson } from './json.ts';
-import { inspectPretty } from './pretty.ts';
+import { playRuns, withinWork } from '../../check/index.ts';
+import { termsReport } from '../../check/words/index.ts';
+import { compile, type Work, WorkBudget } from '../../engine/index.ts';
+import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { countObjects, type Inspection } from '../inspection.ts';
+import { colorsFor, widthOf } from '../io/index.ts';
+import { openLevel, warningsOf } from '../level-source.ts';
+import { formatOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
+import { inspectJson } from './inspect/json.ts';
+import { inspectPretty } from './inspect/pretty.ts';
 
 interface InspectOptions extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';

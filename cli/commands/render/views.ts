@@ -1,8 +1,8 @@
-import { proveGoalImpossible, softlocksOf } from '../../check/index.ts';
-import { effortInWords, outcomeInWords, plural } from '../../check/words/index.ts';
-import { joinHolds, type Run, type Scene, simulate, TICK } from '../../engine/index.ts';
-import type { RenderOptions } from '../../picture/index.ts';
-import { type Hold, objectName } from '../../schema/index.ts';
+import { proveGoalImpossible, softlocksOf } from '../../../check/index.ts';
+import { effortInWords, outcomeInWords, plural } from '../../../check/words/index.ts';
+import { joinHolds, type Run, type Scene, simulate, TICK } from '../../../engine/index.ts';
+import type { RenderOptions } from '../../../picture/index.ts';
+import { type Hold, objectName } from '../../../schema/index.ts';
 import {
   createRandom,
   createSearch,
@@ -12,11 +12,11 @@ import {
   proofPicture,
   type Search,
   type Standing,
-} from '../../solver/index.ts';
-import type { ChosenRun } from '../chosen-run.ts';
-import { percent } from '../report-parts/index.ts';
-import { withinWorkOf } from '../run-report.ts';
-import type { Solved } from '../solve/index.ts';
+} from '../../../solver/index.ts';
+import type { ChosenRun } from '../../chosen-run.ts';
+import { percent } from '../../report-parts/index.ts';
+import { withinWorkOf } from '../../run-report.ts';
+import type { Solved } from '../../solve/index.ts';
 
 /** What a picture shows, apart from its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {

@@ -1,11 +1,11 @@
 import { relative } from 'node:path';
 import { type Command, Option } from 'commander';
-import type { InitReport } from '../../../schema/index.ts';
-import type { CommandResult } from '../../command.ts';
-import { type Ci, chooseCi, type Plan, planProject } from '../../init/index.ts';
-import { planFile, shellPath, writeAll } from '../../io/index.ts';
-import { formatOption } from '../../options.ts';
-import { initJson, initPretty } from './report.ts';
+import type { InitReport } from '../../schema/index.ts';
+import type { CommandResult } from '../command.ts';
+import { type Ci, chooseCi, type Plan, planProject } from '../init/index.ts';
+import { planFile, shellPath, writeAll } from '../io/index.ts';
+import { formatOption } from '../options.ts';
+import { initJson, initPretty } from './init/report.ts';
 
 interface InitOptions {
   readonly ci?: Ci;

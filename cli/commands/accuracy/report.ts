@@ -1,6 +1,6 @@
-import type { Accuracy } from '../../engine/index.ts';
-import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../engine/work-precision/index.ts';
-import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../schema/index.ts';
+import type { Accuracy } from '../../../engine/index.ts';
+import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../../engine/work-precision/index.ts';
+import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../../schema/index.ts';
 
 /** The results of `accuracy` for a run of a level. */
 export interface AccuracyReport {

@@ -2,7 +2,7 @@ import { accessSync, constants, existsSync, realpathSync } from 'node:fs';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Argument, type Command } from 'commander';
-import type { CommandResult } from '../../command.ts';
+import type { CommandResult } from '../command.ts';
 import {
   arrayJob,
   gather,
@@ -18,9 +18,9 @@ import {
   submission,
   submitJob,
   USUAL_ARRAY_SIZE,
-} from '../../fleet/index.ts';
-import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../../io/index.ts';
-import { wholeNumberOption } from '../../options.ts';
+} from '../fleet/index.ts';
+import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../io/index.ts';
+import { wholeNumberOption } from '../options.ts';
 
 interface Options {
   readonly plan: string;
@@ -115,7 +115,7 @@ const all = (total: number): number[] => Array.from({ length: total }, (_, i) =>
 function orderOf(options: Options, command: string, shards: readonly number[]): SlurmOrder {
   return {
     directory: process.cwd(),
-    program: [process.execPath, realpathSync(fileURLToPath(new URL('../../main.js', import.meta.url)))],
+    program: [process.execPath, realpathSync(fileURLToPath(new URL('../main.js', import.meta.url)))],
     command,
     plan: options.plan,
     out: options.out,

@@ -1,10 +1,10 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds } from '../../../schema/index.ts';
-import { showProblems } from '../../code-frames.ts';
-import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../../find/index.ts';
+import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds } from '../../schema/index.ts';
+import { showProblems } from '../code-frames.ts';
+import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../find/index.ts';
 import {
   colorsFor,
   Failure,
@@ -20,12 +20,12 @@ import {
   visibleLine,
   whyNotWritable,
   writeWhole,
-} from '../../io/index.ts';
-import { formatOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { showFileProblems } from '../../report-parts/index.ts';
-import { placesOf } from '../../reporters/index.ts';
-import { type FormattedFile, fmtGithub, fmtJson, fmtPretty } from './report.ts';
+} from '../io/index.ts';
+import { formatOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { showFileProblems } from '../report-parts/index.ts';
+import { placesOf } from '../reporters/index.ts';
+import { type FormattedFile, fmtGithub, fmtJson, fmtPretty } from './fmt/report.ts';
 
 interface FmtOptions extends ConfigOptions {
   readonly stdinPath?: string;

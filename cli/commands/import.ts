@@ -1,16 +1,9 @@
 import { basename, join } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import {
-  formatLevel,
-  type ImportReading,
-  importOriginal,
-  importTiled,
-  isTiledMap,
-  MAX_FILE_SIZE,
-} from '../../../schema/index.ts';
-import { showProblems } from '../../code-frames.ts';
-import type { CommandResult } from '../../command.ts';
+import { formatLevel, type ImportReading, importOriginal, importTiled, isTiledMap, MAX_FILE_SIZE } from '../../schema/index.ts';
+import { showProblems } from '../code-frames.ts';
+import type { CommandResult } from '../command.ts';
 import {
   colorsFor,
   differing,
@@ -21,11 +14,11 @@ import {
   planFile,
   readBytes,
   writeAll,
-} from '../../io/index.ts';
-import { formatOption } from '../../options.ts';
-import { showFileProblems } from '../../report-parts/index.ts';
-import { schemaReference } from '../../schema-reference.ts';
-import { type ImportedFile, importJson, importPretty } from './report.ts';
+} from '../io/index.ts';
+import { formatOption } from '../options.ts';
+import { showFileProblems } from '../report-parts/index.ts';
+import { schemaReference } from '../schema-reference.ts';
+import { type ImportedFile, importJson, importPretty } from './import/report.ts';
 
 interface ImportOptions {
   readonly out: string;

@@ -2,12 +2,12 @@ import { fstatSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { PLAY_LIMITS } from '../../../game/index.ts';
-import type { VerifyReport } from '../../../schema/index.ts';
-import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { unreadableFolders } from '../../find/index.ts';
-import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
+import { PLAY_LIMITS } from '../../game/index.ts';
+import type { VerifyReport } from '../../schema/index.ts';
+import type { CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { unreadableFolders } from '../find/index.ts';
+import { reportWhole, shardOfPlan } from '../fleet/index.ts';
 import {
   colorsFor,
   Failure,
@@ -23,12 +23,12 @@ import {
   statOrError,
   systemReason,
   visibleLine,
-} from '../../io/index.ts';
-import { jobsOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { maxWorkOption, type TermsOptions } from '../../terms.ts';
-import { refuseUnused } from '../../unused-options.ts';
+} from '../io/index.ts';
+import { jobsOption } from '../options.ts';
+import { readConfiguration } from '../read-configuration.ts';
+import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
+import { maxWorkOption, type TermsOptions } from '../terms.ts';
+import { refuseUnused } from '../unused-options.ts';
 import {
   addPlayOptions,
   countsPretty,
@@ -46,7 +46,7 @@ import {
   unusableInWords,
   unusableLevels,
   verifyInOrder,
-} from '../../verify/index.ts';
+} from '../verify/index.ts';
 
 /** Plays in files that are read together. */
 const TOGETHER = 32;
