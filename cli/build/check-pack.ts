@@ -13,7 +13,7 @@ import {
 } from '../check/index.ts';
 import type { Configuration } from '../configuration.ts';
 import { Failure, NotAFile, readRegularFile, type StoppingSignal } from '../io/index.ts';
-import type { PackFile } from './find-pack.ts';
+import type { PackFile } from './pack.ts';
 
 /** How the levels of a pack are checked. */
 export interface BuildOptions {

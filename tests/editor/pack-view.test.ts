@@ -3,7 +3,7 @@ import { dirname, join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { effectsToMeet, moveEntries } from '../../check/pack/index.ts';
-import { findPack } from '../../cli/build/find-pack.ts';
+import { findPack } from '../../cli/build/pack.ts';
 import { noConfiguration } from '../../cli/configuration.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { findLevelFiles } from '../../cli/find/index.ts';

@@ -2,7 +2,7 @@ import { Argument, type Command } from 'commander';
 import type { CommandResult } from '../../command.ts';
 import { REPORTER_NAMES } from '../../reporters/index.ts';
 import { EXPLAINED_CODES } from '../explain/index.ts';
-import { bashScript } from './bash.ts';
+import { bashScript } from './shells.ts';
 import { fishScript } from './fish.ts';
 import { wordsOf } from './words.ts';
 import { zshScript } from './zsh.ts';

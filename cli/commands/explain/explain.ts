@@ -6,7 +6,7 @@ import { didYouMean } from '../../did-you-mean.ts';
 import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
 import { colorsFor, Failure } from '../../io/index.ts';
 import { formatOption } from '../../options.ts';
-import { explainPretty, explainProof, listCodes } from './pretty.ts';
+import { explainPretty, explainProof, listCodes } from './report.ts';
 import { PROOF_KINDS } from './proofs.ts';
 
 /** A code that is also one of a problem is explained as that. */

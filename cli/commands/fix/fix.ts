@@ -12,7 +12,7 @@ import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-opt
 import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import { type Fixed, type FixSettings, fixLevel } from './fixed.ts';
 import { fixReport } from './json.ts';
-import { fixPretty } from './pretty.ts';
+import { fixPretty } from './report.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions {
   readonly count: number;

@@ -33,7 +33,7 @@ import {
 } from '../../tune/index.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { tuneJson } from './json.ts';
-import { tuneText } from './text.ts';
+import { tuneText } from './report.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions {
   readonly set?: readonly Change[];

@@ -1,1 +1,1 @@
-export { diffPage } from './page.ts';
+export { diffPage } from '../page.ts';

@@ -1,15 +1,15 @@
 import { createHash } from 'node:crypto';
-import { compareHolds } from '../../../../check/runs/index.ts';
-import { outcomeInWords } from '../../../../check/words/index.ts';
-import { boxOf, type Run, STATE_SIZE, TICK } from '../../../../engine/index.ts';
-import { type Comparison, pathOf, renderComparison } from '../../../../picture/comparison/index.ts';
-import { renderSvg } from '../../../../picture/index.ts';
-import { type Hold, type Level, rulesOf, type Verdict } from '../../../../schema/index.ts';
-import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../../diff/index.ts';
-import { visibleLine } from '../../../io/index.ts';
-import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from '../text.ts';
-import { PLAYER } from './player.ts';
-import { STYLE } from './style.ts';
+import { compareHolds } from '../../../check/runs/index.ts';
+import { outcomeInWords } from '../../../check/words/index.ts';
+import { boxOf, type Run, STATE_SIZE, TICK } from '../../../engine/index.ts';
+import { type Comparison, pathOf, renderComparison } from '../../../picture/comparison/index.ts';
+import { renderSvg } from '../../../picture/index.ts';
+import { type Hold, type Level, rulesOf, type Verdict } from '../../../schema/index.ts';
+import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../diff/index.ts';
+import { visibleLine } from '../../io/index.ts';
+import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from './text.ts';
+import { PLAYER } from './page-parts.ts';
+import { STYLE } from './page/style.ts';
 
 /** Pictures take most of the room: further levels have words only. */
 const MOST_PICTURES = 60;
