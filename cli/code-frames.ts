@@ -1,5 +1,5 @@
 import { codeFrame, type Problem } from '../schema/index.ts';
-import { MAX_SHOWN, type ShownProblem } from './shown-problem.ts';
+import { MAX_SHOWN, type ShownProblem } from './report-parts/index.ts';
 
 /** Adds the surrounding lines of the file to each problem that will be shown and has a place in the file. */
 export function showProblems(problems: readonly Problem[], text: string): ShownProblem[] {

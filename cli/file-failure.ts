@@ -1,7 +1,6 @@
 import process from 'node:process';
 import { colorsFor, Failure } from './io/index.ts';
-import { showFileProblems } from './report-parts/index.ts';
-import type { ShownProblem } from './shown-problem.ts';
+import { showFileProblems, type ShownProblem } from './report-parts/index.ts';
 
 /** The problems of a file that keep a command from its work. */
 export interface FileProblems {

@@ -4,8 +4,7 @@ import { type Level, type LevelDocument, type Problem, readLevel } from '../sche
 import { showProblems } from './code-frames.ts';
 import type { CommandResult } from './command.ts';
 import { colorsFor, Failure, isPackFile, NOT_A_LEVEL, notice, readBytes, visibleLine } from './io/index.ts';
-import { showFileProblems } from './report-parts/index.ts';
-import type { ShownProblem } from './shown-problem.ts';
+import { showFileProblems, type ShownProblem } from './report-parts/index.ts';
 
 export interface OpenedLevel {
   readonly level: Level;

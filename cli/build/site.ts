@@ -1,23 +1,9 @@
-import { randomBytes } from 'node:crypto';
+import { randomBytes, createHash } from 'node:crypto';
 import { lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
-import {
-  allOrNone,
-  Failure,
-  type FileStatus,
-  makeFolders,
-  namedPath,
-  type PlannedFile,
-  planFile,
-  readRegularFile,
-  removeFolders,
-  renamePatiently,
-  statOrError,
-  systemReason,
-  uncut,
-  writeAll,
-} from '../io/index.ts';
-import { hashOf, MARKER, readMarker } from './site-files.ts';
+import { allOrNone, Failure, type FileStatus, makeFolders, namedPath, type PlannedFile, planFile, readRegularFile, removeFolders, renamePatiently, statOrError, systemReason, uncut, writeAll, readBuilt } from '../io/index.ts';
+import { PACK_FILE, type Pack, packScript, pageOf } from '../../check/pack/index.ts';
+import { fileURLToPath } from 'node:url';
 
 /** What becomes of a file of a site. */
 export interface SiteFile {
@@ -29,7 +15,7 @@ export interface SiteFile {
 }
 
 /** What `gq build` is going to do in a folder. */
-export interface SitePlan {
+interface SitePlan {
   readonly site: string;
   /** The folder in messages. */
   readonly shown: string;
@@ -210,3 +196,54 @@ function removeOwn(path: string, site: string): void {
   const folder = dirname(path);
   if (resolve(folder) !== resolve(site) && readdirSync(folder).length === 0) rmdirSync(folder);
 }
+
+/** The file by which `gq build` knows a folder that it has made, and its own files in it. */
+const MARKER = '.gq-build.json';
+
+/** The files of a page that plays a pack, by their path in its folder, with slashes. The same input gives the same bytes. */
+export function siteFiles(game: ReadonlyMap<string, Uint8Array>, pack: Pack): ReadonlyMap<string, Uint8Array> {
+  const page = new TextDecoder().decode(game.get('index.html'));
+  const files = new Map(game);
+  files.set('index.html', Buffer.from(pageOf(page, pack.title)));
+  files.set(PACK_FILE, Buffer.from(packScript(pack)));
+  return files.set(MARKER, Buffer.from(markerText(files)));
+}
+
+const MADE_BY = 'gq build';
+
+function markerText(files: ReadonlyMap<string, Uint8Array>): string {
+  const hashes = Object.fromEntries([...files].map(([name, content]) => [name, hashOf(content)]));
+  return `${JSON.stringify({ madeBy: MADE_BY, version: 1, files: hashes }, null, 2)}\n`;
+}
+
+/** A hash that stays when git or an upload changes the ends of lines. */
+const hashOf = (content: Uint8Array): string =>
+  createHash('sha256').update(Buffer.from(content).toString('latin1').replaceAll('\r\n', '\n'), 'latin1').digest('hex');
+
+/** Names that stay in their folder, whoever has written them. */
+const INSIDE = /^(?!\.\.?(?:\/|$))[\w.-]+(?:\/(?!\.\.?(?:\/|$))[\w.-]+)*$/;
+
+/** The hashes of the files that a marker lists; null if it is none. */
+function readMarker(text: string): ReadonlyMap<string, string> | null {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return null;
+  }
+  const { madeBy, version, files } = (value ?? {}) as { readonly [key: string]: unknown };
+  if (madeBy !== MADE_BY || version !== 1 || typeof files !== 'object' || files === null) return null;
+  const entries = Object.entries(files);
+  const isSound = entries.every(([name, hash]) => INSIDE.test(name) && typeof hash === 'string');
+  return isSound ? new Map(entries as [string, string][]) : null;
+}
+
+/** The folder into which `npm run build` puts the game. */
+export const GAME = fileURLToPath(new URL('../../site', import.meta.url));
+
+/**
+ * The files of the built game by their path in it, with slashes, sorted.
+ * @throws Failure if there is no built game
+ */
+export const readGame = (folder: string): ReadonlyMap<string, Uint8Array> =>
+  new Map([...readBuilt(folder, 'the game')].sort(([a], [b]) => (a < b ? -1 : 1)));

@@ -6,41 +6,20 @@ import { type DifficultyPicture, drawDifficulty, type Ground } from '../../pictu
 import type { Goal } from '../../solver/index.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
-import {
-  type CollectedPlays,
-  collectPlays,
-  curvesInWords,
-  curvesOf,
-  difficultyJson,
-  difficultyPretty,
-  type MeasuredLevel,
-  type MeasureSettings,
-  measureLevels,
-  measureSettings,
-  refusedPlays,
-} from '../difficulty/index.ts';
+import { type CollectedPlays, collectPlays, curvesInWords, curvesOf, difficultyJson, difficultyPretty, type MeasuredLevel, type MeasureSettings, measureLevels, measureSettings, refusedPlays, causeInWords } from '../difficulty/index.ts';
 import { findConfigured, PATHS, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import {
-  colorsFor,
-  createProgress,
-  createStatusLine,
-  expectOutput,
-  Failure,
-  firstPack,
-  levelsRead,
-  namedPath,
-  visibleLine,
-  widthOf,
-  writeWhole,
-} from '../io/index.ts';
+import { colorsFor, createProgress, createStatusLine, expectOutput, Failure, firstPack, levelsRead, namedPath, visibleLine, widthOf, writeWhole, readBytes } from '../io/index.ts';
 import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../options.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { mineralsOption, USUAL_EFFORT } from '../search-options.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
 import { addTermsOptions, type TermsOptions } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
-import { drawPlayers } from './difficulty/draw-players.ts';
+import { compile, simulate, type Terms } from '../../engine/index.ts';
+import { renderSvg } from '../../picture/index.ts';
+import { readLevel } from '../../schema/index.ts';
+import { percent } from '../report-parts/index.ts';
 
 interface Options extends ConfigOptions, TermsOptions, ShardOptions {
   readonly run?: string;
@@ -236,4 +215,32 @@ function pictureOf(levels: readonly MeasuredLevel[], accuracy: string): Difficul
     })),
     limit: 60,
   };
+}
+
+/** More rings than this hide the level. */
+const MOST_RINGS = 6;
+
+/**
+ * Draws a level with the places where players fail, and with the run that they are compared with.
+ * @returns the SVG document, or null if there is nothing to draw
+ */
+function drawPlayers({ file, players }: MeasuredLevel, terms: Terms, theme: 'dark' | 'light'): string | null {
+  if (players === null || players.statistics.attempts === 0) return null;
+  const read = readLevel(readBytes(file), terms);
+  if (!read.ok) return null;
+  const { all, clusters, attempts, share, low, high, reference, players: known } = players.statistics;
+  const who = known === 0 ? '' : ` of ${plural(known, 'player')}`;
+  return renderSvg(read.level, {
+    theme,
+    run: reference === null ? undefined : simulate(compile(read.level, terms), reference.holds),
+    title: `Where players of ${read.level.name} fail`,
+    note: `${plural(attempts, 'attempt')}${who}: ${percent(share)} succeed (${percent(low)} to ${percent(high)})`,
+    failures: {
+      places: all.flatMap(({ cause, x, y }) => (cause === null ? [] : { x, y })),
+      clusters: clusters.slice(0, MOST_RINGS).map(({ x, y, spread, cause, count, share: part }) => ({
+        ...{ x, y, spread },
+        label: `${causeInWords(cause)}, ${count} (${percent(part)})`,
+      })),
+    },
+  });
 }

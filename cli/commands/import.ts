@@ -1,24 +1,14 @@
 import { basename, join } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { formatLevel, type ImportReading, importOriginal, importTiled, isTiledMap, MAX_FILE_SIZE } from '../../schema/index.ts';
+import { formatLevel, type ImportReading, importOriginal, importTiled, isTiledMap, MAX_FILE_SIZE, type ImportReport } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import type { CommandResult } from '../command.ts';
-import {
-  colorsFor,
-  differing,
-  Failure,
-  namedPath,
-  Outputs,
-  type PlannedFile,
-  planFile,
-  readBytes,
-  writeAll,
-} from '../io/index.ts';
+import { colorsFor, differing, Failure, namedPath, Outputs, type PlannedFile, planFile, readBytes, writeAll, visibleLine } from '../io/index.ts';
 import { formatOption } from '../options.ts';
 import { showFileProblems } from '../report-parts/index.ts';
 import { schemaReference } from '../schema-reference.ts';
-import { type ImportedFile, importJson, importPretty } from './import/report.ts';
+import { plural } from '../../check/words/index.ts';
 
 interface ImportOptions {
   readonly out: string;
@@ -97,4 +87,31 @@ async function importFile(file: string, options: ImportOptions): Promise<Command
   await writeAll(targets, () => `--out ${namedPath(options.out)}`);
   const result = { files: targets.map(({ file, level, status }) => ({ file, level, status })), notes: imported.notes };
   return { output: options.format === 'json' ? importJson(result) : importPretty(result), exitCode: 0 };
+}
+
+interface ImportedFile {
+  readonly file: string;
+  /** The level's name. */
+  readonly level: string;
+  readonly status: 'written' | 'overwritten' | 'unchanged';
+}
+
+interface Imported {
+  readonly files: readonly ImportedFile[];
+  /** What was skipped or ignored, one sentence for each. */
+  readonly notes: readonly string[];
+}
+
+/** The results of `import` as JSON. */
+const importJson = ({ files, notes }: Imported): string =>
+  `${JSON.stringify({ version: 1, files: [...files], notes: [...notes] } satisfies ImportReport)}\n`;
+
+/** The results of `import` for people. */
+function importPretty({ files, notes }: Imported): string {
+  const lines = files.map(({ file, status }) => `${status} ${visibleLine(file)}`);
+  lines.push(...notes.map((note) => `note: ${visibleLine(note)}`));
+  lines.push(
+    `${plural(files.length, 'level')} imported; gq solve LEVEL --write adds a run to one, and gq check shows which can be completed`,
+  );
+  return `${lines.join('\n')}\n`;
 }

@@ -3,9 +3,8 @@ import { type Command, Option } from 'commander';
 import type { InitReport } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { type Ci, chooseCi, type Plan, planProject } from '../init/index.ts';
-import { planFile, shellPath, writeAll } from '../io/index.ts';
+import { planFile, shellPath, writeAll, visibleLine } from '../io/index.ts';
 import { formatOption } from '../options.ts';
-import { initJson, initPretty } from './init/report.ts';
 
 interface InitOptions {
   readonly ci?: Ci;
@@ -79,4 +78,19 @@ function nextSteps(directory: string, { isInstalled, isRepository }: Plan): stri
     'npx gq edit levels',
     ...(isRepository ? ['npx gq git-setup, so that git merges and compares levels with gq'] : []),
   ];
+}
+
+/** The results of `init` as JSON. */
+const initJson = (report: InitReport): string => `${JSON.stringify(report)}\n`;
+
+const WOULD = { written: 'would write', changed: 'would change', unchanged: 'unchanged', left: 'left' };
+
+/** The results of `init` for people. */
+function initPretty({ dryRun, files, next }: InitReport): string {
+  const lines = files.map(({ file, status, note }) => {
+    const words = dryRun ? WOULD[status] : status;
+    return `${words} ${visibleLine(file)}${note === null ? '' : `: ${note}`}`;
+  });
+  const steps = next.map((step) => `  ${visibleLine(step)}`);
+  return `${lines.join('\n')}\n\n${dryRun ? 'nothing was written; afterwards' : 'next'}:\n${steps.join('\n')}\n`;
 }

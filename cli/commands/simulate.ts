@@ -1,18 +1,18 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { compile } from '../../engine/index.ts';
-import type { Hold, Level, SimulateReport } from '../../schema/index.ts';
+import { compile, effectEventInWords, type Run, type RunEvent } from '../../engine/index.ts';
+import { type Hold, type Level, type SimulateReport, objectName, type RunReport } from '../../schema/index.ts';
 import { chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { parseHolds } from '../holds-option.ts';
-import { colorsFor, Failure } from '../io/index.ts';
+import { colorsFor, Failure, type Colors, visibleLine } from '../io/index.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption, numberOption } from '../options.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { reportRun, withinWorkOf } from '../run-report.ts';
 import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
-import { simulatePretty } from './simulate/pretty.ts';
+import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
 
 const MAX_SAMPLES = 1_000_000;
 
@@ -76,4 +76,58 @@ function play(file: string, options: SimulateOptions): CommandResult {
       ? `${JSON.stringify({ version: 1, ...report } satisfies SimulateReport)}\n`
       : simulatePretty(level, name, run, report, colorsFor(process.stdout));
   return { output, exitCode: 0 };
+}
+
+/** One run in full for people. */
+function simulatePretty(level: Level, runName: string, run: Run, report: RunReport, colors: Colors): string {
+  const paint = run.outcome === 'completed' ? colors.green : colors.red;
+  const { x, y, vx, vy, angle } = report.final;
+  const near = run.clearance;
+  const lines = [
+    `${colors.bold(visibleLine(level.name))}, ${visibleLine(runName)}, ${report.accuracy}`,
+    paint(outcomeInWords(run, level.range)),
+    '',
+    ...run.events.map((event) => `${event.time.toFixed(3).padStart(8)} s  ${eventInWords(event)}`),
+    ...(run.events.length > 0 ? [''] : []),
+    `holds      ${holdsInWords(report.holds)}`,
+    `minerals   ${countMinerals(run)} of ${level.minerals.length}`,
+    `clearance  ${near === null ? 'nothing deadly in the level' : `${near.distance.toFixed(3)} px to ${bodyInWords(near)} at ${near.time.toFixed(3)} s`}`,
+    `final      x ${x.toFixed(3)}, y ${y.toFixed(3)} px; ${vx.toFixed(3)}, ${vy.toFixed(3)} px/s; angle ${angle.toFixed(4)} rad`,
+    `hash       ${run.hash}`,
+  ];
+  if (report.samples.length > 0) {
+    lines.push('', '       t s           x           y          vx          vy    angle');
+    for (const [t, ...rest] of report.samples) {
+      const cells = rest.map((value, i) => (i < 4 ? value.toFixed(3).padStart(12) : value.toFixed(4).padStart(9)));
+      lines.push(t.toFixed(4).padStart(10) + cells.join(''));
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+function eventInWords(event: RunEvent): string {
+  switch (event.type) {
+    case 'press':
+    case 'release':
+      return event.type;
+    case 'target':
+      return `target: ${objectName('asteroid', event.index)}`;
+    case 'mineral':
+      return `${objectName('mineral', event.index)} collected`;
+    case 'enter':
+    case 'leave':
+      return `${event.type}s the field of ${objectName('repulsor', event.index)}`;
+    case 'effect':
+      return effectEventInWords(event);
+    case 'wake':
+      return `${objectName('alien', event.index)} wakes`;
+    case 'sleep':
+      return `${objectName('alien', event.index)} falls asleep`;
+    case 'explosion':
+      return `${event.aliens.map((index) => objectName('alien', index)).join(' and ')} explode`;
+    case 'completed':
+    case 'collided':
+    case 'lost':
+      return event.with === null ? event.type : `${event.type}: touches ${bodyInWords(event.with)}`;
+  }
 }

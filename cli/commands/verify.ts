@@ -8,45 +8,13 @@ import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import {
-  colorsFor,
-  Failure,
-  filesBelow,
-  firstPack,
-  hearSignals,
-  namedPath,
-  once,
-  print,
-  readRegularFile,
-  STDIN,
-  siblingHint,
-  statOrError,
-  systemReason,
-  visibleLine,
-} from '../io/index.ts';
+import { colorsFor, Failure, filesBelow, firstPack, hearSignals, namedPath, once, print, readRegularFile, STDIN, siblingHint, statOrError, systemReason, visibleLine } from '../io/index.ts';
 import { jobsOption } from '../options.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
 import { maxWorkOption, type TermsOptions } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
-import {
-  addPlayOptions,
-  countsPretty,
-  deskSettings,
-  itemOfFile,
-  itemOfLine,
-  linesOf,
-  PlayDesk,
-  type PlayItem,
-  type PlayOptions,
-  playAccuracyOption,
-  playPretty,
-  playSettings,
-  startThreads,
-  unusableInWords,
-  unusableLevels,
-  verifyInOrder,
-} from '../verify/index.ts';
+import { addPlayOptions, countsPretty, deskSettings, itemOfFile, itemOfLine, linesOf, PlayDesk, type PlayItem, type PlayOptions, playAccuracyOption, playPretty, playSettings, startThreads, unusableInWords, unusableLevels, verifyInOrder } from '../verify/index.ts';
 
 /** Plays in files that are read together. */
 const TOGETHER = 32;

@@ -6,8 +6,7 @@ import { Failure, namedPath } from '../io/index.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { termsSaid } from '../terms.ts';
 import type { Comparison, FileVersion, Pair, Side } from './comparison.ts';
-import { GIT, readObjects, shallowHint, splitNul, treeOf } from './git.ts';
-import { termsInTree } from './side-terms.ts';
+import { GIT, readObjects, shallowHint, splitNul, treeOf, termsInTree } from './side-terms.ts';
 
 /** What is compared with what. */
 export interface Revisions {

@@ -13,8 +13,7 @@ import {
 import { conflictProblems, isSame, type LevelReading, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { nameOfFile } from '../io/index.ts';
-import type { FileVersion } from './comparison.ts';
-import type { DiffedLevel, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
+import type { FileVersion, DiffedLevel, DiffStatus, DiffTask, JudgedVersion } from './comparison.ts';
 
 type ValidReading = Extract<LevelReading, { readonly ok: true }>;
 

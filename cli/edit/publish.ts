@@ -20,8 +20,7 @@ import { FileFailure } from '../file-failure.ts';
 import { Failure } from '../io/index.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { findLevel } from './level-files.ts';
-import { Refusal } from './refusal.ts';
-import { unknownLevel } from './refusals.ts';
+import { Refusal, unknownLevel } from './refusal.ts';
 
 export interface PublishOptions {
   /** The folder's real path. */

@@ -1,8 +1,7 @@
 import { type Batch, entriesOf, openPool, readBytes, sizeOf } from '../io/index.ts';
-import { contentHash, DIGEST, entryHash } from './digest.ts';
+import { contentHash, DIGEST, entryHash, shardOf } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';
-import { shardOf } from './rule.ts';
 import type { Done, Task } from './worker.ts';
 
 /**

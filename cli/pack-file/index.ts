@@ -11,7 +11,7 @@ import {
 } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
 import { type FoundPack, levelIdOf, NotAFile, readRegularFile, sortedByPlay, systemReason } from '../io/index.ts';
-import type { ShownProblem } from '../shown-problem.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 
 /** What was found about a pack file. */
 export interface CheckedPack {

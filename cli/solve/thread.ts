@@ -1,5 +1,5 @@
 import { Worker } from 'node:worker_threads';
-import type { Answer, Request, WorkerData } from './messages.ts';
+import type { Answer, Request, WorkerData } from './settings.ts';
 
 type AnswerOf<K> = Extract<Answer, { kind: K }>;
 

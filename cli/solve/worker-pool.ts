@@ -1,10 +1,8 @@
 import type { Hold } from '../../schema/index.ts';
 import type { Robustness } from '../../solver/index.ts';
 import type { Limits } from '../search-options.ts';
-import { LANES, PROOF_LANE, type Round } from './lane-numbers.ts';
-import type { LaneState } from './messages.ts';
+import { LANES, PROOF_LANE, type Round, type LaneState, type SolveSettings } from './settings.ts';
 import { type Found, searchInRounds } from './rounds.ts';
-import type { SolveSettings } from './settings.ts';
 import { startThread } from './thread.ts';
 
 /** Threads that share a search. */

@@ -5,7 +5,7 @@ import { ACCURACIES } from '../../../engine/index.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../../engine/work-precision/index.ts';
 import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accuracy/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../../accuracy/index.ts';
+import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
 import { chooseRun } from '../../chosen-run.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';

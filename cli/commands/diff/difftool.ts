@@ -72,7 +72,7 @@ async function compare(
 async function show([before, after, path]: readonly string[], open: boolean): Promise<CommandResult> {
   const { diff, settings } = await compare(before, after, path);
   const name = path ?? after;
-  const { diffPage } = await import('./page/index.ts');
+  const { diffPage } = await import('./page.ts');
   const page = diffPage(diff, (i) => playVersions(diff.pairs[i], diff.levels[i], settings));
   const folder = mkdtempSync(join(tmpdir(), 'gq-diff-'));
   const file = join(folder, `${basename(name).replace(/[^\w.-]/g, '_')}.html`);

@@ -8,8 +8,7 @@ import { type Hold, type Level, rulesOf, type Verdict } from '../../../schema/in
 import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../diff/index.ts';
 import { visibleLine } from '../../io/index.ts';
 import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from './text.ts';
-import { PLAYER } from './page-parts.ts';
-import { STYLE } from './page/style.ts';
+import { PLAYER, STYLE } from './page-parts.ts';
 
 /** Pictures take most of the room: further levels have words only. */
 const MOST_PICTURES = 60;
@@ -219,4 +218,28 @@ function controlsOf(
     `${lane('before', 6)}${lane('after', 38)}${edges.join('')}<line class="head" x1="0" x2="0" y1="0" y2="62"/></svg>` +
     `<p class="ends">${ends.join('')}</p>${said === '' ? '' : `<p class="edges">Moved: ${html(said)}${moved.length > 12 ? ', …' : ''}</p>`}`
   );
+}
+
+/** How a picture is drawn. */
+export interface PictureOptions {
+  readonly width: number;
+  readonly theme: 'dark' | 'light';
+}
+
+/** The run of a version with the label of its timeline. */
+export const labelled = (when: string, { level, run, judged }: PlayedVersion) =>
+  run === null || judged === null ? [] : [{ run, label: `${when}: ${judged.name}, ${outcomeInWords(run, level.range)}` }];
+
+/** Both versions of a level in one picture; a level that is there on one side only is drawn alone. null: there is none. */
+export function diffSvg(diffed: DiffedLevel, { before, after, marks }: PlayedVersions, options: PictureOptions): string | null {
+  const only = before ?? after;
+  if (only === null) return null;
+  const name = (after ?? only).level.name;
+  if (before === null || after === null) {
+    const note = diffed.before === null ? 'added' : diffed.after === null ? 'removed' : linesOf(diffed).join('; ');
+    return renderSvg(only.level, { ...(only.run !== null && { run: only.run }), ...options, note });
+  }
+  const note = [...linesOf(diffed), ...diffed.effects].join('; ');
+  const runs = [...labelled('before', before), ...labelled('after', after)];
+  return renderComparison(before.level, after.level, marks, { ...options, runs, title: name, note }).svg;
 }

@@ -13,18 +13,8 @@ import { parseHolds } from '../../holds-option.ts';
 import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../level-source.ts';
 import { seedOption, wholeNumberOption } from '../../options.ts';
-import { loadPngRenderer } from '../../png.ts';
+import { loadPngRenderer, type View, viewAllRuns, viewExploration, viewFan, viewProof, viewRun, viewSoftlocks, viewSolved } from './views.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import {
-  type View,
-  viewAllRuns,
-  viewExploration,
-  viewFan,
-  viewProof,
-  viewRun,
-  viewSoftlocks,
-  viewSolved,
-} from '../../render/index.ts';
 import { expectMinerals, mineralsOption } from '../../search-options.ts';
 import { type Solved, solveLevel } from '../../solve/index.ts';
 import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';

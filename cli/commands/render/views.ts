@@ -3,20 +3,12 @@ import { effortInWords, outcomeInWords, plural } from '../../../check/words/inde
 import { joinHolds, type Run, type Scene, simulate, TICK } from '../../../engine/index.ts';
 import type { RenderOptions } from '../../../picture/index.ts';
 import { type Hold, objectName } from '../../../schema/index.ts';
-import {
-  createRandom,
-  createSearch,
-  createSoftlockSurvey,
-  type Goal,
-  LIVES_ON,
-  proofPicture,
-  type Search,
-  type Standing,
-} from '../../../solver/index.ts';
+import { createRandom, createSearch, createSoftlockSurvey, type Goal, LIVES_ON, proofPicture, type Search, type Standing } from '../../../solver/index.ts';
 import type { ChosenRun } from '../../chosen-run.ts';
 import { percent } from '../../report-parts/index.ts';
 import { withinWorkOf } from '../../run-report.ts';
 import type { Solved } from '../../solve/index.ts';
+import { Failure } from '../../io/index.ts';
 
 /** What a picture shows, apart from its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {
@@ -100,7 +92,7 @@ function shifted(edges: readonly number[], shifts: readonly number[]): Hold[] {
 }
 
 /** The settings of a search for pictures. */
-export interface Exploration {
+interface Exploration {
   readonly goal: Goal;
   readonly seed: number;
   /** ticks */
@@ -159,5 +151,35 @@ export function viewSoftlocks(scene: Scene, { effort, seed }: Pick<Exploration, 
       `Of ${plural(states.examined, 'state')}, ${states.open} can still reach the black hole. After ${lasting.proved} that are proved ` +
       `lost, and ${lasting.notFound} from which no run was found, she lives on for a second and more.`,
     lost: { states: marked(survey.states.filter(({ alive }) => alive >= LIVES_ON)), places: marked(survey.places) },
+  };
+}
+
+/** The package that draws PNGs: a native module, which not every installation has. */
+const PACKAGE = '@resvg/resvg-js';
+
+/** Draws an SVG as a PNG of a width, px; the height keeps the aspect ratio. Throws if it can't read the SVG. */
+type PngRenderer = (svg: string, width: number) => Uint8Array;
+
+/**
+ * Loads what draws PNGs. It is slow to load, so only those who want a PNG call this.
+ * @throws {Failure} when the package is not installed, or not for this platform
+ */
+export async function loadPngRenderer(load = () => import('@resvg/resvg-js')): Promise<PngRenderer> {
+  const { Resvg } = await load().catch((error: unknown) => {
+    const code = (error as NodeJS.ErrnoException | null)?.code;
+    // the package itself is missing, or the part of it for this platform
+    const isMissing = code === 'ERR_MODULE_NOT_FOUND' || code === 'MODULE_NOT_FOUND';
+    const why = isMissing
+      ? 'not installed'
+      : `not loaded: ${String(error instanceof Error ? error.message : error).split('\n')[0]}`;
+    throw new Failure(
+      `a PNG needs the package ${PACKAGE}, which is ${why}
+install it: npm install --save-dev ${PACKAGE}, or name a file that ends in .svg: an SVG needs no package`,
+    );
+  });
+  // system fonts are loaded only if the built-in strokes don't suffice: that takes long, and fonts differ between machines
+  return (svg, width) => {
+    const font = { loadSystemFonts: svg.includes('<text ') };
+    return new Resvg(svg, { font, fitTo: { mode: 'width', value: width } }).render().asPng();
   };
 }

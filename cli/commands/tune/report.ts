@@ -1,8 +1,7 @@
 import { accuracyInWords, plural } from '../../../check/words/index.ts';
-import { RULES } from '../../../schema/index.ts';
+import { RULES, type TuneReport, RULE_NAMES, type RuleName } from '../../../schema/index.ts';
 import { type Colors, visibleLine } from '../../io/index.ts';
-import type { Change, RuleInterval, Sweep, TunedLevel, TunedState, TuneSettings } from '../../tune/index.ts';
-import { independentRules } from './independent-rules.ts';
+import { type Change, type RuleInterval, type Sweep, type TunedLevel, type TunedState, type TuneSettings, amountsOf } from '../../tune/index.ts';
 
 /** The largest number of columns of the matrix: a line with name and interval has 80 characters. */
 const MOST_COLUMNS = 41;
@@ -117,4 +116,39 @@ export function tuneText(
   const independent = independentRules(looked);
   if (independent.length > 0) lines.push(`no level depends on ${independent.join(', ')}`);
   return `${lines.join('\n')}\n`;
+}
+
+/** The results of `tune` as JSON. */
+export function tuneJson(levels: readonly TunedLevel[], { terms, changes, sweep }: TuneSettings): string {
+  const report: TuneReport = {
+    version: 1,
+    accuracy: terms.accuracy.name,
+    changes: changes.map((change) => ({ ...change })),
+    sweep: sweep === null ? null : { rule: sweep.rule, isRelative: sweep.isRelative, amounts: amountsOf(sweep) },
+    levels: levels.map(({ file, name, terms: own, run, room, values, intervals, why }) => ({
+      file,
+      name,
+      terms: own,
+      run,
+      room,
+      values: values.map(({ value, state, holds }) => ({
+        value,
+        state,
+        holds: holds?.map(([press, release]) => [press, release] as [number, number]) ?? null,
+      })),
+      intervals: intervals.map((interval) => ({ ...interval })),
+      why: why === '' ? null : why,
+    })),
+    independent: independentRules(levels),
+  };
+  return `${JSON.stringify(report)}\n`;
+}
+
+/** The rules that were tried and that no level depends on. */
+function independentRules(levels: readonly TunedLevel[]): RuleName[] {
+  const intervals = levels.flatMap((level) => level.intervals);
+  return RULE_NAMES.filter((name) => {
+    const tried = intervals.filter(({ rule }) => rule === name);
+    return tried.length > 0 && tried.every(({ matters }) => !matters);
+  });
 }
