@@ -1,6 +1,6 @@
 import { dirname, relative, resolve, sep } from 'node:path';
-import type { Configuration } from '../configuration.ts';
-import { FileFailure } from '../file-failure.ts';
+import type { Configuration } from '../config/index.ts';
+import { FileFailure } from '../report-parts/index.ts';
 import { type FoundFiles, findConfigured, pathsOr } from '../find/index.ts';
 import { Failure, type FoundPack, levelIdOf, sortedByPlay, statOrError, NotAFile, readRegularFile, type StoppingSignal } from '../io/index.ts';
 import { type CheckedPack, checkPackFile } from '../pack-file/index.ts';

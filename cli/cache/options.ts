@@ -1,7 +1,7 @@
 import { type Command, InvalidArgumentError } from 'commander';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
-import { configFolders } from '../config-file.ts';
+import { configFolders } from '../config/index.ts';
 
 /** The values of the options that `addCacheOptions` declares. */
 export interface CacheOptions {

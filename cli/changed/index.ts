@@ -2,7 +2,7 @@ import { realpathSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { plural } from '../../check/words/index.ts';
-import { CONFIG_NAME, configFolders } from '../config-file.ts';
+import { CONFIG_NAME, configFolders } from '../config/index.ts';
 import { Failure, Git, visibleLine } from '../io/index.ts';
 import { findBase } from './base.ts';
 

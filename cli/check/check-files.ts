@@ -1,5 +1,5 @@
 import { setMaxListeners } from 'node:events';
-import { hearSignals, isStream, openPool, type StoppingSignal, statOrError, stoppable } from '../io/index.ts';
+import { hearSignals, isStream, openPool, runInParts, type StoppingSignal, statOrError, stoppable } from '../io/index.ts';
 import type { CheckedFile, checkLevel } from './check-level.ts';
 import { type CheckedLevel, type CheckSettings, crashedLevel } from './checked-level.ts';
 import type { LevelCache } from './level-cache.ts';
@@ -168,16 +168,17 @@ async function checkInWorkers(
     onProgress(done);
     return reports;
   };
-  const runBatch = async (batch: readonly string[]): Promise<CheckedFile[]> => {
-    try {
-      return await pool.run({ files: batch, ...work } satisfies Batch, { signal: enough.signal });
-    } catch (error) {
-      if (stopping?.aborted || enough.signal.aborted) return [];
-      if (batch.length === 1) return [{ level: crashedLevel(batch[0], error, work.settings.terms), kept: null }];
-      // the worker died with the whole batch: check its levels one at a time to find the one that kills it
-      return (await Promise.all(batch.map((file) => runBatch([file])))).flat();
-    }
-  };
+  const runBatch = (batch: readonly string[]): Promise<CheckedFile[]> =>
+    runInParts(
+      (part): Promise<CheckedFile[]> => pool.run({ files: part, ...work } satisfies Batch, { signal: enough.signal }),
+      batch,
+      {
+        split: (files) => files.map((file) => [file]),
+        join: (reports) => reports.flat(),
+        crashed: ([file], error) => [{ level: crashedLevel(file, error, work.settings.terms), kept: null }],
+        stopped: () => (stopping?.aborted || enough.signal.aborted ? [] : null),
+      },
+    );
   // ends the workers, which rejects what they have not finished
   const stop = (): void => void pool.destroy();
   stopping?.addEventListener('abort', stop);

@@ -1,15 +1,13 @@
-import { completingRuns, examineRuns, findingsOf, mineralsToProve, playRuns, problemsOf, proofBudget, proveGoalImpossible, proveMineralsLost, softlocksOf, ticksToAgree, tightRuns, verdictOfFindings, withinWork, type Hints, type Searched, type Softlocks } from '../../check/index.ts';
+import { type Brief, brief, completingRuns, examineRuns, findingsOf, mineralsToProve, problemsOf, proveMineralsLost, softlocksOf, ticksToAgree, tightRuns, verdictOfFindings, withinWork, type Hints, type Searched, type Softlocks } from '../../check/index.ts';
 import { termsReport } from '../../check/words/index.ts';
 import { compile, isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
 import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun, type Level, type SoftlockReport } from '../../schema/index.ts';
 import { createSoftlockSurvey, type Proof, type SoftlockSurvey, createDecider } from '../../solver/index.ts';
-import { showProblems } from '../code-frames.ts';
+import { byHolds, showProblems } from '../report-parts/index.ts';
 import { Failure, readBytes, shellPath } from '../io/index.ts';
-import { type OpenedLevel, placed } from '../level-source.ts';
-import { reportRun } from '../run-report.ts';
+import { type OpenedLevel, placed, reportRun } from '../levels/index.ts';
 import { ANYWHERE, atFile, mayMention, type KeptLevel, keptLevel } from './level-cache.ts';
 import { type CheckedLevel, type CheckSettings, type RunInBrief, type SearchSettings, withKeys, crashedLevel, refusedLevel, unreadableLevel } from './checked-level.ts';
-import { byHolds } from '../report-parts/index.ts';
 
 /** The report for a file. */
 export interface CheckedFile {
@@ -66,16 +64,13 @@ function refused(file: string, problems: readonly Problem[], text: string, terms
 
 function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): Judgement {
   const { terms, requireSlack, search } = settings;
-  // each part of a check has a budget of its own, so that none uses up another's
-  const scene = compile(level, terms);
-  const budget = new WorkBudget(terms.maxWork);
-  const proofs = proofBudget(scene);
-  const scripted = playRuns(scene, budget);
+  const judged = brief(level, terms);
+  const { scene, runs: scripted, budget, proofs } = judged;
   const completing = scripted.findIndex(({ outcome }) => outcome === 'completed');
-  const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(scene, settings, proofs);
+  const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(judged, settings);
 
-  const shown = found ?? chosen(level.runs, scripted, Math.max(completing, 0));
-  const { run: brief, report } = inWords(scene, shown, settings, budget);
+  const shown = found ?? chosen(level.runs, scripted, judged.shown ?? 0);
+  const { run: shownRun, report } = inWords(scene, shown, settings, budget);
   const runs = examineRuns(level, scripted, { scene, budget, found: found?.run });
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
@@ -94,7 +89,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     },
     lost: proveMineralsLost(scene, asked, proofs),
   });
-  const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, budget) } : brief;
+  const run = settings.forLock && shownRun !== null ? { ...shownRun, ...lockedRun(scene, shown!, document, budget) } : shownRun;
   const isAnywhere = !mayMention(document.text);
   const hints = commandHints(isAnywhere ? ANYWHERE : shellPath(file));
   const problems = problemsOf(findings, hints).map((problem) => placed(problem, document));
@@ -142,10 +137,9 @@ interface WithoutRun {
 
 const NOT_NEEDED: WithoutRun = { impossible: null, searched: null, found: null };
 
-/** For a level that none of its own runs completes: always tries proofs, and searches on request. */
-function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): WithoutRun {
+/** For a level that none of its own runs completes, and that is perhaps proved to be impossible: searches on request. */
+function withoutRun({ scene, impossible }: Brief, settings: CheckSettings): WithoutRun {
   const { search } = settings;
-  const impossible = proveGoalImpossible(scene, { minerals: 'any' }, budget);
   if (impossible !== null || search === null) return { ...NOT_NEEDED, impossible };
   const searched = search.claimed === undefined ? searchLevel(scene, search, settings) : unsearched(search.claimed);
   if (searched.found === null) return { ...NOT_NEEDED, impossible: searched.impossible, searched };
@@ -178,9 +172,9 @@ function inWords(
   budget: WorkBudget,
 ): Pick<CheckedLevel, 'run' | 'report'> {
   if (shown === null || shown.run.stopped !== null) return { run: null, report: null };
-  const brief = withinWork(budget, () => inBrief(shown));
-  if (brief === null || !inFull) return { run: brief, report: null };
-  return { run: brief, report: withinWork(budget, () => reportRun(scene, shown.holds, shown.run, null)) };
+  const run = withinWork(budget, () => inBrief(shown));
+  if (run === null || !inFull) return { run, report: null };
+  return { run, report: withinWork(budget, () => reportRun(scene, shown.holds, shown.run, null)) };
 }
 
 function inBrief({ name, run }: PlayedRun): RunInBrief {

@@ -1,6 +1,6 @@
 import type { Terms } from '../../engine/basics/index.ts';
 import type { Allowed, Hold, RunReport, SoftlockReport, TermsReport, Verdict } from '../../schema/index.ts';
-import type { Limits } from '../search-options.ts';
+import type { Limits } from '../options/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import { termsReport } from '../../check/words/index.ts';
 import { nameOfFile } from '../io/index.ts';

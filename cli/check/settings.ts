@@ -1,7 +1,6 @@
-import type { Configuration } from '../configuration.ts';
+import type { Configuration, ConfiguredTerms } from '../config/index.ts';
 import { Failure } from '../io/index.ts';
-import { limitsOf, type SearchOptions } from '../search-options.ts';
-import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
+import { limitsOf, type SearchOptions, termsFrom, type TermsOptions } from '../options/index.ts';
 import type { CheckSettings, CheckedLevel } from './checked-level.ts';
 
 /**

@@ -5,17 +5,12 @@ import { plural } from '../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../picture/difficulty/index.ts';
 import type { Goal } from '../../solver/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type CollectedPlays, collectPlays, curvesInWords, curvesOf, difficultyJson, difficultyPretty, type MeasuredLevel, type MeasureSettings, measureLevels, measureSettings, refusedPlays, causeInWords } from '../difficulty/index.ts';
 import { findConfigured, PATHS, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
 import { colorsFor, createProgress, createStatusLine, expectOutput, Failure, firstPack, levelsRead, namedPath, visibleLine, widthOf, writeWhole, readBytes } from '../io/index.ts';
-import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { mineralsOption, USUAL_EFFORT } from '../search-options.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
-import { addTermsOptions, type TermsOptions } from '../terms.ts';
-import { refuseUnused } from '../unused-options.ts';
+import { addShardOptions, addTermsOptions, collect, formatOption, jobsOption, mineralsOption, refuseBesidesPlan, refuseUnused, seedOption, type ShardOptions, type TermsOptions, USUAL_EFFORT, wholeNumberOption } from '../options/index.ts';
 import { compile, simulate, type Terms } from '../../engine/index.ts';
 import { renderSvg } from '../../picture/index.ts';
 import { readLevel } from '../../schema/index.ts';
@@ -108,7 +103,7 @@ async function measure(paths: readonly string[], options: Options, command: Comm
     { option: '--theme', isUsed: svg !== undefined || picture !== undefined, needs: '--svg or --picture' },
     { option: '--picture', isUsed: options.plays !== undefined, needs: '--plays' },
   ]);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const asked = measureSettings(options, configuration);
   const { files, packs, unreadable } = await findConfigured(paths, configuration);
   if (picture !== undefined && files.length !== 1) {

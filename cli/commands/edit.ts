@@ -3,11 +3,10 @@ import type { Command } from 'commander';
 import { placeFragment } from '../../schema/index.ts';
 import { GAME } from '../build/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
 import { catchSignals, visible } from '../io/index.ts';
-import { wholeNumberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
+import { wholeNumberOption } from '../options/index.ts';
 
 interface EditOptions extends ConfigOptions {
   readonly port?: number;
@@ -58,7 +57,7 @@ async function edit(dir: string | undefined, options: EditOptions): Promise<void
   const wanted = typeof options.open === 'string' ? options.open : undefined;
   const { folder, place } = openedPlace(dir, wanted, options.run);
   // an invalid configuration is an error at the start; later the page reports it
-  readConfiguration(options);
+  await readConfiguration(options);
   const { port = null, config } = options;
   const server = await startServer({ folder, port, configFrom: process.cwd(), config, page: PAGE, game: GAME, onCrash });
   const fragment = place === null ? '' : placeFragment(place);

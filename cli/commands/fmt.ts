@@ -1,14 +1,12 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds, type FmtReport } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
+import { problemJson, showFileProblems, type ShownProblem, showProblems } from '../report-parts/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../find/index.ts';
 import { colorsFor, Failure, hearSignals, isPackFile, namedPath, once, packFormat, readBytes, readStdin, stdinName, visible, visibleLine, whyNotWritable, writeWhole, type Colors, shellPath } from '../io/index.ts';
-import { formatOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { showFileProblems, problemJson, type ShownProblem } from '../report-parts/index.ts';
+import { formatOption } from '../options/index.ts';
 import { placesOf, type Annotation, type Places, pathInWorkspace, workflowCommands } from '../reporters/index.ts';
 import { plural } from '../../check/words/index.ts';
 
@@ -50,7 +48,7 @@ const NOTHING: FoundFiles = { files: [], packs: [], unreadable: [] };
 async function fmt(paths: readonly string[], options: FmtOptions): Promise<CommandResult> {
   const stdin = stdinName(paths, options.stdinPath);
   if (stdin !== null) return fmtStdin(stdin, options);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const named = paths.filter(isPackFile);
   const rest = paths.filter((path) => !isPackFile(path));
   const found = named.length > 0 && rest.length === 0 ? NOTHING : await findConfigured(rest, configuration);

@@ -2,12 +2,11 @@ import { basename, join } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { formatLevel, type ImportReading, importOriginal, importTiled, isTiledMap, MAX_FILE_SIZE, type ImportReport } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
+import { showFileProblems, showProblems } from '../report-parts/index.ts';
 import type { CommandResult } from '../command.ts';
 import { colorsFor, differing, Failure, namedPath, Outputs, type PlannedFile, planFile, readBytes, writeAll, visibleLine } from '../io/index.ts';
-import { formatOption } from '../options.ts';
-import { showFileProblems } from '../report-parts/index.ts';
-import { schemaReference } from '../schema-reference.ts';
+import { formatOption } from '../options/index.ts';
+import { schemaReference } from '../levels/index.ts';
 import { plural } from '../../check/words/index.ts';
 
 interface ImportOptions {

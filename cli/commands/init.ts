@@ -4,7 +4,7 @@ import type { InitReport } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { type Ci, chooseCi, type Plan, planProject } from '../init/index.ts';
 import { planFile, shellPath, writeAll, visibleLine } from '../io/index.ts';
-import { formatOption } from '../options.ts';
+import { formatOption } from '../options/index.ts';
 
 interface InitOptions {
   readonly ci?: Ci;

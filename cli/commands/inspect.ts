@@ -4,12 +4,10 @@ import { playRuns, withinWork } from '../../check/index.ts';
 import { termsReport, plural } from '../../check/words/index.ts';
 import { compile, type Work, WorkBudget, type Mode, type Scene } from '../../engine/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { colorsFor, widthOf, type Colors, visibleLine } from '../io/index.ts';
-import { openLevel, warningsOf } from '../level-source.ts';
-import { formatOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
+import { openLevel, warningsOf } from '../levels/index.ts';
+import { addTermsOptions, formatOption, termsFrom, type TermsOptions } from '../options/index.ts';
 import { type InspectReport, isVariant, KINDS, type Level, LISTED_KINDS, type ListedKind, listOf, type TermsReport } from '../../schema/index.ts';
 import { problemJson, alignColumns, showFileProblems, type ShownProblem } from '../report-parts/index.ts';
 
@@ -33,11 +31,11 @@ Examples:
   $ gq inspect levels/01-first-pull.level.json
   $ gq inspect levels/01-first-pull.level.json --format json | jq .effects.notCalledFor`,
     )
-    .action((file: string, options: InspectOptions) => finish(inspect(file, options)));
+    .action(async (file: string, options: InspectOptions) => finish(await inspect(file, options)));
 }
 
-function inspect(file: string, options: InspectOptions): CommandResult {
-  const terms = termsFrom(options, readConfiguration(options));
+async function inspect(file: string, options: InspectOptions): Promise<CommandResult> {
+  const terms = termsFrom(options, await readConfiguration(options));
   const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
   const { level } = opened;

@@ -3,12 +3,10 @@ import { type Command, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CommandResult } from '../command.ts';
-import { noConfiguration } from '../configuration.ts';
+import { noConfiguration, readConfiguration } from '../config/index.ts';
 import { Failure, readBytes, shellPath, systemReason, visibleLine, writeWhole } from '../io/index.ts';
 import { type MergedFile, mergeFiles, mergeText, playAgain } from '../merge-driver/index.ts';
-import { wholeNumberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { termsFrom } from '../terms.ts';
+import { termsFrom, wholeNumberOption } from '../options/index.ts';
 
 interface Options {
   readonly markerSize: number;
@@ -67,7 +65,7 @@ async function drive(paths: Paths, options: Options): Promise<CommandResult> {
   const say = (text: string) => `${visibleLine(`${paths.path}: ${text}`)}\n`;
   try {
     const notes: string[] = [];
-    const terms = termsOfFolder(dirname(resolve(paths.path)), notes);
+    const terms = await termsOfFolder(dirname(resolve(paths.path)), notes);
     const merged = mergeOrSayWhy(paths, terms);
     const result = await finishMerge(merged, paths, options, terms);
     return { messages: [...notes, ...result.messages].map(say).join(''), exitCode: result.exitCode };
@@ -88,9 +86,9 @@ function mergeOrSayWhy({ base, ours, theirs }: Paths, { rules }: Terms): MergedF
 }
 
 /** The terms of a folder. A configuration that is broken in the middle of a merge must not stop the merge of levels. */
-function termsOfFolder(folder: string, notes: string[]): Terms {
+async function termsOfFolder(folder: string, notes: string[]): Promise<Terms> {
   try {
-    return termsFrom({}, readConfiguration({}, folder));
+    return termsFrom({}, await readConfiguration({}, folder));
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     const terms = termsFrom({}, noConfiguration());

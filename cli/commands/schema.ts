@@ -9,8 +9,7 @@ import {
   type ReportName,
 } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
-import { didYouMean } from '../did-you-mean.ts';
-import { Failure } from '../io/index.ts';
+import { didYouMean, Failure } from '../io/index.ts';
 
 interface PrintedSchema {
   readonly about: string;

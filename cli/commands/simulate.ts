@@ -2,16 +2,12 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { compile, effectEventInWords, type Run, type RunEvent } from '../../engine/index.ts';
 import { type Hold, type Level, type SimulateReport, objectName, type RunReport } from '../../schema/index.ts';
-import { chooseRun } from '../chosen-run.ts';
+import { chooseRun, parseHolds } from '../runs/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
-import { parseHolds } from '../holds-option.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { colorsFor, Failure, type Colors, visibleLine } from '../io/index.ts';
-import { openLevel } from '../level-source.ts';
-import { formatOption, numberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { reportRun, withinWorkOf } from '../run-report.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
+import { openLevel, reportRun, withinWorkOf } from '../levels/index.ts';
+import { addTermsOptions, formatOption, numberOption, termsFrom, type TermsOptions } from '../options/index.ts';
 import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
 
 const MAX_SAMPLES = 1_000_000;
@@ -50,12 +46,12 @@ Examples:
   $ gq simulate levels/01-first-pull.level.json --integrator rk4 --rate 240
   $ gq simulate levels/01-first-pull.level.json --holds 12-96,130-188 --format json | jq .outcome`,
     )
-    .action((file: string, options: SimulateOptions) => finish(play(file, options)));
+    .action(async (file: string, options: SimulateOptions) => finish(await play(file, options)));
 }
 
-function play(file: string, options: SimulateOptions): CommandResult {
+async function play(file: string, options: SimulateOptions): Promise<CommandResult> {
   const { sample } = options;
-  const terms = termsFrom(options, readConfiguration(options));
+  const terms = termsFrom(options, await readConfiguration(options));
   const { maxTime } = terms;
   if (sample !== undefined && sample * maxTime > MAX_SAMPLES) {
     throw new Failure(

@@ -4,18 +4,13 @@ import type { Command } from 'commander';
 import type { Level } from '../../schema/index.ts';
 import type { Goal, Objective } from '../../solver/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { findConfigured, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
 import { colorsFor, createStatusLine, entryName, Failure, packFormat, statOrError, uncut, visibleLine, type Colors, visible } from '../io/index.ts';
-import { type OpenedFile, openLevel } from '../level-source.ts';
-import { formatOption, jobsOption, wholeNumberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { expectWritable } from '../replace-level.ts';
-import { addSearchOptions, expectMinerals, limitsOf, mineralsOption, objectiveOption, type SearchOptions } from '../search-options.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
+import { expectWritable, type OpenedFile, openLevel } from '../levels/index.ts';
+import { addSearchOptions, addShardOptions, addTermsOptions, expectMinerals, formatOption, jobsOption, limitsOf, mineralsOption, objectiveOption, refuseBesidesPlan, type SearchOptions, type ShardOptions, type TermsOptions, wholeNumberOption } from '../options/index.ts';
 import { addRuns, askedRuns, progressText, type Solved, type SolveSettings, settingsFor, solveLevel, solveReport, type SolvedRun } from '../solve/index.ts';
-import { addTermsOptions, type TermsOptions } from '../terms.ts';
 import { accuracyInWords, countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
 import { closestRunInWords, robustnessLines } from '../report-parts/index.ts';
 
@@ -83,7 +78,7 @@ function isOfMany(path: string): boolean {
 async function solveMany(paths: readonly string[], options: Options): Promise<CommandResult> {
   const given = options.write ? '--write' : options.run !== undefined ? '--run' : null;
   if (given !== null) throw new Failure(`${given} is for a single level file: leave it out, or solve the levels one at a time`);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const settings = { ...askedRuns(options, configuration), limits: limitsOf(options) };
   const { files, unreadable } = await findConfigured(paths, configuration);
   if (unreadable.length > 0) throw unreadableFolders(unreadable);
@@ -91,7 +86,7 @@ async function solveMany(paths: readonly string[], options: Options): Promise<Co
 }
 
 async function solveOne(file: string, options: Options): Promise<CommandResult> {
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const asked = askedRuns(options, configuration);
   const opened = openLevel(file, configuration);
   if (!('level' in opened)) return opened;

@@ -5,7 +5,7 @@ import { Argument, type Command } from 'commander';
 import type { CommandResult } from '../command.ts';
 import { arrayJob, gather, logsOf, maxArraySize, mergeJob, type Plan, rangesOf, readPlan, readRanges, reportOf, type SlurmOrder, submission, submitJob, USUAL_ARRAY_SIZE } from '../fleet/index.ts';
 import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../io/index.ts';
-import { wholeNumberOption } from '../options.ts';
+import { wholeNumberOption } from '../options/index.ts';
 
 interface Options {
   readonly plan: string;

@@ -5,15 +5,11 @@ import { type Command, Option } from 'commander';
 import { PLAY_LIMITS } from '../../game/index.ts';
 import type { VerifyReport } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
 import { colorsFor, Failure, filesBelow, firstPack, hearSignals, namedPath, once, print, readRegularFile, STDIN, siblingHint, statOrError, systemReason, visibleLine } from '../io/index.ts';
-import { jobsOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../shard-options.ts';
-import { maxWorkOption, type TermsOptions } from '../terms.ts';
-import { refuseUnused } from '../unused-options.ts';
+import { addShardOptions, jobsOption, maxWorkOption, refuseBesidesPlan, refuseUnused, type ShardOptions, type TermsOptions } from '../options/index.ts';
 import { addPlayOptions, countsPretty, deskSettings, itemOfFile, itemOfLine, linesOf, PlayDesk, type PlayItem, type PlayOptions, playAccuracyOption, playPretty, playSettings, startThreads, unusableInWords, unusableLevels, verifyInOrder } from '../verify/index.ts';
 
 /** Plays in files that are read together. */
@@ -72,7 +68,7 @@ async function verify(paths: readonly string[], options: Options, command: Comma
     throw new Failure('the path - reads plays from standard input: expected no other path with it (./- is a file of that name)');
   }
   refuseUnused(command, [{ option: '--now', isUsed: options.challengeKey !== undefined, needs: '--challenge-key' }]);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const found = isStdin ? null : findPlays(paths);
   const { settings, unreadable } = await playSettings(options, configuration);
   if (found !== null && firstPack(found.files) !== undefined) {

@@ -1,4 +1,5 @@
 import { existsSync } from 'node:fs';
+import process from 'node:process';
 import { Failure, namedPath, siblingHint, readBytes, statOrError } from '../io/index.ts';
 import { compareInGit, mergeBase, type Revisions } from './compare-git.ts';
 import type { Comparison, FileVersion, Pair } from './comparison.ts';
@@ -6,8 +7,7 @@ import { GIT, shallowHint, treeOf, termsOfFolder } from './side-terms.ts';
 import { dirname, relative, resolve } from 'node:path';
 import { isSame } from '../../schema/index.ts';
 import { findLevelFiles } from '../find/index.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { termsSaid } from '../terms.ts';
+import { readConfiguration, termsSaid } from '../config/index.ts';
 
 /** What stands on the command line. */
 interface DiffArguments {
@@ -118,11 +118,11 @@ const isFolder = (path: string): boolean => {
  * @param name what to call the file in reports, its path in the repository: the configuration of its folder applies; by default each
  *   has its own path, and the configuration is that of the working directory
  */
-export function compareFiles(before: string, after: string, name?: string): Comparison {
+export async function compareFiles(before: string, after: string, name?: string): Promise<Comparison> {
   const read = (path: string): FileVersion | null => (NOTHING.test(path) ? null : { path: name ?? path, bytes: readBytes(path) });
   const pair = { before: read(before), after: read(after) };
   const isEqual = pair.before !== null && pair.after !== null && Buffer.compare(pair.before.bytes, pair.after.bytes) === 0;
-  const configured = termsSaid(name === undefined ? readConfiguration({}) : readConfiguration({}, dirname(resolve(name))));
+  const configured = termsSaid(await readConfiguration({}, name === undefined ? process.cwd() : dirname(resolve(name))));
   return {
     before: { label: name === undefined ? before : `${name} before`, configured },
     after: { label: name === undefined ? after : `${name} after`, configured },

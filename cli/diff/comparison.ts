@@ -1,4 +1,5 @@
-import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
+import { type ConfiguredTerms } from '../config/index.ts';
+import { type TermsOptions, termsFrom } from '../options/index.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { Change, Standing } from '../../review/index.ts';
 import type { TermsReport, Verdict } from '../../schema/index.ts';

@@ -11,7 +11,7 @@ import {
   standingInWords,
 } from '../../review/index.ts';
 import { conflictProblems, isSame, type LevelReading, readLevel } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
+import { showProblems } from '../report-parts/index.ts';
 import { nameOfFile } from '../io/index.ts';
 import type { FileVersion, DiffedLevel, DiffStatus, DiffTask, JudgedVersion } from './comparison.ts';
 

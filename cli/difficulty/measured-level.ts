@@ -6,7 +6,8 @@ import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import { type Failure, nameOfFile, runInPool, type FoundPack, levelIdOf, visibleLine } from '../io/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import type { LevelPlays } from './plays/index.ts';
-import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
+import { type ConfiguredTerms } from '../config/index.ts';
+import { type TermsOptions, termsFrom } from '../options/index.ts';
 import { jumpsOf } from '../../check/pack/index.ts';
 import { readPackFile } from '../pack-file/index.ts';
 

@@ -3,7 +3,7 @@ import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { dirname } from 'node:path';
 import { createAdaptorServer } from '@hono/node-server';
-import type { ConfigOptions } from '../config-file.ts';
+import type { ConfigOptions } from '../config/index.ts';
 import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
 import { createAccess, keptKey, keepPort, lastPort } from './access.ts';
 import { createApi } from './api.ts';

@@ -5,7 +5,7 @@ import { PACK_NAME } from '../../schema/index.ts';
 import { systemReason } from '../io/index.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
-import { CONFIG_NAME, type ConfigOptions, configFolders } from '../config-file.ts';
+import { CONFIG_NAME, type ConfigOptions, configFolders } from '../config/index.ts';
 
 /**
  * ms from the first change until the folder or the configuration is read: a checkout changes many files, some more than once, and

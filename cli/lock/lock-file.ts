@@ -1,9 +1,8 @@
 import { dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { formatLock, LOCK_VERSION, type Lock, readLock } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
+import { showFileProblems, showProblems } from '../report-parts/index.ts';
 import { colorsFor, Failure, readBytes, shellPath, statOrError, writeWhole } from '../io/index.ts';
-import { showFileProblems } from '../report-parts/index.ts';
 import { readFileSync } from 'node:fs';
 
 /** A lock file that was read. */

@@ -1,8 +1,10 @@
 import { plural, closestInWords, holdsInWords } from '../../check/words/index.ts';
 import { MORE_WARNINGS, TICK } from '../../engine/basics/index.ts';
-import { type Colors, visible, visibleLine } from '../io/index.ts';
-import type { Problem, CheckReport, RobustnessReport } from '../../schema/index.ts';
+import { type Colors, colorsFor, Failure, visible, visibleLine } from '../io/index.ts';
+import type { CheckReport, Problem, RobustnessReport } from '../../schema/index.ts';
 import type { Robustness, Closest } from '../../solver/index.ts';
+import { codeFrame } from '../../schema/basics/index.ts';
+import process from 'node:process';
 
 /** A run as an option, for the end of a sentence. */
 export const byHolds = (holds: string): string => `, with --holds ${holds}`;
@@ -189,4 +191,38 @@ export function robustnessLines(robustness: Robustness): [label: string, text: s
   for (let i = 0; i < edges.length; i += 4)
     lines.push([i === 0 ? 'slack' : '', `${edges.slice(i, i + 4).join(', ')}${i + 4 < edges.length ? ',' : ' ticks'}`]);
   return lines;
+}
+
+/** Adds the surrounding lines of the file to each problem that will be shown and has a place in the file. */
+export function showProblems(problems: readonly Problem[], text: string): ShownProblem[] {
+  return problems.map((problem, i) => ({
+    ...problem,
+    frame: i < MAX_SHOWN && problem.line !== null ? codeFrame(text, problem.line, problem.column ?? 1) : null,
+  }));
+}
+
+/** The problems of a file that keep a command from its work. */
+export interface FileProblems {
+  readonly file: string;
+  readonly problems: readonly ShownProblem[];
+}
+
+/**
+ * Files have problems that must be corrected first. The message is for a terminal, with the lines around each place; who shows it
+ * elsewhere takes `reason` and `files`.
+ */
+export class FileFailure extends Failure {
+  /** @param reason what was not done and why, without the problems */
+  constructor(
+    readonly reason: string,
+    readonly files: readonly FileProblems[],
+  ) {
+    const colors = colorsFor(process.stderr);
+    super(
+      `${reason}:\n${files
+        .map(({ file, problems }) => showFileProblems(file, problems, colors))
+        .join('')
+        .trimEnd()}`,
+    );
+  }
 }

@@ -1,7 +1,8 @@
 import type { Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import type { Goal, Objective, Closest, Effort, Proof, Robustness, Solution } from '../../solver/index.ts';
-import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
+import { type ConfiguredTerms } from '../config/index.ts';
+import { type TermsOptions, termsFrom } from '../options/index.ts';
 
 /** How to solve a level. */
 export interface AskedRuns {

@@ -3,7 +3,7 @@ import { compile, type Run, simulate } from '../../engine/index.ts';
 import type { Hold, SolutionReport, SolveReport } from '../../schema/index.ts';
 import { type Closest, type Effort, type Proof, type Robustness, verifyRun, type Solution } from '../../solver/index.ts';
 import { catchSignals, leaveSignals } from '../io/index.ts';
-import type { Limits } from '../search-options.ts';
+import type { Limits } from '../options/index.ts';
 import { LANES, PROOF_LANE, type SolveSettings } from './settings.ts';
 import { measureRun, openLanes } from './lanes.ts';
 import { type Found, searchInRounds } from './rounds.ts';
@@ -42,7 +42,7 @@ interface SolveOptions {
 export const solveLevel = (settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> =>
   solveBy(settings, async () => {
     catchSignals();
-    const pool = startWorkerPool(settings, jobs);
+    const pool = await startWorkerPool(settings, jobs);
     try {
       const found = await pool.search(limits, onRound);
       return { ...found, measured: await pool.measure(found.solutions.map(({ holds }) => holds)) };

@@ -1,6 +1,6 @@
 import type { Terms } from '../../engine/index.ts';
 import type { Hold, RuleName, TermsReport } from '../../schema/index.ts';
-import type { Limits } from '../search-options.ts';
+import type { Limits } from '../options/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import type { Change, Sweep } from './rule-options.ts';
 import { runInPool } from '../io/index.ts';

@@ -3,7 +3,7 @@ import process from 'node:process';
 import type { CommandResult } from '../command.ts';
 import { catchSignals, Failure, systemReason, visible, writeResultFiles } from '../io/index.ts';
 import { statSync } from 'node:fs';
-import { CONFIG_NAME, configFolders } from '../config-file.ts';
+import { CONFIG_NAME, configFolders } from '../config/index.ts';
 
 export { Memory } from './memory.ts';
 

@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { effectsToMeet, moveEntries } from '../../check/pack/index.ts';
 import { findPack } from '../../cli/build/pack.ts';
-import { noConfiguration } from '../../cli/configuration.ts';
+import { noConfiguration } from '../../cli/config/configuration.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { findLevelFiles } from '../../cli/find/index.ts';
 import { checkPackFile } from '../../cli/pack-file/index.ts';

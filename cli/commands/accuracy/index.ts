@@ -6,16 +6,12 @@ import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../../engi
 import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accuracy/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
-import { chooseRun } from '../../chosen-run.ts';
+import { chooseRun, parseHolds } from '../../runs/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { parseHolds } from '../../holds-option.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
-import { openLevel } from '../../level-source.ts';
-import { formatOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { addTermsOptions, customAccuracy, type TermsOptions, termsFrom } from '../../terms.ts';
-import { refuseUnused } from '../../unused-options.ts';
+import { openLevel } from '../../levels/index.ts';
+import { addTermsOptions, customAccuracy, formatOption, refuseUnused, termsFrom, type TermsOptions } from '../../options/index.ts';
 
 /** ms for the timing */
 const BUDGET = 3000;
@@ -69,7 +65,7 @@ async function measure(file: string, options: Options, command: Command): Promis
   const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   if (svg !== undefined)
     expectOutput(`--svg ${svg}`, svg, { ...levelsRead([file], 'read'), 'the configuration': configuration.file });
   const terms = termsFrom(options, configuration);

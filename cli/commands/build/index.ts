@@ -6,15 +6,11 @@ import { checkPack, findPack, GAME, packOf, planSite, readGame, refusedOf, siteF
 import { addCacheOptions, type CacheOptions, chosenCache } from '../../cache/index.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch } from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS } from '../../find/index.ts';
 import { colorsFor, createProgress, exitCodeAfter } from '../../io/index.ts';
-import { formatOption, jobsOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { addSearchOptions } from '../../search-options.ts';
+import { accuracyOption, addSearchOptions, formatOption, jobsOption, maxTimeOption, maxWorkOption, refuseUnused } from '../../options/index.ts';
 import { isFailing } from '../../show-failure/index.ts';
-import { accuracyOption, maxTimeOption, maxWorkOption } from '../../terms.ts';
-import { refuseUnused } from '../../unused-options.ts';
 import { type BuildResult, buildJson, buildPretty, refusedInWords } from './report.ts';
 
 interface Options extends AskedOptions, ConfigOptions, CacheOptions {
@@ -87,7 +83,7 @@ Examples:
 async function build(paths: readonly string[], options: Options): Promise<CommandResult> {
   refuseLimitsWithoutSearch(options);
   const { out, title, force = false, overwrite = false, runs, jobs, format } = options;
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const { files, order, leftOut } = await findPack(paths, configuration);
   const game = readGame(GAME);
   // what is wrong with the folder is known before the check, which may take long

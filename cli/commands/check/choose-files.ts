@@ -1,4 +1,4 @@
-import type { Configuration } from '../../configuration.ts';
+import type { Configuration } from '../../config/index.ts';
 import { type FoundFiles, findConfigured } from '../../find/index.ts';
 import { Failure, readStdin, STDIN_NAME, stdinName, namedPath } from '../../io/index.ts';
 

@@ -3,18 +3,13 @@ import type { Command } from 'commander';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
 import { type AskedOptions, type CheckedLevel, type CheckSettings, checkContent, checkFiles, exitCodeFor, exitCodeOf, FEW_FILES, judgeLevels, judgeOf, openLevelCache, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor, tooManyWarnings, totalsOf, unreadableLevel } from '../../check/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config-file.ts';
-import { type Configuration, noConfiguration } from '../../configuration.ts';
+import { addConfigOptions, type ConfigOptions, type Configuration, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr, unreadableFolders } from '../../find/index.ts';
 import { createProgress, exitCodeAfter, Failure, type FoundPack, firstPack, levelsRead, STDIN } from '../../io/index.ts';
-import { jobsOption, wholeNumberOption } from '../../options.ts';
+import { addSearchOptions, addShardOptions, addTermsOptions, jobsOption, refuseBesidesPlan, refuseUnused, type ShardOptions, wholeNumberOption } from '../../options/index.ts';
 import type { CheckedPack } from '../../pack-file/index.ts';
 import { chooseReports, expectReportFiles, forceReportsOption, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
-import { addSearchOptions } from '../../search-options.ts';
-import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
-import { addTermsOptions } from '../../terms.ts';
-import { refuseUnused } from '../../unused-options.ts';
 import { chooseFiles, refuseForPacks } from './choose-files.ts';
 
 const MOST_WARNINGS = 1_000_000;
@@ -129,7 +124,7 @@ async function watchLevels(paths: readonly string[], options: CheckOptions): Pro
   refuseToWatch(paths, options);
   const { Memory, watchAndRepeat } = await import('../../watch/index.ts');
   const memory = new Memory();
-  const configuration = await configurationFor(options);
+  const configuration = await readConfiguration(options);
   const lock = options.lock ?? configuration.lock;
   return watchAndRepeat({
     paths: pathsOr(paths, configuration),
@@ -153,7 +148,7 @@ async function check(
   shown: (levels: readonly CheckedLevel[]) => ReadonlySet<string> | undefined = () => undefined,
 ): Promise<CommandResult> {
   refuseLimitsWithoutSearch(options);
-  const configuration = await configurationFor(options);
+  const configuration = await readConfiguration(options);
   const configured = configuration.reporters?.map(({ name, file }) => (file === null ? name : `${name}=${file}`));
   const reports = chooseReports({ ...options, configured });
   const named = firstPack(paths);
@@ -276,7 +271,3 @@ async function failsFor(
   const judge = await judgeOf(configuration);
   return (level) => exitCodeOf(compare([level]).map(judge), null) > 0;
 }
-
-/** What applies to this check. Without a file, the code that reads one is not loaded: it needs the schema. */
-const configurationFor = async (options: ConfigOptions): Promise<Configuration> =>
-  chosenConfig(options) === null ? noConfiguration() : (await import('../../read-configuration.ts')).readConfiguration(options);

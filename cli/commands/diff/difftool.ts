@@ -64,7 +64,7 @@ async function compare(
   after: string,
   name: string | undefined,
 ): Promise<{ readonly diff: Diff; readonly settings: DiffSettings }> {
-  const comparison = compareFiles(before, after, name);
+  const comparison = await compareFiles(before, after, name);
   const settings = { terms: termsOfSides(comparison, {}), slack: true };
   return { diff: await diffFiles(comparison, settings, 1), settings };
 }

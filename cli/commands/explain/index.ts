@@ -2,10 +2,9 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import type { ExplainReport } from '../../../schema/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { didYouMean } from '../../did-you-mean.ts';
+import { colorsFor, didYouMean, Failure } from '../../io/index.ts';
 import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
-import { colorsFor, Failure } from '../../io/index.ts';
-import { formatOption } from '../../options.ts';
+import { formatOption } from '../../options/index.ts';
 import { explainPretty, explainProof, listCodes, PROOF_KINDS } from './report.ts';
 
 /** A code that is also one of a problem is explained as that. */

@@ -2,14 +2,12 @@ import { extname } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.ts';
-import { showProblems } from '../../code-frames.ts';
+import { showFileProblems, showProblems } from '../../report-parts/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured } from '../../find/index.ts';
 import { colorsFor, differing, expectOutput, Failure, levelsRead, namedPath, planFile, readBytes, statOrError, writeAll, writeWhole } from '../../io/index.ts';
-import { formatOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { showFileProblems } from '../../report-parts/index.ts';
+import { formatOption } from '../../options/index.ts';
 import { type Made, type ReadFile, type Refused, type OriginalOptions, toOriginal, toTiled } from './made.ts';
 import { type ExportedFile, exportJson, exportPretty, warningsInWords } from './report.ts';
 
@@ -101,7 +99,7 @@ const shown = (invalid: readonly Refused[]): string =>
 async function exportLevels(paths: readonly string[], options: ExportOptions): Promise<CommandResult> {
   checkOptions(options);
   checkEnding(options);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const { files, unreadable } = await findConfigured(paths, configuration);
   if (unreadable.length > 0) {
     const list = unreadable.map(({ path, reason }) => `  ${path}: ${reason}\n`).join('');

@@ -2,14 +2,10 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { proposalInWords } from '../../../check/words/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { colorsFor, createStatusLine, Failure, uncut, visibleLine } from '../../io/index.ts';
-import { type OpenedFile, openLevel } from '../../level-source.ts';
-import { formatOption, wholeNumberOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { expectWritable, replaceLevel } from '../../replace-level.ts';
-import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
+import { expectWritable, type OpenedFile, openLevel, replaceLevel } from '../../levels/index.ts';
+import { addSearchOptions, addTermsOptions, formatOption, limitsOf, type SearchOptions, termsFrom, type TermsOptions, wholeNumberOption } from '../../options/index.ts';
 import { type Fixed, type FixSettings, fixLevel } from './fixed.ts';
 import { fixReport, fixPretty } from './report.ts';
 
@@ -54,7 +50,7 @@ Examples:
 
 async function fix(file: string, options: Options): Promise<CommandResult> {
   const settings: FixSettings = {
-    terms: termsFrom(options, readConfiguration(options)),
+    terms: termsFrom(options, await readConfiguration(options)),
     count: options.count,
     seed: options.seed,
     limits: limitsOf(options),

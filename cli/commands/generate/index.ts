@@ -6,12 +6,10 @@ import type { Terms } from '../../../engine/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
 import { type GeneratorOptions, INGREDIENTS, type Ingredient, type PackOptions, SYMMETRIES, type SymmetryKind, THEME_NAMES, type ThemeName, USUAL_INGREDIENTS, varietyOf, type WantedDifficulty, type WantedSize } from '../../../solver/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { type GenerateTask, generatedPath, type KeptPack, keepLevel, keepPack, type MadeLevel, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
 import { colorsFor, createProgress, Failure, uncut, visibleLine } from '../../io/index.ts';
-import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
+import { addTermsOptions, formatOption, jobsOption, LARGEST_SEED, seedOption, termsFrom, type TermsOptions, wholeNumberOption } from '../../options/index.ts';
 import { generateJson, generatePretty } from './report.ts';
 
 /** The default effort for each level, ticks: takes minutes. */
@@ -116,7 +114,7 @@ async function generate(options: Options): Promise<CommandResult> {
     throw new Failure(`--seed ${seed} --count ${count}: expected seeds up to ${LARGEST_SEED}, found up to ${seed + count - 1}`);
   if (theme === 'mixed' && pack === undefined)
     throw new Failure(`--theme mixed: expected --pack <dir> as well; for single levels, one of ${THEME_NAMES.join(', ')}`);
-  const terms = termsFrom(options, readConfiguration(options));
+  const terms = termsFrom(options, await readConfiguration(options));
   const { rules } = terms;
   await uncut(() => makeDirectory(out));
   if (pack !== undefined) {

@@ -1,14 +1,11 @@
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions } from '../../config-file.ts';
+import { addConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr } from '../../find/index.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
 import { createStatusLine, Failure, namedPath, readRegularFile, shellPath, statOrError, writeWhole } from '../../io/index.ts';
-import { wholeNumberOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { addSearchOptions, mineralsOption, objectiveOption } from '../../search-options.ts';
-import { accuracyOption, addTermsOptions } from '../../terms.ts';
+import { accuracyOption, addSearchOptions, addTermsOptions, mineralsOption, objectiveOption, wholeNumberOption } from '../../options/index.ts';
 import { addPlayOptions } from '../../verify/index.ts';
 import { ORDERS, type PlanOptions, refuseOfOthers } from './orders.ts';
 
@@ -83,7 +80,7 @@ function prefixed(commands: string, option: Option): Option {
 async function plan(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
   const { output, force = false, shards } = options;
   refuseOfOthers(options.for, command);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   if (options.for === 'verify' && paths.length === 0)
     throw new Failure('expected the paths of plays: .gqr files, directories of them, or packs');
   const { settings, report, messages = '' } = await ORDERS[options.for](options, configuration, command);

@@ -6,19 +6,14 @@ import { renderSvg } from '../../../picture/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { SOFTLOCK_EFFORT } from '../../check/index.ts';
-import { type ChosenRun, chooseRun } from '../../chosen-run.ts';
+import { chooseRun, type ChosenRun, parseHolds } from '../../runs/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { parseHolds } from '../../holds-option.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../../io/index.ts';
-import { openLevel } from '../../level-source.ts';
-import { seedOption, wholeNumberOption } from '../../options.ts';
+import { openLevel } from '../../levels/index.ts';
+import { addTermsOptions, expectMinerals, mineralsOption, refuseUnused, seedOption, termsFrom, type TermsOptions, wholeNumberOption } from '../../options/index.ts';
 import { loadPngRenderer, type View, viewAllRuns, viewExploration, viewFan, viewProof, viewRun, viewSoftlocks, viewSolved } from './views.ts';
-import { readConfiguration } from '../../read-configuration.ts';
-import { expectMinerals, mineralsOption } from '../../search-options.ts';
 import { type Solved, solveLevel } from '../../solve/index.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
-import { refuseUnused } from '../../unused-options.ts';
 
 const DEFAULT_WIDTH = 1200;
 
@@ -104,7 +99,7 @@ Examples:
 
 async function render(file: string, options: Options, command: Command): Promise<CommandResult> {
   const { output, width, theme } = options;
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const terms = termsFrom(options, configuration);
   const kind = output === '-' ? '.svg' : extname(output).toLowerCase();
   if (kind !== '.svg' && kind !== '.png') {

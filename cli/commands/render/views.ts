@@ -4,9 +4,9 @@ import { joinHolds, type Run, type Scene, simulate, TICK } from '../../../engine
 import type { RenderOptions } from '../../../picture/index.ts';
 import { type Hold, objectName } from '../../../schema/index.ts';
 import { createRandom, createSearch, createSoftlockSurvey, type Goal, LIVES_ON, proofPicture, type Search, type Standing } from '../../../solver/index.ts';
-import type { ChosenRun } from '../../chosen-run.ts';
+import type { ChosenRun } from '../../runs/index.ts';
 import { percent } from '../../report-parts/index.ts';
-import { withinWorkOf } from '../../run-report.ts';
+import { withinWorkOf } from '../../levels/index.ts';
 import type { Solved } from '../../solve/index.ts';
 import { Failure } from '../../io/index.ts';
 

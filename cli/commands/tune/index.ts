@@ -4,16 +4,12 @@ import { type Command, Option } from 'commander';
 import { accuracyInWords } from '../../../check/words/index.ts';
 import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured, PATHS } from '../../find/index.ts';
 import { colorsFor, createProgress, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
-import { formatOption, jobsOption } from '../../options.ts';
-import { readConfiguration } from '../../read-configuration.ts';
+import { addSearchOptions, addTermsOptions, formatOption, jobsOption, limitsOf, refuseUnused, type SearchOptions, termsFrom, type TermsOptions } from '../../options/index.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
-import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
-import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
 import { amountsOf, type Change, parseChange, parseSweep, type Sweep, type TunedLevel, type TuneSettings, tuneLevels } from '../../tune/index.ts';
-import { refuseUnused } from '../../unused-options.ts';
 import { tuneJson, tuneText } from './report.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions {
@@ -82,7 +78,7 @@ async function tune(paths: readonly string[], options: Options, command: Command
     { option: '--theme', isUsed: svg !== undefined, needs: '--svg' },
   ]);
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
-  const configuration = readConfiguration(options);
+  const configuration = await readConfiguration(options);
   const settings: TuneSettings = {
     terms: termsFrom(options, configuration),
     changes,

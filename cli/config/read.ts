@@ -1,22 +1,15 @@
-import { dirname, relative, resolve } from 'node:path';
+import { dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
-import { type ConfigFile, type ReporterName, readConfig } from '../schema/index.ts';
-import { showProblems } from './code-frames.ts';
-import { type ConfigOptions, chosenConfig } from './config-file.ts';
-import { type Configuration, noConfiguration, type ReporterChoice } from './configuration.ts';
-import { FileFailure } from './file-failure.ts';
-import { whyOutside } from './inside-repository.ts';
-import { Failure, namedPath, readBytes } from './io/index.ts';
-import type { ConfiguredTerms } from './terms.ts';
+import { type ConfigFile, type ReporterName, readConfig } from '../../schema/index.ts';
+import { FileFailure, showProblems } from '../report-parts/index.ts';
+import { type Configuration, type ReporterChoice, termsIn } from './configuration.ts';
+import { Failure, namedPath, readBytes, realTarget, repositoryOf, systemReason } from '../io/index.ts';
 
 /**
- * Reads the configuration that the options choose.
- * @param folder the search for it starts here and goes upwards
+ * Reads the file of a configuration.
  * @throws Failure if it can't be read or is invalid, with every problem and its place
  */
-export function readConfiguration(options: ConfigOptions, folder: string = process.cwd()): Configuration {
-  const file = chosenConfig(options, folder);
-  if (file === null) return noConfiguration();
+export function readConfigurationFile(file: string): Configuration {
   const bytes = readBytes(file);
   const read = readConfig(bytes);
   if (read.ok) {
@@ -58,14 +51,6 @@ function placeOf(bytes: Uint8Array, text: string): string {
 
 const listOf = (one: string | readonly string[]): readonly string[] => (typeof one === 'string' ? [one] : one);
 
-/** What a configuration says about terms. */
-export const termsIn = ({ accuracy, maxTime, maxWork, rules }: ConfigFile): ConfiguredTerms => ({
-  accuracy: accuracy ?? null,
-  maxTime: maxTime ?? null,
-  maxWork: maxWork ?? null,
-  rules: rules ?? {},
-});
-
 function configurationOf(file: string, config: ConfigFile): Configuration {
   const directory = dirname(resolve(file));
   const seen = (path: string): string => relative('', resolve(directory, path)) || '.';
@@ -88,4 +73,36 @@ function reporterOf(text: string, seen: (path: string) => string): ReporterChoic
   const at = text.indexOf('=');
   const name = (at < 0 ? text : text.slice(0, at)) as ReporterName;
   return { name, file: at < 0 ? null : seen(text.slice(at + 1)) };
+}
+
+/** An absolute path of Windows: `C:\levels`, `\\server\levels`. Elsewhere it would be a strange name of a file. */
+const OF_WINDOWS = /^(?:[A-Za-z]:|[\\/]{2})/;
+
+/** The folder in which git keeps its own files, by any of its names on file systems that don't tell them apart. */
+const OF_GIT = /^(?:\.git|git~\d+)[. ]*(?::.*)?$/i;
+
+/** What a pattern of files begins with: the folders before its first wildcard. */
+const fixedPart = (pattern: string): string => pattern.replace(/(?:^|[\\/])[^\\/]*[*?[{(!].*$/s, '');
+
+/**
+ * Why a path in a configuration must not be used: it may come from a stranger, and a command that runs in a clone must not touch
+ * what is around it. Links count by where they lead.
+ * @param folder the folder of the configuration, to which the path is relative
+ * @param path a path, or a pattern of paths
+ * @param read a folder besides, from which is only read: with `--config`, a configuration may be for levels beside it; null: none
+ * @returns null if the path stays in the repository, outside of git's own files
+ */
+export function whyOutside(folder: string, path: string, read: string | null): string | null {
+  if (OF_WINDOWS.test(path) && !isAbsolute(path)) return 'is an absolute path of Windows';
+  try {
+    const root = repositoryOf(realTarget(folder));
+    const target = realTarget(resolve(folder, fixedPart(path)));
+    const inside = [root, ...(read === null ? [] : [realTarget(read)])]
+      .map((one) => relative(one, target))
+      .find((way) => !isAbsolute(way) && way.split(sep)[0] !== '..');
+    if (inside === undefined) return `leads to ${target}, outside of ${root}`;
+    return inside.split(sep).some((part) => OF_GIT.test(part)) ? `leads to ${target}, among git's own files` : null;
+  } catch (error) {
+    return `leads to nowhere: ${systemReason(error)}`;
+  }
 }

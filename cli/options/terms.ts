@@ -9,22 +9,11 @@ import {
   maxTicksOf,
   type Terms,
   TICK_RATE,
-} from '../engine/basics/index.ts';
-import { LONGEST_RUN, MOST_WORK } from '../schema/basics/index.ts';
-import type { Configuration } from './configuration.ts';
-import { Failure } from './io/index.ts';
-import { numberOption, wholeNumberOption } from './options.ts';
-
-/** What a configuration says about terms. */
-export type ConfiguredTerms = Pick<Configuration, 'accuracy' | 'maxTime' | 'maxWork' | 'rules'>;
-
-/** What a whole configuration says about terms, and nothing else of it. */
-export const termsSaid = ({ accuracy, maxTime, maxWork, rules }: ConfiguredTerms): ConfiguredTerms => ({
-  accuracy,
-  maxTime,
-  maxWork,
-  rules,
-});
+} from '../../engine/basics/index.ts';
+import { LONGEST_RUN, MOST_WORK } from '../../schema/basics/index.ts';
+import type { ConfiguredTerms } from '../config/index.ts';
+import { Failure } from '../io/index.ts';
+import { numberOption, wholeNumberOption } from './common.ts';
 
 /** The values of the options that `addTermsOptions` declares. An option that was not given is missing: it hides no configuration. */
 export interface TermsOptions extends AccuracyOptions {

@@ -1,6 +1,6 @@
-import type { Hold, Level } from '../schema/index.ts';
-import { didYouMean } from './did-you-mean.ts';
-import { Failure } from './io/index.ts';
+import { type Hold, type Level, readRunText } from '../../schema/index.ts';
+import { didYouMean, Failure } from '../io/index.ts';
+import { InvalidArgumentError } from 'commander';
 
 export interface ChosenRun {
   readonly name: string;
@@ -32,4 +32,24 @@ export function chooseRun(
   if (first === undefined)
     throw new Failure(`${file}: the level has no run; give holds with --holds 12-96,130-188, or --holds none to let her drift`);
   return { name: `run ${JSON.stringify(first.name)}`, holds: first.holds };
+}
+
+const EXPECTED = 'expected holds in ticks of 1/60 s, each as press-release, in order of time, like 12-96,130-188; or none';
+
+/** Characters of the value that are shown, and how many of them stand before the place. */
+const SHOWN = 120;
+const BEFORE = 60;
+
+/**
+ * Reads the value of `--holds`: `12-96,130-188` or `none`, or a run as text with notes, which are left out.
+ * @throws InvalidArgumentError saying what was expected, with a caret under the place
+ */
+export function parseHolds(text: string): Hold[] {
+  const reading = readRunText(text, { isStrict: true });
+  if (reading.ok) return [...reading.holds];
+  const { offset, message } = reading;
+  // of a very long value, only the part around the place is shown
+  const from = Math.max(0, offset - BEFORE);
+  const shown = text.slice(from, from + SHOWN).replace(/\s/g, ' ');
+  throw new InvalidArgumentError(`${EXPECTED}\n  ${shown}\n  ${' '.repeat(offset - from)}^ ${message}`);
 }
