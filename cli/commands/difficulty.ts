@@ -4,7 +4,7 @@ import { type Command, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../picture/difficulty/index.ts';
 import type { Goal } from '../../solver/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type CollectedPlays, collectPlays, curvesInWords, curvesOf, difficultyJson, difficultyPretty, type MeasuredLevel, type MeasureSettings, measureLevels, measureSettings, refusedPlays, causeInWords } from '../difficulty/index.ts';
 import { findConfigured, PATHS, unreadableFolders } from '../find/index.ts';
@@ -29,9 +29,36 @@ interface Options extends ConfigOptions, TermsOptions, ShardOptions {
   readonly format: 'pretty' | 'json';
 }
 
+export const help: CommandHelp = {
+  description: 'Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.',
+  more: `
+The level's own runs are compared with those that a search finds, and the one that forgives most is measured. The grade is the lowest
+that any of them gives. Timing noise shifts each press and release by an independent Gaussian error; people are off by 30 to 60 ms. The model simulates players who aim at
+that run, miss, and learn from attempt to attempt. Neither it nor the grade is fitted to players: they compare levels, and say nothing
+about people without plays of people. For a single level the report also says what collecting all minerals costs, and whether the
+level can be completed without pressing, with one press, and without each asteroid that the run uses.
+
+Where a folder has a pack.json, the report also has the grades in its order and says where they jump: a level is a jump when its
+grade is 2 and more above that of the hardest level before it.
+
+--plays simulates recorded plays again and says how often players succeed, by attempt number, too, where and why they fail, after
+which press or release, and how much timing noise would explain it. It fits the model of players to their presses and releases: how
+much they miss by, how fast they learn, how much they differ. A folder below a directory of plays stands for a player, whose
+attempts follow each other in the order of their names; NDJSON has {"play": "<base64url>", "subject": "<player>"} a line, in order.
+Plays are only read, and nothing is sent anywhere.
+
+Exit code: 0 when every level was measured; 1 when a level is invalid or has no run to measure; 2 when a file could not be read.
+
+Examples:
+  $ gq difficulty levels                                  a table, the easiest first
+  $ gq difficulty levels/16-firewalk.level.json --svg firewalk.svg
+  $ gq difficulty levels/16-firewalk.level.json --run all-minerals --minerals all
+  $ gq difficulty levels/16-firewalk.level.json --plays plays --picture where.svg
+  $ gq difficulty levels --format json | jq '.levels[] | [.measured.grade.value, .name]'`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addShardOptions(addConfigOptions(addTermsOptions(command)))
-    .description('Measure how hard levels are: success under timing noise, slack, random play, shortcuts, and a grade.')
     .argument('[path...]', PATHS)
     .option(
       '--run <name>',
@@ -62,33 +89,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
-The level's own runs are compared with those that a search finds, and the one that forgives most is measured. The grade is the lowest
-that any of them gives. Timing noise shifts each press and release by an independent Gaussian error; people are off by 30 to 60 ms. The model simulates players who aim at
-that run, miss, and learn from attempt to attempt. Neither it nor the grade is fitted to players: they compare levels, and say nothing
-about people without plays of people. For a single level the report also says what collecting all minerals costs, and whether the
-level can be completed without pressing, with one press, and without each asteroid that the run uses.
-
-Where a folder has a pack.json, the report also has the grades in its order and says where they jump: a level is a jump when its
-grade is 2 and more above that of the hardest level before it.
-
---plays simulates recorded plays again and says how often players succeed, by attempt number, too, where and why they fail, after
-which press or release, and how much timing noise would explain it. It fits the model of players to their presses and releases: how
-much they miss by, how fast they learn, how much they differ. A folder below a directory of plays stands for a player, whose
-attempts follow each other in the order of their names; NDJSON has {"play": "<base64url>", "subject": "<player>"} a line, in order.
-Plays are only read, and nothing is sent anywhere.
-
-Exit code: 0 when every level was measured; 1 when a level is invalid or has no run to measure; 2 when a file could not be read.
-
-Examples:
-  $ gq difficulty levels                                  a table, the easiest first
-  $ gq difficulty levels/16-firewalk.level.json --svg firewalk.svg
-  $ gq difficulty levels/16-firewalk.level.json --run all-minerals --minerals all
-  $ gq difficulty levels/16-firewalk.level.json --plays plays --picture where.svg
-  $ gq difficulty levels --format json | jq '.levels[] | [.measured.grade.value, .name]'`,
-    )
     .action(async (paths: string[], options: Options) => finish(await measure(paths, options, command)));
 }
 

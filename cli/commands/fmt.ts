@@ -2,7 +2,7 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds, type FmtReport } from '../../schema/index.ts';
 import { problemJson, showFileProblems, type ShownProblem, showProblems } from '../report-parts/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../find/index.ts';
 import { colorsFor, Failure, hearSignals, isPackFile, namedPath, once, packFormat, readBytes, readStdin, stdinName, visible, visibleLine, whyNotWritable, writeWhole, type Colors, shellPath } from '../io/index.ts';
@@ -16,18 +16,9 @@ interface FmtOptions extends ConfigOptions {
   readonly format: 'pretty' | 'json' | 'github';
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(command)
-    .description(
-      'Format level files and the pack.json of directories, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
-    )
-    .argument('[path...]', PATHS)
-    .option('--check', 'only report which files would change')
-    .option('--stdin-path <file>', 'with the path -: the name in messages of the level that is read from standard input')
-    .addOption(formatOption('pretty', 'json', 'github'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Format level files and the pack.json of directories, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
+  more: `
 With the path -, one level is read from standard input, and its formatted text goes to standard output; with --check, nothing does.
 
 Exit code: 0; 1 when a file is invalid or, with --check, would change; 2 when a file could not be read or written.
@@ -38,7 +29,14 @@ Examples:
   $ gq fmt --check --format github   annotations for a pull request
   $ gq fmt my.level.json
   $ gq fmt - < my.level.json`,
-    )
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addConfigOptions(command)
+    .argument('[path...]', PATHS)
+    .option('--check', 'only report which files would change')
+    .option('--stdin-path <file>', 'with the path -: the name in messages of the level that is read from standard input')
+    .addOption(formatOption('pretty', 'json', 'github'))
     .action(async (paths: string[], options: FmtOptions) => finish(await fmt(paths, options)));
 }
 

@@ -3,7 +3,7 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { formatLevel, type ImportReading, importOriginal, importTiled, isTiledMap, MAX_FILE_SIZE, type ImportReport } from '../../schema/index.ts';
 import { showFileProblems, showProblems } from '../report-parts/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { colorsFor, differing, Failure, namedPath, Outputs, type PlannedFile, planFile, readBytes, writeAll, visibleLine } from '../io/index.ts';
 import { formatOption } from '../options/index.ts';
 import { schemaReference } from '../levels/index.ts';
@@ -18,11 +18,20 @@ interface ImportOptions {
 
 type Target = ImportedFile & PlannedFile;
 
+export const help: CommandHelp = {
+  description: "Turn the original game's levels (a JSON array of its level objects, or one object) or a Tiled map into level files.",
+  more: `
+Writes either every level or none. Exit code: 0; 1 when the file has neither the original's format nor Tiled's; 2 when it could
+not be read or the levels could not be written.
+
+Examples:
+  $ gq import levels.json --out imported
+  $ gq import levels.json --out imported --recoil off --force
+  $ gq import drawn.tmj --out levels       writes levels/drawn.level.json`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description(
-      "Turn the original game's levels (a JSON array of its level objects, or one object) or a Tiled map into level files.",
-    )
     .argument('<file>', 'JSON file with the original levels, or a module that exports them; or a Tiled map (.tmj, .tmx)')
     .requiredOption('--out <dir>', 'directory for the level files; it is created when missing')
     .addOption(
@@ -33,17 +42,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .option('--force', 'overwrite existing level files that differ')
     .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
-Writes either every level or none. Exit code: 0; 1 when the file has neither the original's format nor Tiled's; 2 when it could
-not be read or the levels could not be written.
-
-Examples:
-  $ gq import levels.json --out imported
-  $ gq import levels.json --out imported --recoil off --force
-  $ gq import drawn.tmj --out levels       writes levels/drawn.level.json`,
-    )
     .action(async (file: string, options: ImportOptions) => finish(await importFile(file, options)));
 }
 

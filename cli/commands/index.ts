@@ -69,7 +69,7 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'difftool',
     summary: 'show two versions of a level in the browser, for git difftool',
-    load: async () => ({ declare: (await import('./diff/index.ts')).declareDifftool }),
+    load: async () => (await import('./diff/index.ts')).difftool,
   },
   {
     name: 'import',

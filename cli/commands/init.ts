@@ -1,7 +1,7 @@
 import { relative } from 'node:path';
 import { type Command, Option } from 'commander';
 import type { InitReport } from '../../schema/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { type Ci, chooseCi, type Plan, planProject } from '../init/index.ts';
 import { planFile, shellPath, writeAll, visibleLine } from '../io/index.ts';
 import { formatOption } from '../options/index.ts';
@@ -15,22 +15,9 @@ interface InitOptions {
 /** No file that is merged is larger, bytes. */
 const LARGEST = 8 * 1024 * 1024;
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
-    .description('Put levels, configuration, a workflow for CI and settings of the editor into a project.')
-    .argument('[dir]', 'the folder of the project; it is created when missing', '.')
-    .addOption(
-      new Option('--ci <name>', 'where levels are checked (default: what the repository uses, else github)').choices([
-        'github',
-        'gitlab',
-        'none',
-      ]),
-    )
-    .option('--dry-run', 'only say what would be written')
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Put levels, configuration, a workflow for CI and settings of the editor into a project.',
+  more: `
 Writes what is missing, and asks nothing: two levels with runs, gq.config.json, a workflow, a script "check" in package.json, and
 the schemas in .vscode/settings.json. A file that exists is never overwritten: a script or a setting is added where it is missing,
 and everything else is left and listed. A second time it changes nothing. Writes either every file or none.
@@ -41,7 +28,20 @@ Examples:
   $ gq init
   $ gq init games/one --ci gitlab
   $ gq init --dry-run`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .argument('[dir]', 'the folder of the project; it is created when missing', '.')
+    .addOption(
+      new Option('--ci <name>', 'where levels are checked (default: what the repository uses, else github)').choices([
+        'github',
+        'gitlab',
+        'none',
+      ]),
     )
+    .option('--dry-run', 'only say what would be written')
+    .addOption(formatOption('pretty', 'json'))
     .action(async (directory: string, options: InitOptions) => finish(await init(directory, options)));
 }
 

@@ -3,7 +3,7 @@ import type { Command } from 'commander';
 import { playRuns, withinWork } from '../../check/index.ts';
 import { termsReport, plural } from '../../check/words/index.ts';
 import { compile, type Work, WorkBudget, type Mode, type Scene } from '../../engine/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { colorsFor, widthOf, type Colors, visibleLine } from '../io/index.ts';
 import { openLevel, warningsOf } from '../levels/index.ts';
@@ -15,14 +15,9 @@ interface InspectOptions extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(addTermsOptions(command))
-    .description('Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.')
-    .argument('<level>', 'a level file')
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.',
+  more: `
 Work and modes are those of the level's first run, as far as --max-work lets it go.
 
 Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
@@ -30,7 +25,12 @@ Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 Examples:
   $ gq inspect levels/01-first-pull.level.json
   $ gq inspect levels/01-first-pull.level.json --format json | jq .effects.notCalledFor`,
-    )
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addConfigOptions(addTermsOptions(command))
+    .argument('<level>', 'a level file')
+    .addOption(formatOption('pretty', 'json'))
     .action(async (file: string, options: InspectOptions) => finish(await inspect(file, options)));
 }
 

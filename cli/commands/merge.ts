@@ -1,7 +1,7 @@
 import { availableParallelism } from 'node:os';
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { contentsOf, type Gathered, gather, type JobName, jobOf, mergedRecords, type Plan, rangesOf, readPlan, recordOfLine, replaySample, resultsIn, setPaths } from '../fleet/index.ts';
 import { exitCodeAfter, Failure, levelsRead, namedPath, shellPath, stoppable } from '../io/index.ts';
 import { jobsOption } from '../options/index.ts';
@@ -22,9 +22,26 @@ interface Options {
   readonly jobs: number;
 }
 
+export const help: CommandHelp = {
+  description: 'Put the results of shards together: every level exactly once, the same report for any number of shards.',
+  more: `
+Missing shards are named, and nothing else is reported. --missing slurm and k8s print them as 2,5-7, list as one a line; do those
+shards again, and merge again. Copies of a result that agree are fine. Results that differ are an alarm: a machine computes
+otherwise, or a result was changed.
+--replay repeats a sample of what is said to be good, chosen by a hash of all results, and needs the levels for it.
+The report has the same bytes for any number of shards, in any order, on any machine; so levels have no times in it (ms is 0).
+
+Exit code: 0 and 1 as the command that was planned; 2 when a result is missing, damaged or of another plan; 3 when results
+contradict each other or a replay.
+
+Examples:
+  $ gq merge results --plan plan.json
+  $ gq merge results --plan plan.json --format json -o report.json
+  $ sbatch --array=$(gq merge results --plan plan.json --missing slurm) shard.sh`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description('Put the results of shards together: every level exactly once, the same report for any number of shards.')
     .argument('<dir...>', 'directories with results')
     .requiredOption('--plan <file>', 'the plan, as gq plan has written it')
     .addOption(new Option('--missing <form>', 'print only the shards whose results are missing').choices(LISTS))
@@ -39,23 +56,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('-o, --output <file>', 'write the report into a file in place of stdout')
     .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
     .addOption(jobsOption(availableParallelism()))
-    .addHelpText(
-      'after',
-      `
-Missing shards are named, and nothing else is reported. --missing slurm and k8s print them as 2,5-7, list as one a line; do those
-shards again, and merge again. Copies of a result that agree are fine. Results that differ are an alarm: a machine computes
-otherwise, or a result was changed.
---replay repeats a sample of what is said to be good, chosen by a hash of all results, and needs the levels for it.
-The report has the same bytes for any number of shards, in any order, on any machine; so levels have no times in it (ms is 0).
-
-Exit code: 0 and 1 as the command that was planned; 2 when a result is missing, damaged or of another plan; 3 when results
-contradict each other or a replay.
-
-Examples:
-  $ gq merge results --plan plan.json
-  $ gq merge results --plan plan.json --format json -o report.json
-  $ sbatch --array=$(gq merge results --plan plan.json --missing slurm) shard.sh`,
-    )
     .action(async (folders: string[], options: Options) => finish(await merge(folders, options)));
 }
 

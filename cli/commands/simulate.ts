@@ -3,7 +3,7 @@ import { type Command, Option } from 'commander';
 import { compile, effectEventInWords, type Run, type RunEvent } from '../../engine/index.ts';
 import { type Hold, type Level, type SimulateReport, objectName, type RunReport } from '../../schema/index.ts';
 import { chooseRun, parseHolds } from '../runs/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { colorsFor, Failure, type Colors, visibleLine } from '../io/index.ts';
 import { openLevel, reportRun, withinWorkOf } from '../levels/index.ts';
@@ -20,9 +20,20 @@ interface SimulateOptions extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';
 }
 
+export const help: CommandHelp = {
+  description: 'Play one run of a level and report everything that happens.',
+  more: `
+Exit code: 0 when the run was played, however it ended; 1 when the level is invalid; 2 when it could not be played.
+
+Examples:
+  $ gq simulate levels/01-first-pull.level.json
+  $ gq simulate levels/02-first-swing.level.json --run all-minerals --sample 10
+  $ gq simulate levels/01-first-pull.level.json --integrator rk4 --rate 240
+  $ gq simulate levels/01-first-pull.level.json --holds 12-96,130-188 --format json | jq .outcome`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(addTermsOptions(command))
-    .description('Play one run of a level and report everything that happens.')
     .argument('<level>', 'a level file')
     .option('--run <name>', 'the run to play (default: the first)')
     .option(
@@ -35,17 +46,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       new Option('--recoil <on|off>', 'turn recoil on or off for this run (default: as the level has it)').choices(['on', 'off']),
     )
     .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
-Exit code: 0 when the run was played, however it ended; 1 when the level is invalid; 2 when it could not be played.
-
-Examples:
-  $ gq simulate levels/01-first-pull.level.json
-  $ gq simulate levels/02-first-swing.level.json --run all-minerals --sample 10
-  $ gq simulate levels/01-first-pull.level.json --integrator rk4 --rate 240
-  $ gq simulate levels/01-first-pull.level.json --holds 12-96,130-188 --format json | jq .outcome`,
-    )
     .action(async (file: string, options: SimulateOptions) => finish(await play(file, options)));
 }
 

@@ -3,7 +3,7 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import type { Level } from '../../schema/index.ts';
 import type { Goal, Objective } from '../../solver/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { findConfigured, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
@@ -24,22 +24,9 @@ interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptio
   readonly format: 'pretty' | 'json';
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addShardOptions(addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level'))
-    .description(
-      'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
-    )
-    .argument('[level...]', 'a level file; several, directories or packs (.ndjson, .tar, also as .gz or .zst) make a table')
-    .addOption(mineralsOption())
-    .addOption(objectiveOption())
-    .option('--count <n>', 'how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
-    .option('--write', 'add the runs to the level file, after those it has')
-    .option('--run <name>', 'with --write: the name of the run (default: "solution", or the next free name)')
-    .addOption(jobsOption(availableParallelism()))
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
+  more: `
 The search starts from the level's own runs that reach the goal. Every run is replayed from the start before it is reported:
 gq simulate --holds gives the same hash. The search ends early when no better run is possible, and at the end of --budget with
 the best run so far. Ctrl-C ends it without a report, and nothing is written.
@@ -55,7 +42,18 @@ Examples:
   $ gq solve levels/16-firewalk.level.json --objective first --format json | jq .holds
   $ gq solve levels/16-firewalk.level.json --effort 5000000 --seed 7   the same answer on every machine
   $ gq solve levels.ndjson.gz --effort 5000000 --format json`,
-    )
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addShardOptions(addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level'))
+    .argument('[level...]', 'a level file; several, directories or packs (.ndjson, .tar, also as .gz or .zst) make a table')
+    .addOption(mineralsOption())
+    .addOption(objectiveOption())
+    .option('--count <n>', 'how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
+    .option('--write', 'add the runs to the level file, after those it has')
+    .option('--run <name>', 'with --write: the name of the run (default: "solution", or the next free name)')
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(formatOption('pretty', 'json'))
     .action(async (paths: string[], options: Options) => finish(await solve(paths, options, command)));
 }
 

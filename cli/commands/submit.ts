@@ -2,7 +2,7 @@ import { accessSync, constants, existsSync, realpathSync } from 'node:fs';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Argument, type Command } from 'commander';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { arrayJob, gather, logsOf, maxArraySize, mergeJob, type Plan, rangesOf, readPlan, readRanges, reportOf, type SlurmOrder, submission, submitJob, USUAL_ARRAY_SIZE } from '../fleet/index.ts';
 import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../io/index.ts';
 import { wholeNumberOption } from '../options/index.ts';
@@ -21,11 +21,23 @@ interface Options {
   readonly missing?: true;
 }
 
+export const help: CommandHelp = {
+  description: 'Run the shards of a plan on a cluster: an array job with a task for each shard, and a job after it that merges the results.',
+  more: `
+The jobs run in the current directory with this gq and this Node, so all nodes must see them at the same paths. What a shard prints
+is in DIR/logs; the report is DIR/report.json. The merge job fails if a level fails or a result is missing, with the exit codes of
+gq merge. A shard whose result is there is not done again.
+
+Exit code: 0 when the jobs were submitted, or nothing is missing; 2 when they were not.
+
+Examples:
+  $ gq submit slurm --plan plan.json --out out --dry-run
+  $ gq submit slurm --plan plan.json --out out --partition short --time 30 --max-running 50
+  $ gq submit slurm --plan plan.json --out out --missing`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description(
-      'Run the shards of a plan on a cluster: an array job with a task for each shard, and a job after it that merges the results.',
-    )
     .addArgument(new Argument('<system>', 'the system of the cluster').choices(['slurm']))
     .requiredOption('--plan <file>', 'the plan, as gq plan has written it')
     .requiredOption('--out <dir>', 'directory for results, logs and report; every node must have it and the levels')
@@ -38,20 +50,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--mem <size>', 'memory for a shard, in the notation of Slurm: 500M, 2G')
     .option('--cpus <n>', 'processors for each shard', wholeNumberOption('a number of processors', 1, 256), 1)
     .option('--max-running <n>', 'most shards at a time', wholeNumberOption('a number of shards', 1, 1_000_000))
-    .addHelpText(
-      'after',
-      `
-The jobs run in the current directory with this gq and this Node, so all nodes must see them at the same paths. What a shard prints
-is in DIR/logs; the report is DIR/report.json. The merge job fails if a level fails or a result is missing, with the exit codes of
-gq merge. A shard whose result is there is not done again.
-
-Exit code: 0 when the jobs were submitted, or nothing is missing; 2 when they were not.
-
-Examples:
-  $ gq submit slurm --plan plan.json --out out --dry-run
-  $ gq submit slurm --plan plan.json --out out --partition short --time 30 --max-running 50
-  $ gq submit slurm --plan plan.json --out out --missing`,
-    )
     .action(async (_system: string, options: Options) => finish(await submit(options)));
 }
 

@@ -4,7 +4,7 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { PLAY_LIMITS } from '../../game/index.ts';
 import type { VerifyReport } from '../../schema/index.ts';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
@@ -25,22 +25,9 @@ interface Options extends ConfigOptions, PlayOptions, ShardOptions, Pick<TermsOp
   readonly format?: 'pretty' | 'json';
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addShardOptions(addPlayOptions(addConfigOptions(command)))
-    .description(
-      'Verify recorded plays: repeat the inputs of each on its level, and compare what comes of them with what it claims. Levels are found by the hash in the play.',
-    )
-    .argument(
-      '[file...]',
-      'plays (.gqr), directories of them, packs (.ndjson with a play a line, .tar, also as .gz or .zst), or -: NDJSON on standard input',
-    )
-    .addOption(playAccuracyOption())
-    .addOption(maxWorkOption())
-    .addOption(jobsOption(availableParallelism()))
-    .addOption(new Option('--format <format>', 'format of the report (default: pretty; json with -)').choices(['pretty', 'json']))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Verify recorded plays: repeat the inputs of each on its level, and compare what comes of them with what it claims. Levels are found by the hash in the play.',
+  more: `
 Verdicts: ok; claim-differs; stale-level: no level has the play's hash; other-accuracy: it was played at another accuracy, so the
 physics was not that of these levels; unknown-engine; malformed; too-long.
 
@@ -54,7 +41,18 @@ Examples:
   $ gq verify plays --levels levels --format json
   $ gq verify - --challenge-key secret.key < plays.ndjson
   $ gq verify plays --engines engines     engines/IDENTITY holds a package, as npm install --prefix makes it`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addShardOptions(addPlayOptions(addConfigOptions(command)))
+    .argument(
+      '[file...]',
+      'plays (.gqr), directories of them, packs (.ndjson with a play a line, .tar, also as .gz or .zst), or -: NDJSON on standard input',
     )
+    .addOption(playAccuracyOption())
+    .addOption(maxWorkOption())
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(new Option('--format <format>', 'format of the report (default: pretty; json with -)').choices(['pretty', 'json']))
     .action(async (paths: string[], options: Options) => finish(await verify(paths, options, command)));
 }
 

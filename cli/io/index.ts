@@ -3,7 +3,7 @@ export { FETCH_MORE, Git, repositoryOf, tryGit } from './git.ts';
 export { type FoundPack, inOrderOfPlay, isPackFile, levelIdOf, nameOfFile, NOT_A_LEVEL, packFileOf, sortedByPlay } from './level-names.ts';
 export { didYouMean, Failure, namedPath, notice, shellPath, shellWord, systemReason, takeNotices, visible, visibleLine } from './messages.ts';
 export { type Batch, type Contents, entriesOf, type Entry, entryName, firstPack, packFormat, readSet, sizeOf } from './packs/index.ts';
-export { openPool, runInPool } from './pool.ts';
+export { openPool, runInParts, runInPool, startThread, type Thread } from './pool.ts';
 export { isStream, readBytes, readStdin, readVersion, siblingHint, STDIN, STDIN_NAME, stdinName } from './read.ts';
 export { NotAFile, openRegularFile, readBeyond, readRegularFile } from './regular-file.ts';
 export { expectOutput, type Inputs, levelsRead, Outputs, realTarget, standing, whyNotWritable } from './replaceable.ts';

@@ -7,7 +7,7 @@ import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accurac
 import type { Hold } from '../../../schema/index.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
 import { chooseRun, parseHolds } from '../../runs/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
@@ -24,24 +24,9 @@ interface Options extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addConfigOptions(addTermsOptions(command))
-    .description(
-      'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
-    )
-    .argument('<level>', 'a level file')
-    .option('--run <name>', 'the run to play (default: the first)')
-    .option('--holds <holds>', 'play these holds instead, in ticks: 12-96,130-188; none: she drifts', parseHolds)
-    .option('--svg <file>', 'write a work-precision diagram to FILE.svg')
-    .addOption(
-      new Option('--theme <theme>', 'colours of the diagram; auto follows the viewer')
-        .choices(['auto', 'light', 'dark'])
-        .default('auto'),
-    )
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
+  more: `
 Measures every named accuracy, euler, verlet and rk4 at 15 to 960 Hz, and taylor at 1e-2 to 1e-9 px, each with swept contacts
 and with contacts tested once a frame. With --integrator it also measures that custom setting. Timing takes about ${BUDGET / 1000} s; a cost
 is the least of several measurements.
@@ -53,7 +38,20 @@ Examples:
   $ gq accuracy levels/02-first-swing.level.json --run all-minerals --svg accuracy.svg
   $ gq accuracy levels/01-first-pull.level.json --integrator verlet --rate 90
   $ gq accuracy levels/01-first-pull.level.json --format json | jq '.methods[] | select(.sameVerdict | not) | .name'`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addConfigOptions(addTermsOptions(command))
+    .argument('<level>', 'a level file')
+    .option('--run <name>', 'the run to play (default: the first)')
+    .option('--holds <holds>', 'play these holds instead, in ticks: 12-96,130-188; none: she drifts', parseHolds)
+    .option('--svg <file>', 'write a work-precision diagram to FILE.svg')
+    .addOption(
+      new Option('--theme <theme>', 'colours of the diagram; auto follows the viewer')
+        .choices(['auto', 'light', 'dark'])
+        .default('auto'),
     )
+    .addOption(formatOption('pretty', 'json'))
     .action(async (file: string, options: Options) => finish(await measure(file, options, command)));
 }
 

@@ -5,7 +5,7 @@ import { type Command, InvalidArgumentError } from 'commander';
 import { checkPack, findPack, GAME, packOf, planSite, readGame, refusedOf, siteFiles, writeSite } from '../../build/index.ts';
 import { addCacheOptions, type CacheOptions, chosenCache } from '../../cache/index.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch } from '../../check/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS } from '../../find/index.ts';
 import { colorsFor, createProgress, exitCodeAfter } from '../../io/index.ts';
@@ -33,28 +33,9 @@ function parseTitle(text: string): string {
   throw new InvalidArgumentError(`expected a line of 1 to ${LONGEST_TITLE} characters`);
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addCacheOptions(addSearchOptions(addConfigOptions(command), ' for each level'))
-    .description('Make a static page on which levels can be played one after the other, for any web server or none.')
-    .argument('[path...]', PATHS)
-    .requiredOption('--out <site>', 'folder for the page; it is created when missing')
-    .option(
-      '--title <text>',
-      'title of the page (default: the name in pack.json, else that of the only level, else "Gravity Quest")',
-      parseTitle,
-    )
-    .option('--force', 'build although levels are not known to be completable')
-    .option('--overwrite', 'write over files in the folder that the last build has not written')
-    .option('--no-runs', 'leave out the runs of the levels, which give their solutions away')
-    .option('--solve', 'search for a run where none in the file completes the level; the page shows it')
-    .addOption(accuracyOption())
-    .addOption(maxTimeOption())
-    .addOption(maxWorkOption())
-    .addOption(jobsOption(availableParallelism()))
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Make a static page on which levels can be played one after the other, for any web server or none.',
+  more: `
 Checks every level as gq check does, with gq.config.json and the cache, and builds nothing when one is not completable or has an
 error. --force builds all the same; an invalid level is never built. Locks and the number of warnings do not count here.
 Levels are played in the order of the paths, and below each path by name, numbers by their value. Where a folder has a pack.json,
@@ -73,7 +54,26 @@ Examples:
   $ gq build levels --out site --title "My levels"
   $ gq build levels/07-slingshot.level.json --out slingshot
   $ gq build drafts --out site --force --no-runs`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addCacheOptions(addSearchOptions(addConfigOptions(command), ' for each level'))
+    .argument('[path...]', PATHS)
+    .requiredOption('--out <site>', 'folder for the page; it is created when missing')
+    .option(
+      '--title <text>',
+      'title of the page (default: the name in pack.json, else that of the only level, else "Gravity Quest")',
+      parseTitle,
     )
+    .option('--force', 'build although levels are not known to be completable')
+    .option('--overwrite', 'write over files in the folder that the last build has not written')
+    .option('--no-runs', 'leave out the runs of the levels, which give their solutions away')
+    .option('--solve', 'search for a run where none in the file completes the level; the page shows it')
+    .addOption(accuracyOption())
+    .addOption(maxTimeOption())
+    .addOption(maxWorkOption())
+    .addOption(jobsOption(availableParallelism()))
+    .addOption(formatOption('pretty', 'json'))
     .action(async (paths: string[], options: Options) => {
       refuseUnused(command, [{ option: '--seed', isUsed: options.solve === true, needs: '--solve' }]);
       finish(await build(paths, options));

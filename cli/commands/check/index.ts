@@ -2,7 +2,7 @@ import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
 import { type AskedOptions, type CheckedLevel, type CheckSettings, checkContent, checkFiles, exitCodeFor, exitCodeOf, FEW_FILES, judgeLevels, judgeOf, openLevelCache, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor, tooManyWarnings, totalsOf, unreadableLevel } from '../../check/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, type Configuration, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr, unreadableFolders } from '../../find/index.ts';
 import { createProgress, exitCodeAfter, Failure, type FoundPack, firstPack, levelsRead, STDIN } from '../../io/index.ts';
@@ -31,43 +31,9 @@ interface CheckOptions extends ConfigOptions, AskedOptions, CacheOptions, ShardO
   readonly watch?: true;
 }
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addShardOptions(addCacheOptions(addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level')))
-    .description('Read and validate every level, replay its runs, and report which levels can be completed.')
-    .argument('[path...]', PATHS)
-    .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
-    .option(
-      '--require-slack <ticks>',
-      'require that every run that completes a level still does when all its presses and releases are off by up to TICKS',
-      wholeNumberOption('a number of ticks', 0, 60),
-    )
-    .option(
-      '--softlocks [ticks]',
-      `find where a level is already lost although she lives on, with an effort of TICKS for each level (default: ${SOFTLOCK_EFFORT})`,
-      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
-    )
-    .option('--no-require-slack', 'require no slack, whatever the configuration says')
-    .option(
-      '--max-warnings <n>',
-      'fail when there are more warnings than this (default: any number is allowed)',
-      wholeNumberOption('a number of warnings', 0, MOST_WARNINGS),
-    )
-    .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
-    .addOption(reportFormatOption())
-    .addOption(reporterOption())
-    .addOption(forceReportsOption())
-    .addOption(editorUrlOption())
-    .addOption(jobsOption(availableParallelism()))
-    .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
-    .option('--no-lock', 'compare with no lock, whatever the configuration says')
-    .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
-    .option('--changed [ref]', 'check only levels that differ from REF (default: from the branch that changes go into)')
-    .option('-w, --watch', 'check again what has changed, until q or Ctrl-C')
-    .option('--stdin-path <file>', 'with the path -: the name in reports of the level that is read from standard input')
-    .option('--bail <n>', 'check no more levels after N have failed', wholeNumberOption('a number of levels', 1, 1e6))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Read and validate every level, replay its runs, and report which levels can be completed.',
+  more: `
 A directory stands for every *.level.json below it, except in hidden directories and node_modules. A file is read whatever its
 name is. Verdicts: completable; broken (it has runs, and none completes it); unproven (no run shows that it can be completed);
 impossible (it is proved that nobody can complete it); invalid; crashed. A level that costs more work than --max-work allows is
@@ -107,7 +73,41 @@ Examples:
   $ gq check --format json | jq .summary
   $ gq check --format github             annotations for a pull request
   $ gq check --reporter github --reporter json=out/levels.json   a report on stdout, and one in a file`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addShardOptions(addCacheOptions(addSearchOptions(addConfigOptions(addTermsOptions(command)), ' for each level')))
+    .argument('[path...]', PATHS)
+    .option('--solve', 'search for a run where none in the file completes the level, and warn of runs that forgive no error')
+    .option(
+      '--require-slack <ticks>',
+      'require that every run that completes a level still does when all its presses and releases are off by up to TICKS',
+      wholeNumberOption('a number of ticks', 0, 60),
     )
+    .option(
+      '--softlocks [ticks]',
+      `find where a level is already lost although she lives on, with an effort of TICKS for each level (default: ${SOFTLOCK_EFFORT})`,
+      wholeNumberOption('a number of ticks', 1, Number.MAX_SAFE_INTEGER),
+    )
+    .option('--no-require-slack', 'require no slack, whatever the configuration says')
+    .option(
+      '--max-warnings <n>',
+      'fail when there are more warnings than this (default: any number is allowed)',
+      wholeNumberOption('a number of warnings', 0, MOST_WARNINGS),
+    )
+    .option('--quiet', 'show only errors and the summary (pretty and github); warnings still count')
+    .addOption(reportFormatOption())
+    .addOption(reporterOption())
+    .addOption(forceReportsOption())
+    .addOption(editorUrlOption())
+    .addOption(jobsOption(availableParallelism()))
+    .option('--lock <file>', 'compare the results with those agreed on in this file; a difference is the error result-changed')
+    .option('--no-lock', 'compare with no lock, whatever the configuration says')
+    .option('--update-lock', 'agree anew: write the results into the lock file (default: gq.lock.json)')
+    .option('--changed [ref]', 'check only levels that differ from REF (default: from the branch that changes go into)')
+    .option('-w, --watch', 'check again what has changed, until q or Ctrl-C')
+    .option('--stdin-path <file>', 'with the path -: the name in reports of the level that is read from standard input')
+    .option('--bail <n>', 'check no more levels after N have failed', wholeNumberOption('a number of levels', 1, 1e6))
     .action(async (paths: string[], options: CheckOptions) => {
       refuseBesidesPlan(command, paths, options);
       if (options.plan !== undefined) {

@@ -3,7 +3,7 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { findConfig } from '../../config/index.ts';
 import { chooseComparison, type Diff, type DiffSettings, diffFiles, type PlayedVersions, playVersions, termsOfSides, type DiffedLevel, type JudgedVersion } from '../../diff/index.ts';
 import { colorsFor, expectOutput, Failure, PLAIN, readBytes, visible, visibleLine, writeWhole } from '../../io/index.ts';
@@ -24,12 +24,24 @@ interface Options extends TermsOptions {
   readonly jobs: number;
 }
 
+export const help: CommandHelp = {
+  description: 'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
+  more: `
+Without REF the working tree, untracked level files included, is compared with HEAD; with one REF, with that; with two, or
+REF..REF, the second is compared with the first. REF...REF compares the second with the commit where both parted.
+
+Exit code: 0; with --exit-code 1 if a level file differs; 2 when the comparison could not be made.
+
+Examples:
+  $ gq diff                          what changed since the last commit
+  $ gq diff main...feature levels    what a branch changes
+  $ gq diff old.level.json new.level.json
+  $ gq diff main --format html -o diff.html`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addTermsOptions(
     command
-      .description(
-        'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
-      )
       .argument('[words...]', 'up to two revisions, then level files, folders or quoted patterns; or two files; or two folders')
       .usage('[options] [REF [REF]] [--] [PATH...]')
       .option('--staged', 'compare what is staged for the next commit, and not the working tree')
@@ -41,20 +53,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('-o, --output <file>', 'write to FILE and not to standard output')
     .addOption(new Option('--theme <theme>', 'colours of --format svg').choices(['dark', 'light']).default('dark'))
     .addOption(jobsOption(availableParallelism()))
-    .addHelpText(
-      'after',
-      `
-Without REF the working tree, untracked level files included, is compared with HEAD; with one REF, with that; with two, or
-REF..REF, the second is compared with the first. REF...REF compares the second with the commit where both parted.
-
-Exit code: 0; with --exit-code 1 if a level file differs; 2 when the comparison could not be made.
-
-Examples:
-  $ gq diff                          what changed since the last commit
-  $ gq diff main...feature levels    what a branch changes
-  $ gq diff old.level.json new.level.json
-  $ gq diff main --format html -o diff.html`,
-    )
     .action(async (words: string[], options: Options) => finish(await diff(words, command, options)));
 }
 

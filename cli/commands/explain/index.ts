@@ -1,7 +1,7 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import type { ExplainReport } from '../../../schema/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { colorsFor, didYouMean, Failure } from '../../io/index.ts';
 import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
 import { formatOption } from '../../options/index.ts';
@@ -13,21 +13,19 @@ const PROOFS = PROOF_KINDS.filter(({ code }) => !ALL.some((problem) => problem.c
 /** Every code that the command explains. */
 export const EXPLAINED_CODES: readonly string[] = [...ALL, ...PROOFS].map(({ code }) => code);
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  command
-    .description(
-      'Explain a problem (what it means, why it matters, how to fix it) or a kind of proof. Without a code, list every code on a line.',
-    )
-    .argument('[code]', 'the code of a problem or a kind of proof, as reports name it')
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Explain a problem (what it means, why it matters, how to fix it) or a kind of proof. Without a code, list every code on a line.',
+  more: `
 Examples:
   $ gq explain
   $ gq explain unknown-key
   $ gq explain out-of-range    a kind of proof`,
-    )
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .argument('[code]', 'the code of a problem or a kind of proof, as reports name it')
+    .addOption(formatOption('pretty', 'json'))
     .action((code: string | undefined, { format }: { format: 'pretty' | 'json' }) => finish(explain(code, format)));
 }
 

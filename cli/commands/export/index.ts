@@ -3,7 +3,7 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.ts';
 import { showFileProblems, showProblems } from '../../report-parts/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured } from '../../find/index.ts';
 import { colorsFor, differing, expectOutput, Failure, levelsRead, namedPath, planFile, readBytes, statOrError, writeAll, writeWhole } from '../../io/index.ts';
@@ -18,9 +18,23 @@ interface ExportOptions extends OriginalOptions, ConfigOptions {
   readonly format: 'pretty' | 'json';
 }
 
+export const help: CommandHelp = {
+  description: "Turn levels back into the original game's level objects, or into Tiled maps.",
+  more: `
+gravityquest refuses what the original game does not have (kinds of objects, own rules, a level without recoil), each with its
+place: without it the level plays differently. Names, descriptions, runs and ids are lost, with a warning. A Tiled map keeps
+everything. gq import reads both back. Writes either every file or none.
+
+Exit code: 0; 1 when a level is invalid or can't be said in the format; 2 when a file could not be read or written.
+
+Examples:
+  $ gq export levels --to gravityquest -o Levels.js
+  $ gq export levels/01-first-pull.level.json --to tiled -o first.tmj
+  $ gq export levels --to tiled --out maps`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(command)
-    .description("Turn levels back into the original game's level objects, or into Tiled maps.")
     .argument('<path...>', 'level files, directories, or quoted patterns with * ** ?')
     .addOption(
       new Option('--to <format>', 'gravityquest: one file with all levels; tiled: a map for each level')
@@ -34,20 +48,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--drop', 'gravityquest: leave out what the original game does not have, with a warning')
     .option('--force', 'overwrite an existing file that differs')
     .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
-gravityquest refuses what the original game does not have (kinds of objects, own rules, a level without recoil), each with its
-place: without it the level plays differently. Names, descriptions, runs and ids are lost, with a warning. A Tiled map keeps
-everything. gq import reads both back. Writes either every file or none.
-
-Exit code: 0; 1 when a level is invalid or can't be said in the format; 2 when a file could not be read or written.
-
-Examples:
-  $ gq export levels --to gravityquest -o Levels.js
-  $ gq export levels/01-first-pull.level.json --to tiled -o first.tmj
-  $ gq export levels --to tiled --out maps`,
-    )
     .action(async (paths: string[], options: ExportOptions) => finish(await exportLevels(paths, options)));
 }
 

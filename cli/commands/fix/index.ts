@@ -1,7 +1,7 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { proposalInWords } from '../../../check/words/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { colorsFor, createStatusLine, Failure, uncut, visibleLine } from '../../io/index.ts';
 import { expectWritable, type OpenedFile, openLevel, replaceLevel } from '../../levels/index.ts';
@@ -18,21 +18,9 @@ interface Options extends ConfigOptions, TermsOptions, SearchOptions {
 const MOST_PROPOSALS = 20;
 const proposalNumber = wholeNumberOption('the number of a proposal', 1, MOST_PROPOSALS);
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  addSearchOptions(addConfigOptions(addTermsOptions(command)))
-    .description('Find the smallest change that makes a level completable: of the level, or only of a run.')
-    .argument('<level>', 'a level file')
-    .option(
-      '--count <n>',
-      'how many proposals of different kinds to give',
-      wholeNumberOption('a number of proposals', 1, MOST_PROPOSALS),
-      3,
-    )
-    .option('--write [n]', 'write proposal N, by default the first, to the level file', proposalNumber)
-    .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Find the smallest change that makes a level completable: of the level, or only of a run.',
+  more: `
 One thing is changed at a time: an object is moved, made larger or smaller, or removed, the range or her velocity at the start is
 changed, or only a run. A proof that the level is impossible says where to begin. Every proposal is replayed in the file as it
 would be written. It is the smallest that was found, not the smallest that there is.
@@ -44,7 +32,19 @@ Examples:
   $ gq fix my.level.json
   $ gq fix my.level.json --write 2
   $ gq fix my.level.json --effort 5000000 --format json | jq '.proposals[].words'`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addSearchOptions(addConfigOptions(addTermsOptions(command)))
+    .argument('<level>', 'a level file')
+    .option(
+      '--count <n>',
+      'how many proposals of different kinds to give',
+      wholeNumberOption('a number of proposals', 1, MOST_PROPOSALS),
+      3,
     )
+    .option('--write [n]', 'write proposal N, by default the first, to the level file', proposalNumber)
+    .addOption(formatOption('pretty', 'json'))
     .action(async (file: string, options: Options) => finish(await fix(file, options)));
 }
 

@@ -5,7 +5,7 @@ import { termsReport } from '../../../check/words/index.ts';
 import type { Terms } from '../../../engine/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
 import { type GeneratorOptions, INGREDIENTS, type Ingredient, type PackOptions, SYMMETRIES, type SymmetryKind, THEME_NAMES, type ThemeName, USUAL_INGREDIENTS, varietyOf, type WantedDifficulty, type WantedSize } from '../../../solver/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { type GenerateTask, generatedPath, type KeptPack, keepLevel, keepPack, type MadeLevel, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
 import { colorsFor, createProgress, Failure, uncut, visibleLine } from '../../io/index.ts';
@@ -31,11 +31,29 @@ interface Options extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';
 }
 
+export const help: CommandHelp = {
+  description: 'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
+  more: `
+A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if both of its runs hold under the asked terms, too; if a
+run "all-minerals" collects every mineral; and if drifting does not complete it and hardly any single press does. The level of a
+seed is the same on every machine and for any --jobs. Levels are made from the seeds S, S + 1, ..., and a file is named after its
+level and its seed. In a pack, a level
+that is too close to an earlier one gives way to one of another seed. Existing files are never overwritten. Rules that gq.config.json sets are written into the files, so that the
+levels stay completable. Ctrl-C ends the command; the files written so far stay.
+
+Exit code: 0 when every level was made; 1 when a seed gave no good level; 2 when a file could not be written, or another file
+has its name; 130 and 143 after SIGINT and SIGTERM.
+
+Examples:
+  $ gq generate --out drafts
+  $ gq generate --out drafts --count 10 --seed 100 --difficulty hard --size large
+  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil
+  $ gq generate --out drafts --theme orbits --symmetry rotate --tempting
+  $ gq generate --pack levels/orbits --count 8 --theme mixed --seed 7`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(addTermsOptions(command))
-    .description(
-      'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
-    )
     .option('--out <dir>', 'directory for the level files; it is created when missing')
     .option(
       '--pack <dir>',
@@ -75,26 +93,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('pretty', 'json'))
-    .addHelpText(
-      'after',
-      `
-A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if both of its runs hold under the asked terms, too; if a
-run "all-minerals" collects every mineral; and if drifting does not complete it and hardly any single press does. The level of a
-seed is the same on every machine and for any --jobs. Levels are made from the seeds S, S + 1, ..., and a file is named after its
-level and its seed. In a pack, a level
-that is too close to an earlier one gives way to one of another seed. Existing files are never overwritten. Rules that gq.config.json sets are written into the files, so that the
-levels stay completable. Ctrl-C ends the command; the files written so far stay.
-
-Exit code: 0 when every level was made; 1 when a seed gave no good level; 2 when a file could not be written, or another file
-has its name; 130 and 143 after SIGINT and SIGTERM.
-
-Examples:
-  $ gq generate --out drafts
-  $ gq generate --out drafts --count 10 --seed 100 --difficulty hard --size large
-  $ gq generate --out drafts --difficulty 4.5 --size 900x500 --ingredients hot,recoil
-  $ gq generate --out drafts --theme orbits --symmetry rotate --tempting
-  $ gq generate --pack levels/orbits --count 8 --theme mixed --seed 7`,
-    )
     .action(async (options: Options) => finish(await generate(options)));
 }
 

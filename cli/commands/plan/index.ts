@@ -1,6 +1,6 @@
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr } from '../../find/index.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
@@ -17,9 +17,30 @@ interface Options extends PlanOptions {
   readonly force?: true;
 }
 
+export const help: CommandHelp = {
+  description: 'Split a large set of levels or plays into shards that any number of machines can do.',
+  more: `
+The plan holds what must be equal everywhere: the version of gq, the options, and a hash over the set. It is a rule and not a list:
+the shard of a level is the first 32 bits of the SHA-256 of its bytes, modulo the number of shards. With --costs, levels are
+spread by what they have cost, the longest first. Limits count work and not time, so every machine gets the same results.
+
+Each shard: gq check --plan plan.json --shard 3 --out results, from the directory in which the plan was made. Shards count from 0;
+--shard 4/8 counts from 1, and --shard auto takes the number from the system that runs it. Then: gq merge results --plan plan.json.
+
+--for solve, difficulty or verify plans that command instead: gq solve --plan plan.json --shard 3 --out results. Paths of verify are
+plays: .gqr, directories of them, .ndjson with a play a line, .tar of .gqr; their levels and a challenge key must stay as they are.
+
+Exit code: 0 when the plan was written; 2 when it was not.
+
+Examples:
+  $ gq plan levels --shards 8
+  $ gq plan 'packs/*.ndjson.gz' --shards 200 --solve --effort 5000000 -o plan.json
+  $ gq plan packs/all.tar --shards 200 --solve --effort 5000000 --costs last-week/results
+  $ gq plan plays.ndjson.gz --shards 50 --for verify --levels levels`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addSearchOptions(addConfigOptions(addTermsOptions(command, accuracyOption('any'))), ' for each level')
-    .description('Split a large set of levels or plays into shards that any number of machines can do.')
     .argument(
       '[path...]',
       `${PATHS}; packs: .ndjson with a level a line, .tar of level files, also as .gz or .zst; with --for verify, plays`,
@@ -47,27 +68,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--count <n>', 'solve: how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
     .option('--run <name>', 'difficulty: the run to measure (default: the first that completes a level, or one that is found)');
   addPlayOptions(command, 'verify: ')
-    .addHelpText(
-      'after',
-      `
-The plan holds what must be equal everywhere: the version of gq, the options, and a hash over the set. It is a rule and not a list:
-the shard of a level is the first 32 bits of the SHA-256 of its bytes, modulo the number of shards. With --costs, levels are
-spread by what they have cost, the longest first. Limits count work and not time, so every machine gets the same results.
-
-Each shard: gq check --plan plan.json --shard 3 --out results, from the directory in which the plan was made. Shards count from 0;
---shard 4/8 counts from 1, and --shard auto takes the number from the system that runs it. Then: gq merge results --plan plan.json.
-
---for solve, difficulty or verify plans that command instead: gq solve --plan plan.json --shard 3 --out results. Paths of verify are
-plays: .gqr, directories of them, .ndjson with a play a line, .tar of .gqr; their levels and a challenge key must stay as they are.
-
-Exit code: 0 when the plan was written; 2 when it was not.
-
-Examples:
-  $ gq plan levels --shards 8
-  $ gq plan 'packs/*.ndjson.gz' --shards 200 --solve --effort 5000000 -o plan.json
-  $ gq plan packs/all.tar --shards 200 --solve --effort 5000000 --costs last-week/results
-  $ gq plan plays.ndjson.gz --shards 50 --for verify --levels levels`,
-    )
     .action(async (paths: string[], options: Options) => finish(await plan(paths, options, command)));
 }
 

@@ -7,7 +7,7 @@ import type { Hold } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { SOFTLOCK_EFFORT } from '../../check/index.ts';
 import { chooseRun, type ChosenRun, parseHolds } from '../../runs/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
@@ -38,10 +38,27 @@ interface Options extends ConfigOptions, TermsOptions {
   readonly theme: 'dark' | 'light';
 }
 
+export const help: CommandHelp = {
+  description: 'Draw a level with one of its runs, or with what a search or a proof shows.',
+  more: `
+--explored and --closest can be combined; every other view is drawn alone. --seed is for searches and for the fan.
+
+Exit code: 0; 1 when the level is invalid, or when there is no run or no proof to draw; 2 when it could not be read or
+the picture could not be written.
+
+Examples:
+  $ gq render levels/01-first-pull.level.json -o first.svg
+  $ gq render levels/01-first-pull.level.json -o first.png --width 800 --theme light
+  $ gq render levels/01-first-pull.level.json -o - --no-run > level.svg
+  $ gq render levels/16-firewalk.level.json -o ways.svg --all-runs
+  $ gq render levels/16-firewalk.level.json -o fan.svg --fan 3
+  $ gq render levels/16-firewalk.level.json -o lost.svg --softlocks
+  $ gq render levels/16-firewalk.level.json -o explored.png --explored --minerals all`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   const given = new Set<string>();
   addConfigOptions(addTermsOptions(command))
-    .description('Draw a level with one of its runs, or with what a search or a proof shows.')
     .argument('<level>', 'a level file')
     .requiredOption('-o, --output <file>', 'FILE.svg or FILE.png; - writes SVG to standard output')
     .option('--run <name>', 'the run to draw (default: the first)')
@@ -72,23 +89,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(seedOption())
     .option('--width <px>', 'width of the picture', wholeNumberOption('a width in px', 100, 8192), DEFAULT_WIDTH)
     .addOption(new Option('--theme <theme>', 'colours').choices(['dark', 'light']).default('dark'))
-    .addHelpText(
-      'after',
-      `
---explored and --closest can be combined; every other view is drawn alone. --seed is for searches and for the fan.
-
-Exit code: 0; 1 when the level is invalid, or when there is no run or no proof to draw; 2 when it could not be read or
-the picture could not be written.
-
-Examples:
-  $ gq render levels/01-first-pull.level.json -o first.svg
-  $ gq render levels/01-first-pull.level.json -o first.png --width 800 --theme light
-  $ gq render levels/01-first-pull.level.json -o - --no-run > level.svg
-  $ gq render levels/16-firewalk.level.json -o ways.svg --all-runs
-  $ gq render levels/16-firewalk.level.json -o fan.svg --fan 3
-  $ gq render levels/16-firewalk.level.json -o lost.svg --softlocks
-  $ gq render levels/16-firewalk.level.json -o explored.png --explored --minerals all`,
-    )
     .action(async (file: string, options: Options) => {
       if (given.size > 1) throw new Failure('--run and --no-run cannot be combined: give one of the two');
       finish(await render(file, options, command));

@@ -3,7 +3,7 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { accuracyInWords } from '../../../check/words/index.ts';
 import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured, PATHS } from '../../find/index.ts';
 import { colorsFor, createProgress, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
@@ -22,11 +22,24 @@ interface Options extends ConfigOptions, TermsOptions, SearchOptions {
   readonly format: 'text' | 'json';
 }
 
+export const help: CommandHelp = {
+  description: "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
+  more: `
+The run of a level is the first that completes it. The interval after each level is where that run still completes it while one
+rule changes, searched outwards from the level's value and exact to a thousandth of it; < and > mean that the run never failed on
+that side. Without a sweep, values from half to twice the level's own are tried. The most fragile levels come first.
+
+Exit code: 0 when every level was measured; 1 when a file is not a valid level; 2 for a bad option, when nothing matches, or when
+a file could not be read.
+
+Examples:
+  $ gq tune levels --set pull=1.1x
+  $ gq tune levels --sweep pull=0.8x..1.2x:41 --svg pull.svg
+  $ gq tune levels --set push=25 --sweep boxHeight=28..36:17 --solve --effort 200000`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   const described = addConfigOptions(addTermsOptions(command))
-    .description(
-      "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
-    )
     .argument('[path...]', PATHS)
     .option(
       '--set <rule=value>',
@@ -44,21 +57,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     )
     .addOption(jobsOption(availableParallelism()))
     .addOption(formatOption('text', 'json'))
-    .addHelpText(
-      'after',
-      `
-The run of a level is the first that completes it. The interval after each level is where that run still completes it while one
-rule changes, searched outwards from the level's value and exact to a thousandth of it; < and > mean that the run never failed on
-that side. Without a sweep, values from half to twice the level's own are tried. The most fragile levels come first.
-
-Exit code: 0 when every level was measured; 1 when a file is not a valid level; 2 for a bad option, when nothing matches, or when
-a file could not be read.
-
-Examples:
-  $ gq tune levels --set pull=1.1x
-  $ gq tune levels --sweep pull=0.8x..1.2x:41 --svg pull.svg
-  $ gq tune levels --set push=25 --sweep boxHeight=28..36:17 --solve --effort 200000`,
-    )
     .action(async (paths: string[], options: Options) => finish(await tune(paths, options, command)));
 }
 
