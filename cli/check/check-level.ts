@@ -1,6 +1,6 @@
 import { type Brief, brief, completingRuns, examineRuns, findingsOf, mineralsToProve, problemsOf, proveMineralsLost, softlocksOf, ticksToAgree, tightRuns, verdictOfFindings, withinWork, type Hints, type Searched, type Softlocks } from '../../check/index.ts';
 import { termsReport } from '../../check/words/index.ts';
-import { compile, isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
+import { isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
 import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun, type Level, type SoftlockReport } from '../../schema/index.ts';
 import { createSoftlockSurvey, type Proof, type SoftlockSurvey, createDecider } from '../../solver/index.ts';
 import { byHolds, showProblems } from '../report-parts/index.ts';

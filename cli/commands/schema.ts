@@ -35,11 +35,14 @@ const SCHEMAS: Readonly<Record<string, PrintedSchema>> = {
 
 const NAMES = Object.keys(SCHEMAS);
 
+const WIDTH = Math.max(...NAMES.map((name) => name.length));
+const LIST = Object.entries(SCHEMAS).map(([name, { about }]) => `  ${name.padEnd(WIDTH)}  ${about}`);
+
 export const help: CommandHelp = {
   description: 'Print the JSON Schema of a level file, of another file, or of a report.',
   more: `
 Names:
-${list.join('\n')}
+${LIST.join('\n')}
 
 Text editors use it to complete and check level files and gq.config.json that name it in "$schema".
 
@@ -50,8 +53,6 @@ Examples:
 };
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  const width = Math.max(...NAMES.map((name) => name.length));
-  const list = Object.entries(SCHEMAS).map(([name, { about }]) => `  ${name.padEnd(width)}  ${about}`);
   command
     .addArgument(new Argument('[name]', 'what to print the schema of').default('level'))
     .action((name: string) => finish({ output: schemaOf(name).print(), exitCode: 0 }));
