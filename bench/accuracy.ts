@@ -1,7 +1,7 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { brief } from '../cli/accuracy/index.ts';
+import { brief } from '../cli/commands/accuracy/report.ts';
 import { ACCURACIES, type Accuracy, DEFAULT_MAX_TICKS, TICK_RATE } from '../engine/index.ts';
 import {
   type Cost,

@@ -4,7 +4,7 @@
  *
  * @module
  */
-export { brief, briefInSteps } from './brief.ts';
+export { type Brief, brief, briefInSteps } from './brief.ts';
 export { ticksToAgree } from './certified-ticks.ts';
 export { examineRuns, playRuns } from './examine-runs.ts';
 export {

@@ -1,5 +1,3 @@
-export { cacheFolder } from './folder.ts';
-export { contentKey, keyOf } from './key.ts';
-export { addCacheOptions, type CacheOptions, chosenCache } from './options.ts';
-export { codeFingerprint, semantics } from './semantics.ts';
+export { cacheFolder, addCacheOptions, type CacheOptions, chosenCache } from './options.ts';
+export { contentKey, keyOf, codeFingerprint, semantics } from './key.ts';
 export { openStore, type Store } from './store.ts';

@@ -1,12 +1,6 @@
-export { cutAtBail } from './bail.ts';
-export { checkContent, checkFiles } from './check-files.ts';
-export type { CheckedLevel, CheckSettings } from './checked-level.ts';
+export { cutAtBail, checkContent, checkFiles, levelChecker } from './check-files.ts';
+export { type CheckedLevel, type CheckSettings, keyOf, crashedLevel, unreadableLevel } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';
-export { judgeLevels, judgeOf } from './judge-levels.ts';
+export { judgeLevels, judgeOf, type AskedOptions, FEW_FILES, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor } from './settings.ts';
 export { openLevelCache } from './level-cache.ts';
-export { levelChecker } from './level-checker.ts';
-export { keyOf } from './problem-keys.ts';
-export { crashedLevel, unreadableLevel } from './refused-level.ts';
-export { type AskedOptions, FEW_FILES, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor } from './settings.ts';
-export { exitCodeFor, exitCodeOf, tooManyWarnings } from './summary.ts';
-export { isGood, type Totals, totalsOf } from './totals.ts';
+export { exitCodeFor, exitCodeOf, tooManyWarnings, isGood, type Totals, totalsOf } from './totals.ts';

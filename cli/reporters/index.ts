@@ -6,8 +6,6 @@ export {
   reporterOption,
   reportFormatOption,
 } from './destinations.ts';
-export { pathInWorkspace } from './paths.ts';
-export { placesOf } from './places.ts';
+export { pathInWorkspace, placesOf, type Places, REPORTER_NAMES, type ReporterName } from './reporter.ts';
 export { reportCheck } from './report-check.ts';
-export { type Places, REPORTER_NAMES, type ReporterName } from './reporter.ts';
 export { type Annotation, workflowCommands } from './workflow-command.ts';

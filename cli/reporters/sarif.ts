@@ -7,10 +7,9 @@ import { type CheckedLevel, keyOf } from '../check/index.ts';
 import { EXPLAINED_CODES } from '../explained-codes.ts';
 import { visible, visibleLine } from '../io/index.ts';
 import { failureOf } from '../show-failure/index.ts';
-import type { ShownProblem } from '../shown-problem.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 import { unlistedInWords } from './early-end.ts';
-import { pathInRepository, rootOf } from './paths.ts';
-import type { ReportContext, Results } from './reporter.ts';
+import { pathInRepository, rootOf, type ReportContext, type Results } from './reporter.ts';
 
 const SCHEMA = 'https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json';
 

@@ -3,9 +3,8 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { balance, Costs, MOST_ASSIGNED } from '../../cli/fleet/balance.ts';
-import { NumberTable } from '../../cli/fleet/number-table.ts';
-import { keyOfHash } from '../../cli/fleet/rule.ts';
+import { balance, Costs, MOST_ASSIGNED, NumberTable } from '../../cli/fleet/balance.ts';
+import { keyOfHash } from '../../cli/fleet/digest.ts';
 import { gq } from '../cli/gq.ts';
 import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
 
