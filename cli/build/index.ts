@@ -1,2 +1,2 @@
-export { type BuiltPack, checkPack, packOf, findPack, isUnplayable, refusedOf, whyRefused } from './pack.ts';
-export { GAME, readGame, siteFiles, planSite, type SiteFile, type SiteWords, writeSite } from './site.ts';
+export { type BuiltPack, checkPack, findPack, isUnplayable, packOf, refusedOf, whyRefused } from './pack.ts';
+export { GAME, planSite, readGame, type SiteFile, type SiteWords, siteFiles, writeSite } from './site.ts';

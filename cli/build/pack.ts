@@ -1,15 +1,32 @@
 import { dirname, relative, resolve, sep } from 'node:path';
-import type { Configuration } from '../config/index.ts';
-import { FileFailure } from '../report-parts/index.ts';
-import { type FoundFiles, findConfigured, pathsOr } from '../find/index.ts';
-import { Failure, type FoundPack, levelIdOf, sortedByPlay, statOrError, NotAFile, readRegularFile, type StoppingSignal } from '../io/index.ts';
-import { type CheckedPack, checkPackFile } from '../pack-file/index.ts';
 import { type Pack, packedLevel } from '../../check/pack/index.ts';
+import { VERDICT_MEANS } from '../../check/words/index.ts';
 import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../schema/index.ts';
 import { cacheFolder } from '../cache/index.ts';
-import { type AskedOptions, type CheckedLevel, type CheckSettings, checkFiles, judgeLevels, openLevelCache, settingsFor } from '../check/index.ts';
-import { VERDICT_MEANS } from '../../check/words/index.ts';
+import {
+  type AskedOptions,
+  type CheckedLevel,
+  type CheckSettings,
+  checkFiles,
+  judgeLevels,
+  openLevelCache,
+  settingsFor,
+} from '../check/index.ts';
+import type { Configuration } from '../config/index.ts';
+import { type FoundFiles, findConfigured, pathsOr } from '../find/index.ts';
+import {
+  Failure,
+  type FoundPack,
+  levelIdOf,
+  NotAFile,
+  readRegularFile,
+  type StoppingSignal,
+  sortedByPlay,
+  statOrError,
+} from '../io/index.ts';
+import { type CheckedPack, checkPackFile } from '../pack-file/index.ts';
+import { FileFailure } from '../report-parts/index.ts';
 import { isFailing } from '../show-failure/index.ts';
 
 /** A level file of a pack. */

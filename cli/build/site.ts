@@ -1,9 +1,25 @@
-import { randomBytes, createHash } from 'node:crypto';
+import { createHash, randomBytes } from 'node:crypto';
 import { lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
-import { allOrNone, Failure, type FileStatus, makeFolders, namedPath, type PlannedFile, planFile, readRegularFile, removeFolders, renamePatiently, statOrError, systemReason, uncut, writeAll, readBuilt } from '../io/index.ts';
-import { PACK_FILE, type Pack, packScript, pageOf } from '../../check/pack/index.ts';
 import { fileURLToPath } from 'node:url';
+import { PACK_FILE, type Pack, packScript, pageOf } from '../../check/pack/index.ts';
+import {
+  allOrNone,
+  Failure,
+  type FileStatus,
+  makeFolders,
+  namedPath,
+  type PlannedFile,
+  planFile,
+  readBuilt,
+  readRegularFile,
+  removeFolders,
+  renamePatiently,
+  statOrError,
+  systemReason,
+  uncut,
+  writeAll,
+} from '../io/index.ts';
 
 /** What becomes of a file of a site. */
 export interface SiteFile {

@@ -1,3 +1,3 @@
-export { cacheFolder, addCacheOptions, type CacheOptions, chosenCache } from './options.ts';
-export { contentKey, keyOf, codeFingerprint, semantics } from './key.ts';
+export { codeFingerprint, contentKey, keyOf, semantics } from './key.ts';
+export { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from './options.ts';
 export { openStore, type Store } from './store.ts';

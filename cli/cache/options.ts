@@ -1,6 +1,6 @@
-import { type Command, InvalidArgumentError } from 'commander';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
+import { type Command, InvalidArgumentError } from 'commander';
 import { configFolders } from '../config/index.ts';
 
 /** The values of the options that `addCacheOptions` declares. */

@@ -1,13 +1,48 @@
-import { type Brief, brief, completingRuns, examineRuns, findingsOf, mineralsToProve, problemsOf, proveMineralsLost, softlocksOf, ticksToAgree, tightRuns, verdictOfFindings, withinWork, type Hints, type Searched, type Softlocks } from '../../check/index.ts';
+import {
+  type Brief,
+  brief,
+  completingRuns,
+  examineRuns,
+  findingsOf,
+  type Hints,
+  mineralsToProve,
+  problemsOf,
+  proveMineralsLost,
+  type Searched,
+  type Softlocks,
+  softlocksOf,
+  ticksToAgree,
+  tightRuns,
+  verdictOfFindings,
+  withinWork,
+} from '../../check/index.ts';
 import { termsReport } from '../../check/words/index.ts';
 import { isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
-import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun, type Level, type SoftlockReport } from '../../schema/index.ts';
-import { createSoftlockSurvey, type Proof, type SoftlockSurvey, createDecider } from '../../solver/index.ts';
-import { byHolds, showProblems } from '../report-parts/index.ts';
+import {
+  codeFrame,
+  conflictProblems,
+  type Hold,
+  type Level,
+  type Problem,
+  readLevel,
+  type ScriptedRun,
+  type SoftlockReport,
+} from '../../schema/index.ts';
+import { createDecider, createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
 import { Failure, readBytes, shellPath } from '../io/index.ts';
 import { type OpenedLevel, placed, reportRun } from '../levels/index.ts';
-import { ANYWHERE, atFile, mayMention, type KeptLevel, keptLevel } from './level-cache.ts';
-import { type CheckedLevel, type CheckSettings, type RunInBrief, type SearchSettings, withKeys, crashedLevel, refusedLevel, unreadableLevel } from './checked-level.ts';
+import { byHolds, showProblems } from '../report-parts/index.ts';
+import {
+  type CheckedLevel,
+  type CheckSettings,
+  crashedLevel,
+  type RunInBrief,
+  refusedLevel,
+  type SearchSettings,
+  unreadableLevel,
+  withKeys,
+} from './checked-level.ts';
+import { ANYWHERE, atFile, type KeptLevel, keptLevel, mayMention } from './level-cache.ts';
 
 /** The report for a file. */
 export interface CheckedFile {

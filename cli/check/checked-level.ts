@@ -1,9 +1,9 @@
+import { termsReport } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { Allowed, Hold, RunReport, SoftlockReport, TermsReport, Verdict } from '../../schema/index.ts';
+import { nameOfFile } from '../io/index.ts';
 import type { Limits } from '../options/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
-import { termsReport } from '../../check/words/index.ts';
-import { nameOfFile } from '../io/index.ts';
 
 /** A run in brief: what a line about it, and a place in it, need. */
 export interface RunInBrief extends Pick<RunReport, 'outcome' | 'time' | 'tick' | 'minerals' | 'clearance'> {

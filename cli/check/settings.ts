@@ -1,7 +1,7 @@
 import type { Configuration, ConfiguredTerms } from '../config/index.ts';
 import { Failure } from '../io/index.ts';
-import { limitsOf, type SearchOptions, termsFrom, type TermsOptions } from '../options/index.ts';
-import type { CheckSettings, CheckedLevel } from './checked-level.ts';
+import { limitsOf, type SearchOptions, type TermsOptions, termsFrom } from '../options/index.ts';
+import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
 /**
  * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand

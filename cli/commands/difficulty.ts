@@ -2,18 +2,58 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
+import { compile, simulate, type Terms } from '../../engine/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../picture/difficulty/index.ts';
+import { renderSvg } from '../../picture/index.ts';
+import { readLevel } from '../../schema/index.ts';
 import type { Goal } from '../../solver/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { type CollectedPlays, collectPlays, curvesInWords, curvesOf, difficultyJson, difficultyPretty, type MeasuredLevel, type MeasureSettings, measureLevels, measureSettings, refusedPlays, causeInWords } from '../difficulty/index.ts';
+import {
+  type CollectedPlays,
+  causeInWords,
+  collectPlays,
+  curvesInWords,
+  curvesOf,
+  difficultyJson,
+  difficultyPretty,
+  type MeasuredLevel,
+  type MeasureSettings,
+  measureLevels,
+  measureSettings,
+  refusedPlays,
+} from '../difficulty/index.ts';
 import { findConfigured, PATHS, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import { colorsFor, createProgress, createStatusLine, expectOutput, Failure, firstPack, levelsRead, namedPath, visibleLine, widthOf, writeWhole, readBytes } from '../io/index.ts';
-import { addShardOptions, addTermsOptions, collect, formatOption, jobsOption, mineralsOption, refuseBesidesPlan, refuseUnused, seedOption, type ShardOptions, type TermsOptions, USUAL_EFFORT, wholeNumberOption } from '../options/index.ts';
-import { compile, simulate, type Terms } from '../../engine/index.ts';
-import { renderSvg } from '../../picture/index.ts';
-import { readLevel } from '../../schema/index.ts';
+import {
+  colorsFor,
+  createProgress,
+  createStatusLine,
+  expectOutput,
+  Failure,
+  firstPack,
+  levelsRead,
+  namedPath,
+  readBytes,
+  visibleLine,
+  widthOf,
+  writeWhole,
+} from '../io/index.ts';
+import {
+  addShardOptions,
+  addTermsOptions,
+  collect,
+  formatOption,
+  jobsOption,
+  mineralsOption,
+  refuseBesidesPlan,
+  refuseUnused,
+  type ShardOptions,
+  seedOption,
+  type TermsOptions,
+  USUAL_EFFORT,
+  wholeNumberOption,
+} from '../options/index.ts';
 import { percent } from '../report-parts/index.ts';
 
 interface Options extends ConfigOptions, TermsOptions, ShardOptions {

@@ -1,14 +1,31 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds, type FmtReport } from '../../schema/index.ts';
-import { problemJson, showFileProblems, type ShownProblem, showProblems } from '../report-parts/index.ts';
+import { plural } from '../../check/words/index.ts';
+import { type FmtReport, formatLevel, formatPack, type Problem, readLevel, readPack, withIds } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../find/index.ts';
-import { colorsFor, Failure, hearSignals, isPackFile, namedPath, once, packFormat, readBytes, readStdin, stdinName, visible, visibleLine, whyNotWritable, writeWhole, type Colors, shellPath } from '../io/index.ts';
+import {
+  type Colors,
+  colorsFor,
+  Failure,
+  hearSignals,
+  isPackFile,
+  namedPath,
+  once,
+  packFormat,
+  readBytes,
+  readStdin,
+  shellPath,
+  stdinName,
+  visible,
+  visibleLine,
+  whyNotWritable,
+  writeWhole,
+} from '../io/index.ts';
 import { formatOption } from '../options/index.ts';
-import { placesOf, type Annotation, type Places, pathInWorkspace, workflowCommands } from '../reporters/index.ts';
-import { plural } from '../../check/words/index.ts';
+import { problemJson, type ShownProblem, showFileProblems, showProblems } from '../report-parts/index.ts';
+import { type Annotation, type Places, pathInWorkspace, placesOf, workflowCommands } from '../reporters/index.ts';
 
 interface FmtOptions extends ConfigOptions {
   readonly stdinPath?: string;
@@ -17,7 +34,8 @@ interface FmtOptions extends ConfigOptions {
 }
 
 export const help: CommandHelp = {
-  description: 'Format level files and the pack.json of directories, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
+  description:
+    'Format level files and the pack.json of directories, and give an id to every object that has none. The content stays the same; an invalid file is left alone.',
   more: `
 With the path -, one level is read from standard input, and its formatted text goes to standard output; with --check, nothing does.
 

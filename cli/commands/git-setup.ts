@@ -10,7 +10,8 @@ interface Options {
 }
 
 export const help: CommandHelp = {
-  description: 'Tell git to merge and compare level files with gq: settings of this clone, and a line in .gitattributes to commit.',
+  description:
+    'Tell git to merge and compare level files with gq: settings of this clone, and a line in .gitattributes to commit.',
   more: `
 Every clone needs it once; running it again changes nothing. Clones without it merge levels as text.
 

@@ -1,13 +1,32 @@
 import { basename, join } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { formatLevel, type ImportReading, importOriginal, importTiled, isTiledMap, MAX_FILE_SIZE, type ImportReport } from '../../schema/index.ts';
-import { showFileProblems, showProblems } from '../report-parts/index.ts';
-import type { CommandHelp, CommandResult } from '../command.ts';
-import { colorsFor, differing, Failure, namedPath, Outputs, type PlannedFile, planFile, readBytes, writeAll, visibleLine } from '../io/index.ts';
-import { formatOption } from '../options/index.ts';
-import { schemaReference } from '../levels/index.ts';
 import { plural } from '../../check/words/index.ts';
+import {
+  formatLevel,
+  type ImportReading,
+  type ImportReport,
+  importOriginal,
+  importTiled,
+  isTiledMap,
+  MAX_FILE_SIZE,
+} from '../../schema/index.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
+import {
+  colorsFor,
+  differing,
+  Failure,
+  namedPath,
+  Outputs,
+  type PlannedFile,
+  planFile,
+  readBytes,
+  visibleLine,
+  writeAll,
+} from '../io/index.ts';
+import { schemaReference } from '../levels/index.ts';
+import { formatOption } from '../options/index.ts';
+import { showFileProblems, showProblems } from '../report-parts/index.ts';
 
 interface ImportOptions {
   readonly out: string;
@@ -19,7 +38,8 @@ interface ImportOptions {
 type Target = ImportedFile & PlannedFile;
 
 export const help: CommandHelp = {
-  description: "Turn the original game's levels (a JSON array of its level objects, or one object) or a Tiled map into level files.",
+  description:
+    "Turn the original game's levels (a JSON array of its level objects, or one object) or a Tiled map into level files.",
   more: `
 Writes either every level or none. Exit code: 0; 1 when the file has neither the original's format nor Tiled's; 2 when it could
 not be read or the levels could not be written.

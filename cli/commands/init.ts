@@ -3,7 +3,7 @@ import { type Command, Option } from 'commander';
 import type { InitReport } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { type Ci, chooseCi, type Plan, planProject } from '../init/index.ts';
-import { planFile, shellPath, writeAll, visibleLine } from '../io/index.ts';
+import { planFile, shellPath, visibleLine, writeAll } from '../io/index.ts';
 import { formatOption } from '../options/index.ts';
 
 interface InitOptions {

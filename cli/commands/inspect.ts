@@ -1,15 +1,24 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { playRuns, withinWork } from '../../check/index.ts';
-import { termsReport, plural } from '../../check/words/index.ts';
-import { compile, type Work, WorkBudget, type Mode, type Scene } from '../../engine/index.ts';
+import { plural, termsReport } from '../../check/words/index.ts';
+import { compile, type Mode, type Scene, type Work, WorkBudget } from '../../engine/index.ts';
+import {
+  type InspectReport,
+  isVariant,
+  KINDS,
+  type Level,
+  LISTED_KINDS,
+  type ListedKind,
+  listOf,
+  type TermsReport,
+} from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { colorsFor, widthOf, type Colors, visibleLine } from '../io/index.ts';
+import { type Colors, colorsFor, visibleLine, widthOf } from '../io/index.ts';
 import { openLevel, warningsOf } from '../levels/index.ts';
-import { addTermsOptions, formatOption, termsFrom, type TermsOptions } from '../options/index.ts';
-import { type InspectReport, isVariant, KINDS, type Level, LISTED_KINDS, type ListedKind, listOf, type TermsReport } from '../../schema/index.ts';
-import { problemJson, alignColumns, showFileProblems, type ShownProblem } from '../report-parts/index.ts';
+import { addTermsOptions, formatOption, type TermsOptions, termsFrom } from '../options/index.ts';
+import { alignColumns, problemJson, type ShownProblem, showFileProblems } from '../report-parts/index.ts';
 
 interface InspectOptions extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';

@@ -20,7 +20,8 @@ const FAILED = 129;
 const MOST_NAMED = 5;
 
 export const help: CommandHelp = {
-  description: 'Merge two versions of a level for git: by object, run and field. gq git-setup tells git to use it for level files.',
+  description:
+    'Merge two versions of a level for git: by object, run and field. gq git-setup tells git to use it for level files.',
   more: `
 What only one side changed is taken. What both changed differently stays as we have it, and the file lists both values under
 "conflicts": it is a valid level, which gq check refuses until gq edit or a person has decided. After a clean merge the runs are

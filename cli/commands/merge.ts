@@ -2,10 +2,31 @@ import { availableParallelism } from 'node:os';
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
-import { contentsOf, type Gathered, gather, type JobName, jobOf, mergedRecords, type Plan, rangesOf, readPlan, recordOfLine, replaySample, resultsIn, setPaths } from '../fleet/index.ts';
+import {
+  contentsOf,
+  type Gathered,
+  gather,
+  type JobName,
+  jobOf,
+  mergedRecords,
+  type Plan,
+  rangesOf,
+  readPlan,
+  recordOfLine,
+  replaySample,
+  resultsIn,
+  setPaths,
+} from '../fleet/index.ts';
 import { exitCodeAfter, Failure, levelsRead, namedPath, shellPath, stoppable } from '../io/index.ts';
 import { jobsOption } from '../options/index.ts';
-import { chooseReports, type Destination, expectReportFiles, forceReportsOption, reporterOption, reportFormatOption } from '../reporters/index.ts';
+import {
+  chooseReports,
+  type Destination,
+  expectReportFiles,
+  forceReportsOption,
+  reporterOption,
+  reportFormatOption,
+} from '../reporters/index.ts';
 
 const LISTS = ['list', 'slurm', 'k8s'] as const;
 

@@ -1,14 +1,14 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
+import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
 import { compile, effectEventInWords, type Run, type RunEvent } from '../../engine/index.ts';
-import { type Hold, type Level, type SimulateReport, objectName, type RunReport } from '../../schema/index.ts';
-import { chooseRun, parseHolds } from '../runs/index.ts';
+import { type Hold, type Level, objectName, type RunReport, type SimulateReport } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { colorsFor, Failure, type Colors, visibleLine } from '../io/index.ts';
+import { type Colors, colorsFor, Failure, visibleLine } from '../io/index.ts';
 import { openLevel, reportRun, withinWorkOf } from '../levels/index.ts';
-import { addTermsOptions, formatOption, numberOption, termsFrom, type TermsOptions } from '../options/index.ts';
-import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
+import { addTermsOptions, formatOption, numberOption, type TermsOptions, termsFrom } from '../options/index.ts';
+import { chooseRun, parseHolds } from '../runs/index.ts';
 
 const MAX_SAMPLES = 1_000_000;
 

@@ -1,18 +1,54 @@
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import type { Command } from 'commander';
+import { accuracyInWords, countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Goal, Objective } from '../../solver/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { findConfigured, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import { colorsFor, createStatusLine, entryName, Failure, packFormat, statOrError, uncut, visibleLine, type Colors, visible } from '../io/index.ts';
+import {
+  type Colors,
+  colorsFor,
+  createStatusLine,
+  entryName,
+  Failure,
+  packFormat,
+  statOrError,
+  uncut,
+  visible,
+  visibleLine,
+} from '../io/index.ts';
 import { expectWritable, type OpenedFile, openLevel } from '../levels/index.ts';
-import { addSearchOptions, addShardOptions, addTermsOptions, expectMinerals, formatOption, jobsOption, limitsOf, mineralsOption, objectiveOption, refuseBesidesPlan, type SearchOptions, type ShardOptions, type TermsOptions, wholeNumberOption } from '../options/index.ts';
-import { addRuns, askedRuns, progressText, type Solved, type SolveSettings, settingsFor, solveLevel, solveReport, type SolvedRun } from '../solve/index.ts';
-import { accuracyInWords, countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
+import {
+  addSearchOptions,
+  addShardOptions,
+  addTermsOptions,
+  expectMinerals,
+  formatOption,
+  jobsOption,
+  limitsOf,
+  mineralsOption,
+  objectiveOption,
+  refuseBesidesPlan,
+  type SearchOptions,
+  type ShardOptions,
+  type TermsOptions,
+  wholeNumberOption,
+} from '../options/index.ts';
 import { closestRunInWords, robustnessLines } from '../report-parts/index.ts';
+import {
+  addRuns,
+  askedRuns,
+  progressText,
+  type Solved,
+  type SolvedRun,
+  type SolveSettings,
+  settingsFor,
+  solveLevel,
+  solveReport,
+} from '../solve/index.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptions {
   readonly minerals: Goal['minerals'];
@@ -25,7 +61,8 @@ interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptio
 }
 
 export const help: CommandHelp = {
-  description: 'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
+  description:
+    'Find a run that completes a level, by default the one that forgives bad timing most, or prove that there is none.',
   more: `
 The search starts from the level's own runs that reach the goal. Every run is replayed from the start before it is reported:
 gq simulate --holds gives the same hash. The search ends early when no better run is possible, and at the end of --budget with

@@ -3,7 +3,22 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Argument, type Command } from 'commander';
 import type { CommandHelp, CommandResult } from '../command.ts';
-import { arrayJob, gather, logsOf, maxArraySize, mergeJob, type Plan, rangesOf, readPlan, readRanges, reportOf, type SlurmOrder, submission, submitJob, USUAL_ARRAY_SIZE } from '../fleet/index.ts';
+import {
+  arrayJob,
+  gather,
+  logsOf,
+  maxArraySize,
+  mergeJob,
+  type Plan,
+  rangesOf,
+  readPlan,
+  readRanges,
+  reportOf,
+  type SlurmOrder,
+  submission,
+  submitJob,
+  USUAL_ARRAY_SIZE,
+} from '../fleet/index.ts';
 import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../io/index.ts';
 import { wholeNumberOption } from '../options/index.ts';
 
@@ -22,7 +37,8 @@ interface Options {
 }
 
 export const help: CommandHelp = {
-  description: 'Run the shards of a plan on a cluster: an array job with a task for each shard, and a job after it that merges the results.',
+  description:
+    'Run the shards of a plan on a cluster: an array job with a task for each shard, and a job after it that merges the results.',
   more: `
 The jobs run in the current directory with this gq and this Node, so all nodes must see them at the same paths. What a shard prints
 is in DIR/logs; the report is DIR/report.json. The merge job fails if a level fails or a result is missing, with the exit codes of

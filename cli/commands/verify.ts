@@ -8,9 +8,49 @@ import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import { colorsFor, Failure, filesBelow, firstPack, hearSignals, namedPath, once, print, readRegularFile, STDIN, siblingHint, statOrError, systemReason, visibleLine } from '../io/index.ts';
-import { addShardOptions, jobsOption, maxWorkOption, refuseBesidesPlan, refuseUnused, type ShardOptions, type TermsOptions } from '../options/index.ts';
-import { addPlayOptions, countsPretty, deskSettings, itemOfFile, itemOfLine, linesOf, PlayDesk, type PlayItem, type PlayOptions, playAccuracyOption, playPretty, playSettings, startThreads, unusableInWords, unusableLevels, verifyInOrder } from '../verify/index.ts';
+import {
+  colorsFor,
+  Failure,
+  filesBelow,
+  firstPack,
+  hearSignals,
+  namedPath,
+  once,
+  print,
+  readRegularFile,
+  STDIN,
+  siblingHint,
+  statOrError,
+  systemReason,
+  visibleLine,
+} from '../io/index.ts';
+import {
+  addShardOptions,
+  jobsOption,
+  maxWorkOption,
+  refuseBesidesPlan,
+  refuseUnused,
+  type ShardOptions,
+  type TermsOptions,
+} from '../options/index.ts';
+import {
+  addPlayOptions,
+  countsPretty,
+  deskSettings,
+  itemOfFile,
+  itemOfLine,
+  linesOf,
+  PlayDesk,
+  type PlayItem,
+  type PlayOptions,
+  playAccuracyOption,
+  playPretty,
+  playSettings,
+  startThreads,
+  unusableInWords,
+  unusableLevels,
+  verifyInOrder,
+} from '../verify/index.ts';
 
 /** Plays in files that are read together. */
 const TOGETHER = 32;
@@ -26,7 +66,8 @@ interface Options extends ConfigOptions, PlayOptions, ShardOptions, Pick<TermsOp
 }
 
 export const help: CommandHelp = {
-  description: 'Verify recorded plays: repeat the inputs of each on its level, and compare what comes of them with what it claims. Levels are found by the hash in the play.',
+  description:
+    'Verify recorded plays: repeat the inputs of each on its level, and compare what comes of them with what it claims. Levels are found by the hash in the play.',
   more: `
 Verdicts: ok; claim-differs; stale-level: no level has the play's hash; other-accuracy: it was played at another accuracy, so the
 physics was not that of these levels; unknown-engine; malformed; too-long.

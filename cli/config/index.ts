@@ -1,7 +1,19 @@
 import process from 'node:process';
-import { chosenConfig, type ConfigOptions, type Configuration, noConfiguration } from './configuration.ts';
+import { type ConfigOptions, type Configuration, chosenConfig, noConfiguration } from './configuration.ts';
 
-export { addConfigOptions, chosenConfig, CONFIG_NAME, configFolders, type ConfigOptions, type Configuration, type ConfiguredTerms, findConfig, noConfiguration, termsIn, termsSaid } from './configuration.ts';
+export {
+  addConfigOptions,
+  CONFIG_NAME,
+  type ConfigOptions,
+  type Configuration,
+  type ConfiguredTerms,
+  chosenConfig,
+  configFolders,
+  findConfig,
+  noConfiguration,
+  termsIn,
+  termsSaid,
+} from './configuration.ts';
 
 /**
  * Reads the configuration that the options choose. Without a file, the code that reads one is not loaded: it needs the schema.

@@ -1,13 +1,13 @@
 import { existsSync } from 'node:fs';
+import { dirname, relative, resolve } from 'node:path';
 import process from 'node:process';
-import { Failure, namedPath, siblingHint, readBytes, statOrError } from '../io/index.ts';
+import { isSame } from '../../schema/index.ts';
+import { readConfiguration, termsSaid } from '../config/index.ts';
+import { findLevelFiles } from '../find/index.ts';
+import { Failure, namedPath, readBytes, siblingHint, statOrError } from '../io/index.ts';
 import { compareInGit, mergeBase, type Revisions } from './compare-git.ts';
 import type { Comparison, FileVersion, Pair } from './comparison.ts';
-import { GIT, shallowHint, treeOf, termsOfFolder } from './side-terms.ts';
-import { dirname, relative, resolve } from 'node:path';
-import { isSame } from '../../schema/index.ts';
-import { findLevelFiles } from '../find/index.ts';
-import { readConfiguration, termsSaid } from '../config/index.ts';
+import { GIT, shallowHint, termsOfFolder, treeOf } from './side-terms.ts';
 
 /** What stands on the command line. */
 interface DiffArguments {

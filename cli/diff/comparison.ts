@@ -1,8 +1,8 @@
-import { type ConfiguredTerms } from '../config/index.ts';
-import { type TermsOptions, termsFrom } from '../options/index.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { Change, Standing } from '../../review/index.ts';
 import type { TermsReport, Verdict } from '../../schema/index.ts';
+import type { ConfiguredTerms } from '../config/index.ts';
+import { type TermsOptions, termsFrom } from '../options/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 
 /** Under which terms each side is judged: those of its own configuration, unless options say otherwise. */

@@ -1,6 +1,6 @@
-import { isSame, RULE_NAMES, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
+import { isSame, OBJECT_LISTS, RULE_NAMES, readLevel } from '../../schema/index.ts';
 import { runInPool } from '../io/index.ts';
-import type { Comparison, Pair, DiffedLevel, DiffSettings, DiffTask, FileVersion } from './comparison.ts';
+import type { Comparison, DiffedLevel, DiffSettings, DiffTask, FileVersion, Pair } from './comparison.ts';
 
 /** Fewer levels than this are compared faster without workers. */
 const MANY_LEVELS = 12;

@@ -1,4 +1,4 @@
 export { chooseComparison, compareFiles } from './choose-comparison.ts';
-export { termsOfSides, type DiffedLevel, type DiffSettings, type DiffStatus, type JudgedVersion } from './comparison.ts';
+export { type DiffedLevel, type DiffSettings, type DiffStatus, type JudgedVersion, termsOfSides } from './comparison.ts';
 export { type Diff, diffFiles } from './diff-files.ts';
 export { type PlayedVersion, type PlayedVersions, playVersions } from './versions.ts';

@@ -2,7 +2,7 @@ import { posix, relative } from 'node:path';
 import process from 'node:process';
 import { readConfig } from '../../schema/index.ts';
 import { CONFIG_NAME, type ConfiguredTerms, findConfig, noConfiguration, termsIn, termsSaid } from '../config/index.ts';
-import { readBytes, FETCH_MORE, Git } from '../io/index.ts';
+import { FETCH_MORE, Git, readBytes } from '../io/index.ts';
 
 /** What the working directory's configuration says about terms, as a commit or the index has it. An invalid one is ignored with a message. */
 export function termsInTree(root: string, tree: string, label: string, messages: string[]): ConfiguredTerms {

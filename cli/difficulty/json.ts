@@ -1,9 +1,9 @@
-import type { DifficultyReport, RunFoundReport, FitReport, ForecastReport } from '../../schema/index.ts';
+import type { FittedPlayers } from '../../check/plays/index.ts';
+import type { DifficultyReport, FitReport, ForecastReport, RunFoundReport } from '../../schema/index.ts';
 import type { Candidate, PlayerForecast } from '../../solver/index.ts';
 import { problemJson, robustnessJson } from '../report-parts/index.ts';
-import type { MeasuredLevel, Players, PackCurve } from './measured-level.ts';
+import type { MeasuredLevel, PackCurve, Players } from './measured-level.ts';
 import type { CollectedPlays } from './plays/index.ts';
-import type { FittedPlayers } from '../../check/plays/index.ts';
 
 /** The difficulty of levels as JSON. */
 export function difficultyJson(

@@ -1,15 +1,15 @@
+import { jumpsOf } from '../../check/pack/index.ts';
 import type { FittedPlayers, ModelComparison, PlayStatistics } from '../../check/plays/index.ts';
 import { termsReport } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/index.ts';
-import { type Hold, type TermsReport, levelsOfPack } from '../../schema/index.ts';
+import { type Hold, levelsOfPack, type TermsReport } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
-import { type Failure, nameOfFile, runInPool, type FoundPack, levelIdOf, visibleLine } from '../io/index.ts';
+import type { ConfiguredTerms } from '../config/index.ts';
+import { type Failure, type FoundPack, levelIdOf, nameOfFile, runInPool, visibleLine } from '../io/index.ts';
+import { type TermsOptions, termsFrom } from '../options/index.ts';
+import { readPackFile } from '../pack-file/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import type { LevelPlays } from './plays/index.ts';
-import { type ConfiguredTerms } from '../config/index.ts';
-import { type TermsOptions, termsFrom } from '../options/index.ts';
-import { jumpsOf } from '../../check/pack/index.ts';
-import { readPackFile } from '../pack-file/index.ts';
 
 /** The measured difficulty of one level file. */
 export interface MeasuredLevel {

@@ -1,11 +1,19 @@
-import { type EdgeStatistics, type FailureCause, isAttempt, type ModelComparison, type PlayStatistics, type Quartiles, type FittedPlayers } from '../../check/plays/index.ts';
+import {
+  type EdgeStatistics,
+  type FailureCause,
+  type FittedPlayers,
+  isAttempt,
+  type ModelComparison,
+  type PlayStatistics,
+  type Quartiles,
+} from '../../check/plays/index.ts';
 import { plural } from '../../check/words/index.ts';
 import { objectName, touchedName } from '../../schema/index.ts';
+import type { FitInterval, PlayerForecast } from '../../solver/index.ts';
 import { type Colors, visibleLine } from '../io/index.ts';
 import { alignColumns, percent } from '../report-parts/index.ts';
 import type { MeasuredLevel, Players } from './measured-level.ts';
 import type { CollectedPlays } from './plays/index.ts';
-import type { FitInterval, PlayerForecast } from '../../solver/index.ts';
 
 /** Lists in the report on one level end after so many entries. */
 const MOST_CAUSES = 6;

@@ -1,10 +1,18 @@
 import { createHmac, randomBytes } from 'node:crypto';
-import { runMessage, tokenMessage } from '../../schema/index.ts';
-import { closeSync, constants, fstatSync, lstatSync, mkdirSync, rmSync, type Stats, readdirSync, statSync } from 'node:fs';
-import { dirname, join, isAbsolute } from 'node:path';
-import process from 'node:process';
-import { createPrivateFile, makeFolders, openRegularFile, readBeyond, systemReason, readRegularFile, replaceFile } from '../io/index.ts';
+import { closeSync, constants, fstatSync, lstatSync, mkdirSync, readdirSync, rmSync, type Stats, statSync } from 'node:fs';
 import { homedir } from 'node:os';
+import { dirname, isAbsolute, join } from 'node:path';
+import process from 'node:process';
+import { runMessage, tokenMessage } from '../../schema/index.ts';
+import {
+  createPrivateFile,
+  makeFolders,
+  openRegularFile,
+  readBeyond,
+  readRegularFile,
+  replaceFile,
+  systemReason,
+} from '../io/index.ts';
 
 /** What lets pages in. */
 export interface Access {

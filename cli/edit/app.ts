@@ -1,14 +1,14 @@
-import type { HttpBindings } from '@hono/node-server';
-import { Hono } from 'hono';
-import type { ContentfulStatusCode } from 'hono/utils/http-status';
-import { EDIT_API } from '../../schema/index.ts';
-import type { Answer, EditContext } from './api.ts';
-import { bodyOf, Refusal, statusOf } from './refusal.ts';
 import { createHash, timingSafeEqual } from 'node:crypto';
 import type { IncomingMessage } from 'node:http';
 import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { HttpBindings } from '@hono/node-server';
+import { Hono } from 'hono';
+import type { ContentfulStatusCode } from 'hono/utils/http-status';
+import { EDIT_API } from '../../schema/index.ts';
 import { readBuilt } from '../io/index.ts';
+import type { Answer, EditContext } from './api.ts';
+import { bodyOf, Refusal, statusOf } from './refusal.ts';
 
 export interface AppOptions {
   readonly api: ReadonlyMap<string, Answer>;

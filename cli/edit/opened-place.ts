@@ -1,10 +1,10 @@
+import { spawn } from 'node:child_process';
 import { realpathSync } from 'node:fs';
 import { basename, dirname, join, relative, sep } from 'node:path';
+import process from 'node:process';
 import type { EditorPlace } from '../../schema/index.ts';
 import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
 import { findLevel, SUFFIX } from './level-files.ts';
-import { spawn } from 'node:child_process';
-import process from 'node:process';
 
 /** The folder to edit, and the place to open in it; null: the page decides. */
 interface OpenedPlace {

@@ -1,7 +1,16 @@
-import { EDIT_ERRORS, type EditErrorCode, type ErrorResponse, type Problem, type ReadResponse, type RefusedLevel, type LevelEntry, readLevel } from '../../schema/index.ts';
-import { systemReason } from '../io/index.ts';
 import { realpathSync } from 'node:fs';
 import { dirname } from 'node:path';
+import {
+  EDIT_ERRORS,
+  type EditErrorCode,
+  type ErrorResponse,
+  type LevelEntry,
+  type Problem,
+  type ReadResponse,
+  type RefusedLevel,
+  readLevel,
+} from '../../schema/index.ts';
+import { systemReason } from '../io/index.ts';
 
 interface Details {
   readonly problems?: Problem[];

@@ -5,13 +5,13 @@ import { dirname } from 'node:path';
 import { createAdaptorServer } from '@hono/node-server';
 import type { ConfigOptions } from '../config/index.ts';
 import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
-import { createAccess, keptKey, keepPort, lastPort } from './access.ts';
+import { createAccess, keepPort, keptKey, lastPort } from './access.ts';
 import { createApi } from './api.ts';
 import { createApp, readPage } from './app.ts';
 import { openLevelFolder } from './level-folder.ts';
 import { createPublish } from './publish.ts';
 import { termsOnDisk } from './terms-on-disk.ts';
-import { watchFolder, watchConfig } from './watch.ts';
+import { watchConfig, watchFolder } from './watch.ts';
 
 /** A browser keeps unsaved work under the page's address, which includes the port. So a folder keeps the port that it had. */
 export const DEFAULT_PORT = 4747;

@@ -2,9 +2,9 @@ import { lstatSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { TrashEntry } from '../../schema/index.ts';
 import { createFile, isTaken, makeFolders, moveFile, UNFINISHED } from '../io/index.ts';
-import { findLevels, type LevelFileFound, pathOfNew, splitId, namesIn } from './level-files.ts';
-import { Refusal } from './refusal.ts';
+import { findLevels, type LevelFileFound, namesIn, pathOfNew, splitId } from './level-files.ts';
 import { ASIDE } from './one-at-a-time.ts';
+import { Refusal } from './refusal.ts';
 
 /** Contains a folder for each deletion: `.gq-trash/2026-01-31T12-00-00.000Z/world-2/01-start.level.json`. */
 const TRASH = '.gq-trash';

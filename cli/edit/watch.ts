@@ -1,11 +1,11 @@
 import { type FSWatcher, lstatSync, watch } from 'node:fs';
-import { basename, join, sep, dirname } from 'node:path';
+import { basename, dirname, join, sep } from 'node:path';
 import process from 'node:process';
 import { PACK_NAME } from '../../schema/index.ts';
+import { CONFIG_NAME, type ConfigOptions, configFolders } from '../config/index.ts';
 import { systemReason } from '../io/index.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
-import { CONFIG_NAME, type ConfigOptions, configFolders } from '../config/index.ts';
 
 /**
  * ms from the first change until the folder or the configuration is read: a checkout changes many files, some more than once, and

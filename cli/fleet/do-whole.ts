@@ -1,16 +1,28 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { type Batch, Failure, LineWriter, namedPath, readSet, type StoppingSignal, stoppable, systemReason, createStatusLine, exitCodeAfter, onSignal } from '../io/index.ts';
-import { type ShardRecord, type Json, contentsOf, type JobName } from './job.ts';
+import type { CommandResult } from '../command.ts';
+import {
+  type Batch,
+  createStatusLine,
+  exitCodeAfter,
+  Failure,
+  LineWriter,
+  namedPath,
+  onSignal,
+  readSet,
+  type StoppingSignal,
+  stoppable,
+  systemReason,
+} from '../io/index.ts';
+import type { Destination } from '../reporters/index.ts';
+import { contentsOf, type JobName, type Json, type ShardRecord } from './job.ts';
 import { jobOf, type ReportOptions } from './jobs/index.ts';
 import { LineReader } from './line-reader.ts';
 import { recordOfLine } from './result.ts';
 import { limitsFor } from './run-shard.ts';
 import { type Asked, sharedText, workInThreads } from './threads.ts';
 import type { Common } from './worker.ts';
-import type { CommandResult } from '../command.ts';
-import type { Destination } from '../reporters/index.ts';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 
 /** What has become of a set. */
 interface WholeSet {

@@ -1,4 +1,4 @@
-import type { Entry, Contents } from '../io/index.ts';
+import type { Contents, Entry } from '../io/index.ts';
 
 /** A plain JSON object. */
 export type Json = Readonly<Record<string, unknown>>;

@@ -11,7 +11,7 @@ import {
   readSet,
 } from '../io/index.ts';
 import { type Balanced, balance, type Costs } from './balance.ts';
-import { contentHash, entryHash, SetDigest, ShardDigest, assignedOf, shardOf } from './digest.ts';
+import { assignedOf, contentHash, entryHash, SetDigest, ShardDigest, shardOf } from './digest.ts';
 import { contentsOf, type JobName } from './job.ts';
 import { type Code, ownCode, PLAN_VERSION, type Plan, sealed } from './plan.ts';
 import { setPaths } from './set-paths.ts';

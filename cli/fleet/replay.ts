@@ -1,15 +1,15 @@
 import { createHash } from 'node:crypto';
+import FlatQueue from 'flatqueue';
 import { type Batch, Failure, namedPath, readSet, sizeOf } from '../io/index.ts';
-import { type ShardRecord, contentsOf } from './job.ts';
+import { contentsOf, type ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';
+import { LineReader } from './line-reader.ts';
 import type { Plan } from './plan.ts';
 import { recordOfLine } from './result.ts';
 import { limitsFor } from './run-shard.ts';
 import { setPaths } from './set-paths.ts';
 import { type Asked, sharedText, workInThreads } from './threads.ts';
 import type { Common } from './worker.ts';
-import FlatQueue from 'flatqueue';
-import { LineReader } from './line-reader.ts';
 
 /** What replays of a sample have shown. */
 interface Replayed {

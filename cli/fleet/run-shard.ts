@@ -1,6 +1,6 @@
 import { lstatSync } from 'node:fs';
 import { type Batch, entriesOf, Failure, makeFolders, namedPath, readBytes, readSet, sizeOf, systemReason } from '../io/index.ts';
-import { DIGEST, SetDigest, ShardDigest, assignedOf } from './digest.ts';
+import { assignedOf, DIGEST, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf } from './job.ts';
 import { jobOf } from './jobs/index.ts';
 import type { Plan } from './plan.ts';

@@ -1,6 +1,6 @@
-import { shellWord, Failure } from '../io/index.ts';
 import { spawnSync } from 'node:child_process';
 import process from 'node:process';
+import { Failure, shellWord } from '../io/index.ts';
 
 /** What is to be submitted to Slurm. */
 export interface SlurmOrder {

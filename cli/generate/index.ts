@@ -1,9 +1,20 @@
-import { createPackJudge, type PackOptions, packLevel, type Generated } from '../../solver/index.ts';
-import type { MadeLevel, GenerateTask } from './make-level.ts';
-import { runInPool, createFile, Failure, levelIdOf, makeFolders, NotAFile, namedPath, readRegularFile, systemReason, tryFolder } from '../io/index.ts';
 import { basename, join, resolve } from 'node:path';
 import { formatLevel, formatPack, MAX_FILE_SIZE, PACK_NAME, PACK_VERSION } from '../../schema/index.ts';
+import { createPackJudge, type Generated, type PackOptions, packLevel } from '../../solver/index.ts';
+import {
+  createFile,
+  Failure,
+  levelIdOf,
+  makeFolders,
+  NotAFile,
+  namedPath,
+  readRegularFile,
+  runInPool,
+  systemReason,
+  tryFolder,
+} from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';
+import type { GenerateTask, MadeLevel } from './make-level.ts';
 
 /** What happened to a generated level; `in the way`: another file has its name, which is not overwritten. */
 type Kept = 'written' | 'unchanged' | 'in the way';

@@ -1,8 +1,8 @@
-import { existsSync, readFileSync, rmSync, realpathSync } from 'node:fs';
-import { join, dirname, isAbsolute, relative } from 'node:path';
-import { Failure, Git, systemReason, writeWhole } from '../io/index.ts';
+import { existsSync, readFileSync, realpathSync, rmSync } from 'node:fs';
+import { dirname, isAbsolute, join, relative } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
+import { Failure, Git, systemReason, writeWhole } from '../io/index.ts';
 
 /** What happens when no run completes a merged level any more. */
 export type OnBrokenRun = 'stop' | 'warn';

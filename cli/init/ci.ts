@@ -1,6 +1,6 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
-import { repositoryOf, shellWord, tryGit, Failure, readRegularFile, systemReason } from '../io/index.ts';
+import { Failure, readRegularFile, repositoryOf, shellWord, systemReason, tryGit } from '../io/index.ts';
 
 /** Where levels are checked for everybody. */
 export type Ci = 'github' | 'gitlab' | 'none';

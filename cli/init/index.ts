@@ -1,11 +1,11 @@
 import { existsSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
+import { strictJson } from '../../schema/basics/index.ts';
 import { formatLevel, readLevel } from '../../schema/index.ts';
 import { CONFIG_NAME, configFolders } from '../config/index.ts';
 import { Failure, repositoryOf, statOrError, systemReason, walk } from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';
-import { type Ci, type PlannedText, planCi, readShippedLevel, readText, readTemplate } from './ci.ts';
-import { strictJson } from '../../schema/basics/index.ts';
+import { type Ci, type PlannedText, planCi, readShippedLevel, readTemplate, readText } from './ci.ts';
 
 export { type Ci, chooseCi } from './ci.ts';
 

@@ -1,12 +1,42 @@
-import process from 'node:process';
-import { findWarnings, type Run, type Scene, simulate, STATE_SIZE, type Terms, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
-import { formatLevel, type Hold, type Level, type LevelDocument, type LevelFile, type Problem, readLevel, type RunReport } from '../../schema/index.ts';
-import { showFileProblems, type ShownProblem, showProblems } from '../report-parts/index.ts';
-import type { CommandResult } from '../command.ts';
-import { colorsFor, Failure, isPackFile, NOT_A_LEVEL, notice, readBytes, readRegularFile, replaceFile, systemReason, visibleLine, whyNotWritable } from '../io/index.ts';
 import { existsSync, realpathSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
+import process from 'node:process';
 import { termsReport } from '../../check/words/index.ts';
+import {
+  findWarnings,
+  type Run,
+  type Scene,
+  STATE_SIZE,
+  simulate,
+  type Terms,
+  WorkBudget,
+  WorkLimitReached,
+} from '../../engine/index.ts';
+import {
+  formatLevel,
+  type Hold,
+  type Level,
+  type LevelDocument,
+  type LevelFile,
+  type Problem,
+  type RunReport,
+  readLevel,
+} from '../../schema/index.ts';
+import type { CommandResult } from '../command.ts';
+import {
+  colorsFor,
+  Failure,
+  isPackFile,
+  NOT_A_LEVEL,
+  notice,
+  readBytes,
+  readRegularFile,
+  replaceFile,
+  systemReason,
+  visibleLine,
+  whyNotWritable,
+} from '../io/index.ts';
+import { type ShownProblem, showFileProblems, showProblems } from '../report-parts/index.ts';
 
 export interface OpenedLevel {
   readonly level: Level;

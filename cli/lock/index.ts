@@ -1,12 +1,12 @@
+import { resolve, sep } from 'node:path';
+import { entryChange, isAgreed, resultChange } from '../../check/lock/index.ts';
 import { plural } from '../../check/words/index.ts';
 import { type Terms, unusualTerms } from '../../engine/basics/index.ts';
+import type { LockEntry } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
 import { Failure, shellPath, statOrError, visibleLine } from '../io/index.ts';
-import { lockKey, type OpenedLock, openLock, lockedFile, writeLock } from './lock-file.ts';
-import { resultChange, entryChange, isAgreed } from '../../check/lock/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
-import { resolve, sep } from 'node:path';
-import type { LockEntry } from '../../schema/index.ts';
+import { lockedFile, lockKey, type OpenedLock, openLock, writeLock } from './lock-file.ts';
 
 export { changedEntries } from './lock-file.ts';
 

@@ -1,8 +1,16 @@
-import { type Conflict, mergeLevels, shareIds, withConflicts } from '../../review/index.ts';
-import { formatLevel, type Level, type LevelFile, type OwnRules, type Problem, readLevel, resolveLevel } from '../../schema/index.ts';
 import { playRuns } from '../../check/index.ts';
 import { bodyInWords } from '../../check/words/index.ts';
 import { compile, type Run, type Terms, WorkBudget } from '../../engine/index.ts';
+import { type Conflict, mergeLevels, shareIds, withConflicts } from '../../review/index.ts';
+import {
+  formatLevel,
+  type Level,
+  type LevelFile,
+  type OwnRules,
+  type Problem,
+  readLevel,
+  resolveLevel,
+} from '../../schema/index.ts';
 import { tryGit } from '../io/index.ts';
 
 /** The outcome of merging two versions of a level file. */

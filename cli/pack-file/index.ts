@@ -9,8 +9,8 @@ import {
   readPack,
   type SeverityMap,
 } from '../../schema/index.ts';
-import { type ShownProblem, showProblems } from '../report-parts/index.ts';
 import { type FoundPack, levelIdOf, NotAFile, readRegularFile, sortedByPlay, systemReason } from '../io/index.ts';
+import { type ShownProblem, showProblems } from '../report-parts/index.ts';
 
 /** What was found about a pack file. */
 export interface CheckedPack {

@@ -1,10 +1,10 @@
-import { plural, closestInWords, holdsInWords } from '../../check/words/index.ts';
-import { MORE_WARNINGS, TICK } from '../../engine/basics/index.ts';
-import { type Colors, colorsFor, Failure, visible, visibleLine } from '../io/index.ts';
-import type { CheckReport, Problem, RobustnessReport } from '../../schema/index.ts';
-import type { Robustness, Closest } from '../../solver/index.ts';
-import { codeFrame } from '../../schema/basics/index.ts';
 import process from 'node:process';
+import { closestInWords, holdsInWords, plural } from '../../check/words/index.ts';
+import { MORE_WARNINGS, TICK } from '../../engine/basics/index.ts';
+import { codeFrame } from '../../schema/basics/index.ts';
+import type { CheckReport, Problem, RobustnessReport } from '../../schema/index.ts';
+import type { Closest, Robustness } from '../../solver/index.ts';
+import { type Colors, colorsFor, Failure, visible, visibleLine } from '../io/index.ts';
 
 /** A run as an option, for the end of a sentence. */
 export const byHolds = (holds: string): string => `, with --holds ${holds}`;

@@ -1,7 +1,7 @@
-import { plural, bodyInWords, countMinerals } from '../../check/words/index.ts';
+import { bodyInWords, countMinerals, plural } from '../../check/words/index.ts';
+import type { CheckedLevel } from '../check/index.ts';
 import { visibleLine } from '../io/index.ts';
 import type { Results } from './reporter.ts';
-import type { CheckedLevel } from '../check/index.ts';
 
 /** The files that a report for people names at most. */
 const MOST_NAMED = 20;

@@ -6,6 +6,6 @@ export {
   reporterOption,
   reportFormatOption,
 } from './destinations.ts';
-export { pathInWorkspace, placesOf, type Places, REPORTER_NAMES, type ReporterName } from './reporter.ts';
 export { reportCheck } from './report-check.ts';
+export { type Places, pathInWorkspace, placesOf, REPORTER_NAMES, type ReporterName } from './reporter.ts';
 export { type Annotation, workflowCommands } from './workflow-command.ts';

@@ -1,12 +1,12 @@
+import { statSync } from 'node:fs';
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { visible, visibleLine } from '../io/index.ts';
-import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
-import { MAX_SHOWN, type ShownProblem } from '../report-parts/index.ts';
-import { type ReportContext, type Results, pathInWorkspace } from './reporter.ts';
-import { runInWords } from './early-end.ts';
-import { statSync } from 'node:fs';
 import type { ResultFile } from '../command.ts';
+import { visible, visibleLine } from '../io/index.ts';
+import { MAX_SHOWN, type ShownProblem } from '../report-parts/index.ts';
+import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
+import { runInWords } from './early-end.ts';
+import { pathInWorkspace, type ReportContext, type Results } from './reporter.ts';
 
 /** Bytes that a comment on GitHub may have. */
 export const COMMENT_BYTES = 65_536;

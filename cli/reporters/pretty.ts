@@ -1,12 +1,12 @@
 import { plural, termsInWords, VERDICT_MEANS } from '../../check/words/index.ts';
-import type { Verdict, SoftlockReport } from '../../schema/index.ts';
+import { TICK } from '../../engine/basics/index.ts';
+import type { SoftlockReport, Verdict } from '../../schema/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
 import { visibleLine } from '../io/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { earlyEndInWords, runInWords } from './early-end.ts';
 import type { ReportContext, Results } from './reporter.ts';
-import { TICK } from '../../engine/basics/index.ts';
 
 const WHAT_TO_DO: Record<Exclude<Verdict, 'completable'>, string> = {
   broken: 'change the level or a run; gq simulate shows how a run ends',

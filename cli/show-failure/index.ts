@@ -1,7 +1,7 @@
+import { InvalidArgumentError, Option } from 'commander';
 import type { EditorPlace } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
 import { entryName, shellPath } from '../io/index.ts';
-import { InvalidArgumentError, Option } from 'commander';
 
 /** Where to look at the failure of a level. */
 interface FailingPlace {

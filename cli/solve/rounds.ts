@@ -1,5 +1,5 @@
 import { type Closest, type Effort, mergeSolutions, type Proof, proofShare, type Solution } from '../../solver/index.ts';
-import { LANES, PROOF_LANE, type Round, type LaneState } from './settings.ts';
+import { LANES, type LaneState, PROOF_LANE, type Round } from './settings.ts';
 
 /** Ticks of a lane in the first round, and in the longest; rounds get longer at first. */
 const FIRST_STEP = 20_000;

@@ -1,7 +1,7 @@
 import type { Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
-import type { Goal, Objective, Closest, Effort, Proof, Robustness, Solution } from '../../solver/index.ts';
-import { type ConfiguredTerms } from '../config/index.ts';
+import type { Closest, Effort, Goal, Objective, Proof, Robustness, Solution } from '../../solver/index.ts';
+import type { ConfiguredTerms } from '../config/index.ts';
 import { type TermsOptions, termsFrom } from '../options/index.ts';
 
 /** How to solve a level. */

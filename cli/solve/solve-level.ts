@@ -1,15 +1,15 @@
 import { proveGoalImpossible } from '../../check/index.ts';
+import { termsReport } from '../../check/words/index.ts';
 import { compile, type Run, simulate } from '../../engine/index.ts';
 import type { Hold, SolutionReport, SolveReport } from '../../schema/index.ts';
-import { type Closest, type Effort, type Proof, type Robustness, verifyRun, type Solution } from '../../solver/index.ts';
+import { type Closest, type Effort, type Proof, type Robustness, type Solution, verifyRun } from '../../solver/index.ts';
 import { catchSignals, leaveSignals } from '../io/index.ts';
 import type { Limits } from '../options/index.ts';
-import { LANES, PROOF_LANE, type SolveSettings } from './settings.ts';
+import { robustnessJson } from '../report-parts/index.ts';
 import { measureRun, openLanes } from './lanes.ts';
 import { type Found, searchInRounds } from './rounds.ts';
+import { LANES, PROOF_LANE, type SolveSettings } from './settings.ts';
 import { startWorkerPool } from './worker-pool.ts';
-import { termsReport } from '../../check/words/index.ts';
-import { robustnessJson } from '../report-parts/index.ts';
 
 /** A run that was found and replayed, with its robustness. */
 export interface SolvedRun {

@@ -2,8 +2,17 @@ import type { Hold } from '../../schema/index.ts';
 import type { Robustness } from '../../solver/index.ts';
 import { startThread, type Thread } from '../io/index.ts';
 import type { Limits } from '../options/index.ts';
-import { type Answer, LANES, type LaneState, PROOF_LANE, type Request, type Round, type SolveSettings, type WorkerData } from './settings.ts';
 import { type Found, searchInRounds } from './rounds.ts';
+import {
+  type Answer,
+  LANES,
+  type LaneState,
+  PROOF_LANE,
+  type Request,
+  type Round,
+  type SolveSettings,
+  type WorkerData,
+} from './settings.ts';
 
 /** Threads that share a search. */
 export interface WorkerPool {

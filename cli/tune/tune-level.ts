@@ -1,10 +1,19 @@
 import { proveGoalImpossible } from '../../check/index.ts';
 import { termsReport } from '../../check/words/index.ts';
 import { compile, type Scene, simulate, WorkBudget, WorkLimitReached } from '../../engine/index.ts';
-import { type Hold, type Level, type OwnRules, RULES, type RuleName, readLevel, rulesOf, type ScriptedRun } from '../../schema/index.ts';
+import {
+  type Hold,
+  type Level,
+  type OwnRules,
+  RULES,
+  type RuleName,
+  readLevel,
+  rulesOf,
+  type ScriptedRun,
+} from '../../schema/index.ts';
 import { createDecider, type Decider } from '../../solver/index.ts';
-import { showProblems } from '../report-parts/index.ts';
 import { Failure, nameOfFile, readBytes } from '../io/index.ts';
+import { showProblems } from '../report-parts/index.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';
 import type { RuleInterval, TunedLevel, TunedValue, TuneSettings, TuneTask } from './tuned-level.ts';
 

@@ -1,9 +1,9 @@
 import type { Terms } from '../../engine/index.ts';
 import type { Hold, RuleName, TermsReport } from '../../schema/index.ts';
+import { runInPool } from '../io/index.ts';
 import type { Limits } from '../options/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import type { Change, Sweep } from './rule-options.ts';
-import { runInPool } from '../io/index.ts';
 
 /** Which rules to change, and how to find the effects. */
 export interface TuneSettings {

@@ -1,8 +1,8 @@
+import { compile, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
+import { createVerifier, encodePlay, type Play } from '../../game/index.ts';
 import type { Level, OwnRules } from '../../schema/index.ts';
 import { Failure, readBytes } from '../io/index.ts';
 import type { EngineModule } from './engine-module.ts';
-import { compile, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
-import { createVerifier, encodePlay, type Play } from '../../game/index.ts';
 
 /** A level that plays may be of. */
 export interface KnownLevel {

@@ -6,7 +6,7 @@ import type { OwnRules } from '../../schema/index.ts';
 import type { Configuration } from '../config/index.ts';
 import { type FoundFiles, findConfigured } from '../find/index.ts';
 import { Failure, namedPath, readBytes, visible } from '../io/index.ts';
-import { collect, termsFrom, type TermsOptions, wholeNumberOption } from '../options/index.ts';
+import { collect, type TermsOptions, termsFrom, wholeNumberOption } from '../options/index.ts';
 import { type Catalogue, readCatalogue } from './catalogue.ts';
 import { ownEngine } from './engine-module.ts';
 import type { PlaySettings } from './verify-plays.ts';

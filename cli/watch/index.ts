@@ -1,9 +1,9 @@
-import { resolve, basename, dirname, join, sep } from 'node:path';
+import { statSync } from 'node:fs';
+import { basename, dirname, join, resolve, sep } from 'node:path';
 import process from 'node:process';
 import type { CommandResult } from '../command.ts';
-import { catchSignals, Failure, systemReason, visible, writeResultFiles } from '../io/index.ts';
-import { statSync } from 'node:fs';
 import { CONFIG_NAME, configFolders } from '../config/index.ts';
+import { catchSignals, Failure, systemReason, visible, writeResultFiles } from '../io/index.ts';
 
 export { Memory } from './memory.ts';
 

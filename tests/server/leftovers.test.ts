@@ -15,8 +15,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { collectLeftovers } from '../../cli/edit/trash.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { collectLeftovers } from '../../cli/edit/trash.ts';
 import { gqEdit } from './command.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
 

@@ -5,13 +5,20 @@ import { ACCURACIES } from '../../../engine/index.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../../engine/work-precision/index.ts';
 import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accuracy/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
-import { chooseRun, parseHolds } from '../../runs/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
-import { addTermsOptions, customAccuracy, formatOption, refuseUnused, termsFrom, type TermsOptions } from '../../options/index.ts';
+import {
+  addTermsOptions,
+  customAccuracy,
+  formatOption,
+  refuseUnused,
+  type TermsOptions,
+  termsFrom,
+} from '../../options/index.ts';
+import { chooseRun, parseHolds } from '../../runs/index.ts';
+import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
 
 /** ms for the timing */
 const BUDGET = 3000;
@@ -25,7 +32,8 @@ interface Options extends ConfigOptions, TermsOptions {
 }
 
 export const help: CommandHelp = {
-  description: 'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
+  description:
+    'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
   more: `
 Measures every named accuracy, euler, verlet and rk4 at 15 to 960 Hz, and taylor at 1e-2 to 1e-9 px, each with swept contacts
 and with contacts tested once a frame. With --integrator it also measures that custom setting. Timing takes about ${BUDGET / 1000} s; a cost

@@ -1,4 +1,4 @@
-import { type Accuracy, ACCURACIES } from '../../../engine/index.ts';
+import { ACCURACIES, type Accuracy } from '../../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../../engine/work-precision/index.ts';
 import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../../schema/index.ts';
 import { type Colors, visibleLine } from '../../io/index.ts';

@@ -9,7 +9,15 @@ import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS } from '../../find/index.ts';
 import { colorsFor, createProgress, exitCodeAfter } from '../../io/index.ts';
-import { accuracyOption, addSearchOptions, formatOption, jobsOption, maxTimeOption, maxWorkOption, refuseUnused } from '../../options/index.ts';
+import {
+  accuracyOption,
+  addSearchOptions,
+  formatOption,
+  jobsOption,
+  maxTimeOption,
+  maxWorkOption,
+  refuseUnused,
+} from '../../options/index.ts';
 import { isFailing } from '../../show-failure/index.ts';
 import { type BuildResult, buildJson, buildPretty, refusedInWords } from './report.ts';
 

@@ -1,6 +1,6 @@
 import type { Configuration } from '../../config/index.ts';
 import { type FoundFiles, findConfigured } from '../../find/index.ts';
-import { Failure, readStdin, STDIN_NAME, stdinName, namedPath } from '../../io/index.ts';
+import { Failure, namedPath, readStdin, STDIN_NAME, stdinName } from '../../io/index.ts';
 
 /** What the options say about the files to check. */
 interface ChoiceOptions {

@@ -1,14 +1,48 @@
 import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
-import { type AskedOptions, type CheckedLevel, type CheckSettings, checkContent, checkFiles, exitCodeFor, exitCodeOf, FEW_FILES, judgeLevels, judgeOf, openLevelCache, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor, tooManyWarnings, totalsOf, unreadableLevel } from '../../check/index.ts';
+import {
+  type AskedOptions,
+  type CheckedLevel,
+  type CheckSettings,
+  checkContent,
+  checkFiles,
+  exitCodeFor,
+  exitCodeOf,
+  FEW_FILES,
+  judgeLevels,
+  judgeOf,
+  openLevelCache,
+  refuseLimitsWithoutSearch,
+  SOFTLOCK_EFFORT,
+  settingsFor,
+  tooManyWarnings,
+  totalsOf,
+  unreadableLevel,
+} from '../../check/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, type Configuration, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr, unreadableFolders } from '../../find/index.ts';
 import { createProgress, exitCodeAfter, Failure, type FoundPack, firstPack, levelsRead, STDIN } from '../../io/index.ts';
-import { addSearchOptions, addShardOptions, addTermsOptions, jobsOption, refuseBesidesPlan, refuseUnused, type ShardOptions, wholeNumberOption } from '../../options/index.ts';
+import {
+  addSearchOptions,
+  addShardOptions,
+  addTermsOptions,
+  jobsOption,
+  refuseBesidesPlan,
+  refuseUnused,
+  type ShardOptions,
+  wholeNumberOption,
+} from '../../options/index.ts';
 import type { CheckedPack } from '../../pack-file/index.ts';
-import { chooseReports, expectReportFiles, forceReportsOption, reportCheck, reporterOption, reportFormatOption } from '../../reporters/index.ts';
+import {
+  chooseReports,
+  expectReportFiles,
+  forceReportsOption,
+  reportCheck,
+  reporterOption,
+  reportFormatOption,
+} from '../../reporters/index.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
 import { chooseFiles, refuseForPacks } from './choose-files.ts';
 

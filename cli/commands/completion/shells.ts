@@ -1,4 +1,4 @@
-import type { CommandWords, Taken, OptionWords } from './words.ts';
+import type { CommandWords, OptionWords, Taken } from './words.ts';
 
 const quoted = (text: string): string => `'${text.replaceAll("'", "'\\''")}'`;
 
@@ -135,7 +135,8 @@ complete -c gq -f
 complete -c gq -n __fish_use_subcommand -s V -l version -d 'print the version'
 complete -c gq -n __fish_use_subcommand -s h -l help -d 'show help'
 `;
-  for (const { name, about } of commands) text += `complete -c gq -n __fish_use_subcommand -a ${name} -d ${quotedForFish(about)}\n`;
+  for (const { name, about } of commands)
+    text += `complete -c gq -n __fish_use_subcommand -a ${name} -d ${quotedForFish(about)}\n`;
   for (const { name, options, argument } of commands) {
     const start = `complete -c gq -n '__fish_seen_subcommand_from ${name}'`;
     if (argument !== null && taking(argument) !== '') text += `${start}${taking(argument)}\n`;

@@ -3,15 +3,25 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
+import { levelInLines } from '../../../review/index.ts';
+import { type DiffReport, readLevel } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { findConfig } from '../../config/index.ts';
-import { chooseComparison, type Diff, type DiffSettings, diffFiles, type PlayedVersions, playVersions, termsOfSides, type DiffedLevel, type JudgedVersion } from '../../diff/index.ts';
+import {
+  chooseComparison,
+  type Diff,
+  type DiffedLevel,
+  type DiffSettings,
+  diffFiles,
+  type JudgedVersion,
+  type PlayedVersions,
+  playVersions,
+  termsOfSides,
+} from '../../diff/index.ts';
 import { colorsFor, expectOutput, Failure, PLAIN, readBytes, visible, visibleLine, writeWhole } from '../../io/index.ts';
 import { addTermsOptions, formatOption, jobsOption, type TermsOptions } from '../../options/index.ts';
-import { diffText } from './text.ts';
-import { type DiffReport, readLevel } from '../../../schema/index.ts';
 import { problemJson } from '../../report-parts/index.ts';
-import { levelInLines } from '../../../review/index.ts';
+import { diffText } from './text.ts';
 
 interface Options extends TermsOptions {
   readonly staged?: true;
@@ -25,7 +35,8 @@ interface Options extends TermsOptions {
 }
 
 export const help: CommandHelp = {
-  description: 'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
+  description:
+    'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
   more: `
 Without REF the working tree, untracked level files included, is compared with HEAD; with one REF, with that; with two, or
 REF..REF, the second is compared with the first. REF...REF compares the second with the commit where both parted.

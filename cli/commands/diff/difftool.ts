@@ -14,7 +14,8 @@ interface Options {
 }
 
 const help: CommandHelp = {
-  description: 'Show two versions of a level in the browser: what changed, and both runs on one stage. Called with the seven arguments of an external diff of git, print what changed instead.',
+  description:
+    'Show two versions of a level in the browser: what changed, and both runs on one stage. Called with the seven arguments of an external diff of git, print what changed instead.',
   more: `
 The levels are judged under the terms of the gq.config.json that is nearest to PATH.
 The page is written to the folder for temporary files. Where there is no display, its path is printed.

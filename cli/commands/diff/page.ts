@@ -7,8 +7,8 @@ import { renderSvg } from '../../../picture/index.ts';
 import { type Hold, type Level, rulesOf, type Verdict } from '../../../schema/index.ts';
 import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../diff/index.ts';
 import { visibleLine } from '../../io/index.ts';
-import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from './text.ts';
 import { PLAYER, STYLE } from './page-parts.ts';
+import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from './text.ts';
 
 /** Pictures take most of the room: further levels have words only. */
 const MOST_PICTURES = 60;

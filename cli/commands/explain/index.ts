@@ -2,8 +2,8 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import type { ExplainReport } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
-import { colorsFor, didYouMean, Failure } from '../../io/index.ts';
 import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
+import { colorsFor, didYouMean, Failure } from '../../io/index.ts';
 import { formatOption } from '../../options/index.ts';
 import { explainPretty, explainProof, listCodes, PROOF_KINDS } from './report.ts';
 
@@ -14,7 +14,8 @@ const PROOFS = PROOF_KINDS.filter(({ code }) => !ALL.some((problem) => problem.c
 export const EXPLAINED_CODES: readonly string[] = [...ALL, ...PROOFS].map(({ code }) => code);
 
 export const help: CommandHelp = {
-  description: 'Explain a problem (what it means, why it matters, how to fix it) or a kind of proof. Without a code, list every code on a line.',
+  description:
+    'Explain a problem (what it means, why it matters, how to fix it) or a kind of proof. Without a code, list every code on a line.',
   more: `
 Examples:
   $ gq explain

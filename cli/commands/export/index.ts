@@ -2,13 +2,25 @@ import { extname } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.ts';
-import { showFileProblems, showProblems } from '../../report-parts/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured } from '../../find/index.ts';
-import { colorsFor, differing, expectOutput, Failure, levelsRead, namedPath, planFile, readBytes, statOrError, writeAll, writeWhole } from '../../io/index.ts';
+import {
+  colorsFor,
+  differing,
+  expectOutput,
+  Failure,
+  levelsRead,
+  namedPath,
+  planFile,
+  readBytes,
+  statOrError,
+  writeAll,
+  writeWhole,
+} from '../../io/index.ts';
 import { formatOption } from '../../options/index.ts';
-import { type Made, type ReadFile, type Refused, type OriginalOptions, toOriginal, toTiled } from './made.ts';
+import { showFileProblems, showProblems } from '../../report-parts/index.ts';
+import { type Made, type OriginalOptions, type ReadFile, type Refused, toOriginal, toTiled } from './made.ts';
 import { type ExportedFile, exportJson, exportPretty, warningsInWords } from './report.ts';
 
 interface ExportOptions extends OriginalOptions, ConfigOptions {

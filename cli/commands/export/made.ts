@@ -1,5 +1,15 @@
-import { type Level, type LevelDocument, type Problem, exportOriginal, formatOriginal, type TitledOriginal, exportTiled, formatTiled, formatTmx } from '../../../schema/index.ts';
 import { basename, extname, join } from 'node:path';
+import {
+  exportOriginal,
+  exportTiled,
+  formatOriginal,
+  formatTiled,
+  formatTmx,
+  type Level,
+  type LevelDocument,
+  type Problem,
+  type TitledOriginal,
+} from '../../../schema/index.ts';
 import { Failure } from '../../io/index.ts';
 
 /** A level that was read. */

@@ -5,9 +5,18 @@ import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { colorsFor, createStatusLine, Failure, uncut, visibleLine } from '../../io/index.ts';
 import { expectWritable, type OpenedFile, openLevel, replaceLevel } from '../../levels/index.ts';
-import { addSearchOptions, addTermsOptions, formatOption, limitsOf, type SearchOptions, termsFrom, type TermsOptions, wholeNumberOption } from '../../options/index.ts';
+import {
+  addSearchOptions,
+  addTermsOptions,
+  formatOption,
+  limitsOf,
+  type SearchOptions,
+  type TermsOptions,
+  termsFrom,
+  wholeNumberOption,
+} from '../../options/index.ts';
 import { type Fixed, type FixSettings, fixLevel } from './fixed.ts';
-import { fixReport, fixPretty } from './report.ts';
+import { fixPretty, fixReport } from './report.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions {
   readonly count: number;

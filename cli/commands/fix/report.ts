@@ -1,8 +1,17 @@
-import { accuracyInWords, effortInWords, outcomeInWords, plural, proposalInWords, proposalRunInWords, SIZE_MEANS, termsReport } from '../../../check/words/index.ts';
-import { type Level, type FixReport, listOf } from '../../../schema/index.ts';
-import { type Colors, visible, visibleLine } from '../../io/index.ts';
-import type { Fixed, FixSettings, FixedFile } from './fixed.ts';
+import {
+  accuracyInWords,
+  effortInWords,
+  outcomeInWords,
+  plural,
+  proposalInWords,
+  proposalRunInWords,
+  SIZE_MEANS,
+  termsReport,
+} from '../../../check/words/index.ts';
+import { type FixReport, type Level, listOf } from '../../../schema/index.ts';
 import { changeEdits, type ObjectRef } from '../../../solver/index.ts';
+import { type Colors, visible, visibleLine } from '../../io/index.ts';
+import type { Fixed, FixedFile, FixSettings } from './fixed.ts';
 
 /** What `gq fix` prints for people. */
 export function fixPretty(level: Level, { terms, seed }: FixSettings, fixed: Fixed, colors: Colors): string {

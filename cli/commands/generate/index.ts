@@ -4,12 +4,45 @@ import { type Command, InvalidArgumentError, Option } from 'commander';
 import { termsReport } from '../../../check/words/index.ts';
 import type { Terms } from '../../../engine/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
-import { type GeneratorOptions, INGREDIENTS, type Ingredient, type PackOptions, SYMMETRIES, type SymmetryKind, THEME_NAMES, type ThemeName, USUAL_INGREDIENTS, varietyOf, type WantedDifficulty, type WantedSize } from '../../../solver/index.ts';
+import {
+  type GeneratorOptions,
+  INGREDIENTS,
+  type Ingredient,
+  type PackOptions,
+  SYMMETRIES,
+  type SymmetryKind,
+  THEME_NAMES,
+  type ThemeName,
+  USUAL_INGREDIENTS,
+  varietyOf,
+  type WantedDifficulty,
+  type WantedSize,
+} from '../../../solver/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
-import { type GenerateTask, generatedPath, type KeptPack, keepLevel, keepPack, type MadeLevel, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
+import {
+  type GenerateTask,
+  generatedPath,
+  type KeptPack,
+  keepLevel,
+  keepPack,
+  type MadeLevel,
+  makeDirectory,
+  makeLevels,
+  makePack,
+  packPath,
+} from '../../generate/index.ts';
 import { colorsFor, createProgress, Failure, uncut, visibleLine } from '../../io/index.ts';
-import { addTermsOptions, formatOption, jobsOption, LARGEST_SEED, seedOption, termsFrom, type TermsOptions, wholeNumberOption } from '../../options/index.ts';
+import {
+  addTermsOptions,
+  formatOption,
+  jobsOption,
+  LARGEST_SEED,
+  seedOption,
+  type TermsOptions,
+  termsFrom,
+  wholeNumberOption,
+} from '../../options/index.ts';
 import { generateJson, generatePretty } from './report.ts';
 
 /** The default effort for each level, ticks: takes minutes. */
@@ -32,7 +65,8 @@ interface Options extends ConfigOptions, TermsOptions {
 }
 
 export const help: CommandHelp = {
-  description: 'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
+  description:
+    'Make new levels from a seed, a size and a difficulty. Every level comes with runs that complete it and forgive errors.',
   more: `
 A level is kept only if its run "solution" forgives as much as the difficulty requires, at the accuracies precise and arcade; if both of its runs hold under the asked terms, too; if a
 run "all-minerals" collects every mineral; and if drifting does not complete it and hardly any single press does. The level of a

@@ -5,7 +5,14 @@ import { addConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr } from '../../find/index.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
 import { createStatusLine, Failure, namedPath, readRegularFile, shellPath, statOrError, writeWhole } from '../../io/index.ts';
-import { accuracyOption, addSearchOptions, addTermsOptions, mineralsOption, objectiveOption, wholeNumberOption } from '../../options/index.ts';
+import {
+  accuracyOption,
+  addSearchOptions,
+  addTermsOptions,
+  mineralsOption,
+  objectiveOption,
+  wholeNumberOption,
+} from '../../options/index.ts';
 import { addPlayOptions } from '../../verify/index.ts';
 import { ORDERS, type PlanOptions, refuseOfOthers } from './orders.ts';
 
@@ -67,8 +74,9 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .addOption(prefixed('solve', objectiveOption()))
     .option('--count <n>', 'solve: how many clearly different runs to find', wholeNumberOption('a number of runs', 1, 100), 1)
     .option('--run <name>', 'difficulty: the run to measure (default: the first that completes a level, or one that is found)');
-  addPlayOptions(command, 'verify: ')
-    .action(async (paths: string[], options: Options) => finish(await plan(paths, options, command)));
+  addPlayOptions(command, 'verify: ').action(async (paths: string[], options: Options) =>
+    finish(await plan(paths, options, command)),
+  );
 }
 
 /** Says in the help of an option which commands have it. */

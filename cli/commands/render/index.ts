@@ -6,14 +6,33 @@ import { renderSvg } from '../../../picture/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { SOFTLOCK_EFFORT } from '../../check/index.ts';
-import { chooseRun, type ChosenRun, parseHolds } from '../../runs/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
-import { addTermsOptions, expectMinerals, mineralsOption, refuseUnused, seedOption, termsFrom, type TermsOptions, wholeNumberOption } from '../../options/index.ts';
-import { loadPngRenderer, type View, viewAllRuns, viewExploration, viewFan, viewProof, viewRun, viewSoftlocks, viewSolved } from './views.ts';
+import {
+  addTermsOptions,
+  expectMinerals,
+  mineralsOption,
+  refuseUnused,
+  seedOption,
+  type TermsOptions,
+  termsFrom,
+  wholeNumberOption,
+} from '../../options/index.ts';
+import { type ChosenRun, chooseRun, parseHolds } from '../../runs/index.ts';
 import { type Solved, solveLevel } from '../../solve/index.ts';
+import {
+  loadPngRenderer,
+  type View,
+  viewAllRuns,
+  viewExploration,
+  viewFan,
+  viewProof,
+  viewRun,
+  viewSoftlocks,
+  viewSolved,
+} from './views.ts';
 
 const DEFAULT_WIDTH = 1200;
 

@@ -3,12 +3,21 @@ import { effortInWords, outcomeInWords, plural } from '../../../check/words/inde
 import { joinHolds, type Run, type Scene, simulate, TICK } from '../../../engine/index.ts';
 import type { RenderOptions } from '../../../picture/index.ts';
 import { type Hold, objectName } from '../../../schema/index.ts';
-import { createRandom, createSearch, createSoftlockSurvey, type Goal, LIVES_ON, proofPicture, type Search, type Standing } from '../../../solver/index.ts';
-import type { ChosenRun } from '../../runs/index.ts';
-import { percent } from '../../report-parts/index.ts';
-import { withinWorkOf } from '../../levels/index.ts';
-import type { Solved } from '../../solve/index.ts';
+import {
+  createRandom,
+  createSearch,
+  createSoftlockSurvey,
+  type Goal,
+  LIVES_ON,
+  proofPicture,
+  type Search,
+  type Standing,
+} from '../../../solver/index.ts';
 import { Failure } from '../../io/index.ts';
+import { withinWorkOf } from '../../levels/index.ts';
+import { percent } from '../../report-parts/index.ts';
+import type { ChosenRun } from '../../runs/index.ts';
+import type { Solved } from '../../solve/index.ts';
 
 /** What a picture shows, apart from its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {

@@ -6,10 +6,38 @@ import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured, PATHS } from '../../find/index.ts';
-import { colorsFor, createProgress, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
-import { addSearchOptions, addTermsOptions, formatOption, jobsOption, limitsOf, refuseUnused, type SearchOptions, termsFrom, type TermsOptions } from '../../options/index.ts';
+import {
+  colorsFor,
+  createProgress,
+  expectOutput,
+  Failure,
+  levelsRead,
+  visibleLine,
+  widthOf,
+  writeWhole,
+} from '../../io/index.ts';
+import {
+  addSearchOptions,
+  addTermsOptions,
+  formatOption,
+  jobsOption,
+  limitsOf,
+  refuseUnused,
+  type SearchOptions,
+  type TermsOptions,
+  termsFrom,
+} from '../../options/index.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
-import { amountsOf, type Change, parseChange, parseSweep, type Sweep, type TunedLevel, type TuneSettings, tuneLevels } from '../../tune/index.ts';
+import {
+  amountsOf,
+  type Change,
+  parseChange,
+  parseSweep,
+  type Sweep,
+  type TunedLevel,
+  type TuneSettings,
+  tuneLevels,
+} from '../../tune/index.ts';
 import { tuneJson, tuneText } from './report.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions {
@@ -23,7 +51,8 @@ interface Options extends ConfigOptions, TermsOptions, SearchOptions {
 }
 
 export const help: CommandHelp = {
-  description: "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
+  description:
+    "Show what a change of the game's rules does to each level: whether its run still completes it, and from which value on it does not.",
   more: `
 The run of a level is the first that completes it. The interval after each level is where that run still completes it while one
 rule changes, searched outwards from the level's value and exact to a thousandth of it; < and > mean that the run never failed on

@@ -1,7 +1,15 @@
 import { accuracyInWords, plural } from '../../../check/words/index.ts';
-import { RULES, type TuneReport, RULE_NAMES, type RuleName } from '../../../schema/index.ts';
+import { RULE_NAMES, RULES, type RuleName, type TuneReport } from '../../../schema/index.ts';
 import { type Colors, visibleLine } from '../../io/index.ts';
-import { type Change, type RuleInterval, type Sweep, type TunedLevel, type TunedState, type TuneSettings, amountsOf } from '../../tune/index.ts';
+import {
+  amountsOf,
+  type Change,
+  type RuleInterval,
+  type Sweep,
+  type TunedLevel,
+  type TunedState,
+  type TuneSettings,
+} from '../../tune/index.ts';
 
 /** The largest number of columns of the matrix: a line with name and interval has 80 characters. */
 const MOST_COLUMNS = 41;

@@ -1,14 +1,26 @@
 import { createReadStream } from 'node:fs';
+import { resolve } from 'node:path';
 import process from 'node:process';
 import type { Attempt, PlayedBy, RefusedPlay } from '../../../check/plays/index.ts';
 import type { Terms } from '../../../engine/index.ts';
 import { levelHash, type PlayVerdict } from '../../../game/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { Failure, namedPath, readBytes, runInPool, STDIN, STDIN_NAME, systemReason, filesBelow, siblingHint, sortedByPlay, statOrError } from '../../io/index.ts';
+import {
+  Failure,
+  filesBelow,
+  namedPath,
+  readBytes,
+  runInPool,
+  STDIN,
+  STDIN_NAME,
+  siblingHint,
+  sortedByPlay,
+  statOrError,
+  systemReason,
+} from '../../io/index.ts';
 import { linesOf } from '../../verify/index.ts';
 import type { PlayedLevel, PlayFinding, PlaySource, PlayTask } from './read-plays.ts';
-import { resolve } from 'node:path';
 
 /** Plays that are sent to a worker together. */
 const TOGETHER = 250;

@@ -1,11 +1,11 @@
-import { createPlayReplayer, type PlayReplayer, type Attempt, type RefusedPlay } from '../../../check/plays/index.ts';
+import { type Attempt, createPlayReplayer, type PlayReplayer, type RefusedPlay } from '../../../check/plays/index.ts';
 import type { Terms } from '../../../engine/index.ts';
+import type { PlayVerdict } from '../../../game/index.ts';
 import { decodePlay, PLAY_LIMITS, whyOtherEngine } from '../../../game/play/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
 import { Failure, readBytes, readRegularFile, systemReason } from '../../io/index.ts';
 import { readLine } from '../../verify/index.ts';
-import type { PlayVerdict } from '../../../game/index.ts';
 
 /** Levels that are ready for replays, of this thread. */
 const ready = new Map<string, PlayReplayer>();

@@ -1,2 +1,2 @@
-export { type Batch, type Contents, sizeOf, type Entry, entriesOf, firstPack, packFormat } from './batch.ts';
+export { type Batch, type Contents, type Entry, entriesOf, firstPack, packFormat, sizeOf } from './batch.ts';
 export { entryName, readEntry, readSet } from './read-set.ts';

@@ -1,8 +1,8 @@
-import { Failure, namedPath } from '../messages.ts';
-import { type Batch, type BatchLimits, BatchMaker, type Contents, sizeOf, packFormat, MOST_OF_ENTRY, unwrap } from './batch.ts';
-import { openPack, AFTER_ZEROS, damaged, noZstd, UNEXPECTED_END, ZstdFrame } from './open-pack.ts';
 import * as zlib from 'node:zlib';
+import { Failure, namedPath } from '../messages.ts';
 import { readRegularFile, refusePointer } from '../regular-file.ts';
+import { type Batch, type BatchLimits, BatchMaker, type Contents, MOST_OF_ENTRY, packFormat, sizeOf, unwrap } from './batch.ts';
+import { AFTER_ZEROS, damaged, noZstd, openPack, UNEXPECTED_END, ZstdFrame } from './open-pack.ts';
 import { TarArchive } from './tar-archive.ts';
 
 /** Which files of an archive count. */
@@ -37,7 +37,9 @@ export async function* readSet(paths: readonly string[], contents: Contents, lim
     const isCounted = (name: string): boolean => COUNTS[contents].test(name);
     // loaded only for archives, as it takes time
     const batches =
-      format.kind === 'tar' ? (await import('./tar-archive.ts')).readTar(path, stream, maker, isCounted) : readLines(stream, maker);
+      format.kind === 'tar'
+        ? (await import('./tar-archive.ts')).readTar(path, stream, maker, isCounted)
+        : readLines(stream, maker);
     for await (const batch of batches) {
       first += sizeOf(batch);
       yield batch;
@@ -102,7 +104,8 @@ export function entryName(path: string): { readonly pack: string; readonly label
  */
 export function readEntry(pack: string, label: string): Uint8Array {
   const packed = readRegularFile(pack, MOST_UNPACKED);
-  if (packed.length > MOST_UNPACKED) throw new Failure(`${namedPath(pack)}: it is too large to take out a single entry: unpack it`);
+  if (packed.length > MOST_UNPACKED)
+    throw new Failure(`${namedPath(pack)}: it is too large to take out a single entry: unpack it`);
   refusePointer(pack, 'a pack', packed);
   const format = packFormat(pack)!;
   const bytes = format.compression === null ? packed : unpacked(pack, packed, format.compression);

@@ -1,8 +1,8 @@
 import { type CheckSettings, crashedLevel } from '../../../check/index.ts';
 import { REPORTER_NAMES } from '../../../reporters/index.ts';
 import type { JobKind } from '../kind.ts';
-import { recordOf } from './work.ts';
 import type { CheckReporting } from './report.ts';
+import { recordOf } from './work.ts';
 
 /** `gq check` of each level. */
 export const checkJob: JobKind = {

@@ -4,7 +4,7 @@ import { type CheckedLevel, exitCodeFor, isGood, judgeOf, tooManyWarnings, total
 import type { CommandResult } from '../../../command.ts';
 import { type Destination, reportCheck } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict, type ReportOptions, Listed } from '../kind.ts';
+import { expectVerdict, Listed, type ReportOptions } from '../kind.ts';
 import { levelOf } from './work.ts';
 
 /** What the report of a check depends on besides the results. */

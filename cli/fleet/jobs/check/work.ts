@@ -1,6 +1,6 @@
 import { type CheckedLevel, type CheckSettings, levelChecker, unreadableLevel } from '../../../check/index.ts';
 import type { Entry } from '../../../io/index.ts';
-import type { Work, Json } from '../../job.ts';
+import type { Json, Work } from '../../job.ts';
 
 /** Checks levels. */
 export async function openCheck(settings: CheckSettings): Promise<Work> {

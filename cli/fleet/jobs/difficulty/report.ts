@@ -5,7 +5,7 @@ import { difficultyPretty, type MeasuredLevel, measuredJson } from '../../../dif
 import { jsonWithLevels } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict, type ReportOptions, Listed, unlistedInWords, plainReport } from '../kind.ts';
+import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
 import { levelOf } from './work.ts';
 
 /** The reports of `gq difficulty` on a set: the easiest first, or of a large one, how many levels have which grade. */

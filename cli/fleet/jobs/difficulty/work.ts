@@ -1,5 +1,5 @@
-import { type MeasureSettings, measureAgain, measureContent, unreadable, type MeasuredLevel } from '../../../difficulty/index.ts';
-import type { Work, Json } from '../../job.ts';
+import { type MeasuredLevel, type MeasureSettings, measureAgain, measureContent, unreadable } from '../../../difficulty/index.ts';
+import type { Json, Work } from '../../job.ts';
 
 /** Measures how hard levels are. */
 export const openDifficulty = (settings: MeasureSettings): Work => ({

@@ -5,7 +5,7 @@ import { type Colors, visibleLine } from '../../../io/index.ts';
 import { alignColumns, jsonWithLevels, percent, problemJson, showFileProblems } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict, type ReportOptions, Listed, unlistedInWords, plainReport } from '../kind.ts';
+import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
 import type { SolveRecord, SolveVerdict } from './record.ts';
 
 interface SolvedLevel extends SolveRecord {

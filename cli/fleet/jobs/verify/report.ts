@@ -4,7 +4,7 @@ import { visibleLine } from '../../../io/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import { countsPretty, playPretty } from '../../../verify/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict, type ReportOptions, Listed, unlistedInWords, plainReport } from '../kind.ts';
+import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
 import type { VerifyRecord } from './work.ts';
 
 /** Plays without a verdict that are named. */

@@ -1,7 +1,7 @@
+import type { VerifyReport } from '../../../../schema/index.ts';
 import type { Entry } from '../../../io/index.ts';
 import { deskSettings, itemOf, PlayDesk, type PlayJobSettings, startThreads } from '../../../verify/index.ts';
 import type { Json, Work } from '../../job.ts';
-import type { VerifyReport } from '../../../../schema/index.ts';
 
 /** Verifies plays. */
 export function openVerify(settings: PlayJobSettings): Work {
