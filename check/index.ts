@@ -22,5 +22,5 @@ export { type LostMineral, mineralsToProve, proofBudget, proveGoalImpossible, pr
 export { repairedFile } from './repair/index.ts';
 export { type Softlocks, softlocksOf } from './softlocks.ts';
 export { completingRuns, tightRuns } from './tight-runs.ts';
-export { type LevelVerdict, onceProved, verdictOf } from './verdict.ts';
+export { type LevelVerdict, onceProved } from './verdict.ts';
 export { withinWork } from './within-work.ts';
