@@ -3,15 +3,15 @@ import './core/ui/ui.css';
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import * as z from 'zod';
-import { App, createEditor, openFirstLevel, tellKept } from './app/index.ts';
-import { followPlayLinks, takeLinkedPlay } from './features/plays/index.ts';
+import { App, createEditor, openFirstLevel } from './app/index.ts';
+import { FEATURES } from './features/index.ts';
 import './core/ui/touch.css';
 import './core/ui/contrast.css';
 
 // the strict content security policy forbids code made from text
 z.config({ jitless: true });
 
-const linkedPlay = takeLinkedPlay(window);
+const arrived = FEATURES.flatMap(({ arrive }) => arrive?.(window) ?? []);
 const editor = await createEditor();
 createRoot(document.getElementById('root') as HTMLElement).render(
   <StrictMode>
@@ -19,7 +19,6 @@ createRoot(document.getElementById('root') as HTMLElement).render(
   </StrictMode>,
 );
 await openFirstLevel(editor);
-followPlayLinks(editor, linkedPlay);
-tellKept(editor, window.location.host);
+for (const follow of arrived) follow(editor);
 // save the latest changes before the page may be closed
 document.addEventListener('visibilitychange', () => void editor.open.getState()?.opened.saver.flush());

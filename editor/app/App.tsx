@@ -1,41 +1,32 @@
 import { Tabs, Tooltip } from 'radix-ui';
 import { useEffect } from 'react';
-import { flushSync } from 'react-dom';
 import { useStore } from 'zustand';
 import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys, listenToPads } from '../core/commands/index.ts';
 import { errorInWords, problemsInWords } from '../core/files/index.ts';
-import { openListed } from '../core/levels/index.ts';
+import { openListed, SamplesButton } from '../core/levels/index.ts';
 import { Button, keepFocus } from '../core/ui/index.ts';
-import { AliveStatus } from '../features/alive/index.ts';
-import { AttemptsWatch } from '../features/attempts/index.ts';
-import { ComparedWatch } from '../features/compare/index.ts';
-import { SamplesButton } from '../features/levels/index.ts';
-import { PackView, packCommands } from '../features/pack/index.ts';
-import { PlayView, playCommands, ReplayView } from '../features/play/index.ts';
-import { playsCommands } from '../features/plays/index.ts';
-import { SCRIPT_FIELD } from '../features/runs/index.ts';
-import { HeatLegend, SolverWatch, solverSessionOf } from '../features/solver/index.ts';
+import { FEATURES } from '../features/index.ts';
 import { Timeline } from '../timeline/index.ts';
-import { Dialogs } from './Dialogs.tsx';
 import './app.css';
 import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevelKey, useSession } from '../core/context/index.ts';
-import { MendCard } from '../features/mend/index.ts';
 import { appCommands } from './app-commands.ts';
 import { CheatSheet } from './CheatSheet.tsx';
 import { CommandPalette } from './CommandPalette.tsx';
 import { HeldBar } from './HeldBar.tsx';
-import { Layout, type SidePanel } from './Layout.tsx';
+import { Layout } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
-import { LEFT, LEVELS, PROBLEMS, RIGHT } from './parts.tsx';
+import { LEFT, LEVELS, PANELS, PROBLEMS, RIGHT, type SidePanel } from './panels.tsx';
 import { useRoom } from './room.ts';
-import { ruleCommands } from './rule-commands.ts';
 import { SettingsDialog } from './SettingsDialog.tsx';
 import { StatusBar } from './StatusBar.tsx';
 import { showPanel } from './show-panel.ts';
 import { Toolbar } from './Toolbar.tsx';
 import { TopBar } from './TopBar.tsx';
 import { useTheme } from './use-theme.ts';
+
+const CANVAS_PARTS = FEATURES.flatMap(({ name, canvas }) => (canvas === undefined ? [] : { name, ...canvas }));
+const TIMELINE_PARTS = FEATURES.flatMap(({ name, timeline }) => (timeline === undefined ? [] : { name, ...timeline }));
 
 /** The panels of one side, shown one at a time. */
 function SideTabs({
@@ -71,56 +62,30 @@ function SideTabs({
   );
 }
 
-const ALL_PANELS = [LEVELS, ...LEFT, ...RIGHT, PROBLEMS];
-
 /** Commands that bring a panel to the front. */
-function panelCommands(editor: Editor): readonly Command[] {
-  const show = (id: string) => showPanel(editor, id);
-  return [
-    ...ALL_PANELS.map(
-      ({ id, title }): Command => ({
-        id: `panel.${id}`,
-        title: `Show ${title.toLowerCase()}`,
-        group: 'View',
-        mode: 'both',
-        run: () => show(id),
-      }),
-    ),
-    {
-      id: 'run.text',
-      title: 'Edit the run as text',
-      group: 'Run',
-      keys: ['t'],
-      needs: () => (editor.open.getState()?.proof.proof().run.name == null ? 'show a run first' : null),
-      run: () => {
-        flushSync(() => show('runs'));
-        document.getElementById(SCRIPT_FIELD)?.focus();
-      },
-    },
-    {
-      id: 'file.find',
-      title: 'Find a level',
-      group: 'File',
-      keys: ['$mod+p'],
-      inText: true,
-      run: () => {
-        // Where panels are shown one at a time, the list may not be rendered yet.
-        flushSync(() => show(LEVELS.id));
-        const field = document.querySelector<HTMLInputElement>('.levels input[type="search"]');
-        field?.focus();
-        field?.select();
-      },
-    },
-  ];
+const panelCommands = (editor: Editor): readonly Command[] =>
+  PANELS.map(({ id, title }) => ({
+    id: `panel.${id}`,
+    title: `Show ${title.toLowerCase()}`,
+    group: 'View',
+    mode: 'both',
+    run: () => showPanel(editor, id),
+  }));
+
+/** Registers the commands that are there while a level is open. Renders nothing. */
+function LevelCommands() {
+  const editor = useEditor();
+  const level = useLevel();
+  useEffect(
+    () => editor.commands.register(FEATURES.flatMap(({ levelCommands }) => levelCommands?.(editor, level) ?? [])),
+    [editor, level],
+  );
+  return null;
 }
 
 function LevelScreen() {
-  const editor = useEditor();
-  const level = useLevel();
   const key = useLevelKey();
   const mode = useSession((state) => state.mode);
-  const { overlay, onion } = solverSessionOf(editor, level);
-  const playFrom = useSession((state) => state.playFrom);
   return (
     <>
       <div className="head">
@@ -132,24 +97,22 @@ function LevelScreen() {
         right={[<SideTabs key="tabs" side="right" label="Inspector and tools" panels={RIGHT} />, PROBLEMS.content]}
         canvas={
           <>
-            <CanvasView key={key} search={overlay} legend={<HeatLegend />} onion={onion} />
+            <CanvasView key={key} parts={CANVAS_PARTS} />
             <Toolbar />
             {mode === 'edit' && (
               <div key={`survival ${key}`} className="survival">
-                <AliveStatus />
-                <MendCard />
+                {FEATURES.map(({ name, offer: Offer }) => Offer && <Offer key={name} />)}
               </div>
             )}
-            {mode === 'play' && (typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />)}
+            {FEATURES.map(({ name, screen: Screen }) => Screen && <Screen key={name} />)}
           </>
         }
-        timeline={<Timeline key={key} />}
-        panels={ALL_PANELS}
+        timeline={<Timeline key={key} parts={TIMELINE_PARTS} />}
+        panels={PANELS}
       />
       <StatusBar />
-      <SolverWatch />
-      <AttemptsWatch />
-      <ComparedWatch />
+      {FEATURES.map(({ name, watch: Watch }) => Watch && <Watch key={name} />)}
+      <LevelCommands />
     </>
   );
 }
@@ -222,14 +185,16 @@ function Screen() {
     const { commands, session } = editor;
     const forget = commands.register([
       ...appCommands(editor),
-      ...playCommands(editor),
-      ...playsCommands(editor),
-      ...packCommands(editor),
+      ...FEATURES.flatMap((feature) => feature.commands?.(editor) ?? []),
       ...panelCommands(editor),
-      ...ruleCommands(editor),
     ]);
     const mode = () => session.getState().mode;
-    const stops = [listenToKeys(window, commands, mode), listenToPads(window, commands, mode), keepFocus(document)];
+    const stops = [
+      listenToKeys(window, commands, mode),
+      listenToPads(window, commands, mode),
+      keepFocus(document),
+      ...FEATURES.flatMap(({ start }) => start?.(editor) ?? []),
+    ];
     return () => {
       forget();
       for (const stop of stops) stop();
@@ -247,11 +212,10 @@ function Screen() {
           </LevelContext.Provider>
         )}
       </div>
-      <PackView />
+      {FEATURES.map(({ name, dialogs: Dialogs }) => Dialogs && <Dialogs key={name} />)}
       <CommandPalette />
       <CheatSheet />
       <SettingsDialog />
-      <Dialogs />
       <NoticeList />
     </div>
   );

@@ -2,9 +2,9 @@ import { defaultFilter, Command as Palette } from 'cmdk';
 import { Dialog as Radix } from 'radix-ui';
 import { useEffect, useState, useSyncExternalStore } from 'react';
 import { flushSync } from 'react-dom';
-import { type Command, keyLabel, needsOf } from '../core/commands/index.ts';
+import { type Command, type Destination, findDestinations, keyLabel, needsOf } from '../core/commands/index.ts';
 import { IS_MAC, useEditor, useSession } from '../core/context/index.ts';
-import { type Destination, findDestinations } from './palette-destinations.ts';
+import { FEATURES } from '../features/index.ts';
 
 /** A line of the palette. */
 interface Entry {
@@ -59,7 +59,12 @@ export function CommandPalette() {
   const entries = offered.map((command) => commandEntry(command, commands.run));
   const usable = entries.filter(({ needs }) => needs === null);
   const typed = query.trim();
-  const found = [...entries, ...(open ? findDestinations(editor, typed).map(destinationEntry) : [])]
+  const found = [
+    ...entries,
+    ...(open
+      ? findDestinations(() => FEATURES.map(({ destinations }) => destinations?.(editor) ?? []), typed).map(destinationEntry)
+      : []),
+  ]
     .map((entry) => ({ entry, score: rank(entry, typed) }))
     .filter(({ score }) => score > LEAST_SCORE)
     .sort((a, b) => Number(a.entry.needs !== null) - Number(b.entry.needs !== null) || b.score - a.score)

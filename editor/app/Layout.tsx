@@ -4,15 +4,8 @@ import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
 import { useEditor, useSession } from '../core/context/index.ts';
 import { Button } from '../core/ui/index.ts';
 import { useProblemCount } from '../features/problems/index.ts';
+import type { SidePanel } from './panels.tsx';
 import { useRoom } from './room.ts';
-
-/** A panel: a tab on a phone, part of a side on a wide screen. */
-export interface SidePanel {
-  readonly id: string;
-  readonly title: string;
-  readonly icon: ReactNode;
-  readonly content: ReactNode;
-}
 
 interface LayoutProps {
   /** From top to bottom. */

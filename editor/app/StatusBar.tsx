@@ -2,7 +2,7 @@ import { useStore } from 'zustand';
 import { useDocument, useEditor, usePageTerms, useProof, useProofInPace, useSession } from '../core/context/index.ts';
 import { objectsOf } from '../core/document/index.ts';
 import { endInWords, type LiveProof } from '../core/proof/index.ts';
-import { OtherAccuracy } from '../features/accuracy/index.ts';
+import { FEATURES } from '../features/index.ts';
 import { useProblemCount } from '../features/problems/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
 
@@ -34,7 +34,7 @@ export function StatusBar() {
         {shown.accuracy.name}: <ProofTime /> ms
       </span>
       <AccuracySign />
-      <OtherAccuracy />
+      {FEATURES.map(({ name, status: Status }) => Status && <Status key={name} />)}
       <span>{ends}</span>
     </footer>
   );

@@ -4,7 +4,6 @@ import { keyLabel } from '../core/commands/index.ts';
 import { IS_MAC, useDocument, useEditor, useSession } from '../core/context/index.ts';
 import { listHistoryOf } from '../core/levels/index.ts';
 import { Button } from '../core/ui/index.ts';
-import { HISTORY_KEY } from '../features/history/index.ts';
 import { SaveStatus } from './SaveStatus.tsx';
 import { VerdictBadge } from './VerdictBadge.tsx';
 
@@ -40,7 +39,7 @@ export function TopBar() {
       <Button
         className="topbar__history"
         hint="History of this level"
-        shortcut={key(HISTORY_KEY)}
+        shortcut={key('y')}
         icon={<Clock size={16} />}
         onClick={() => session.setState({ overlay: 'history' })}
       />

@@ -3,7 +3,7 @@ import type { LevelFile } from '../../schema/index.ts';
 import { after, afterRest } from '../core/ask/index.ts';
 import { attemptsAt } from '../core/attempts/index.ts';
 import { createCommands } from '../core/commands/index.ts';
-import type { Analysis, Editor, OpenLevel } from '../core/context/index.ts';
+import { type Analysis, attemptGhosts, type Editor, type OpenLevel } from '../core/context/index.ts';
 import { createSelection, type ObjectKey } from '../core/document/index.ts';
 import {
   createOpeningMarks,
@@ -21,11 +21,10 @@ import { createProofStore } from '../core/proof/index.ts';
 import { createSession } from '../core/session/index.ts';
 import { createSettings } from '../core/settings/index.ts';
 import { createPageTerms } from '../core/terms/index.ts';
-import { aliveOf, keepAlive } from '../features/alive/index.ts';
-import { watchMend } from '../features/mend/index.ts';
-import { attemptGhosts } from '../features/play/index.ts';
+import { FEATURES } from '../features/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
 import { followConfiguration } from './follow-configuration.ts';
+import { LAYERS } from './layers.ts';
 
 /** A storage of the page, or null where the browser refuses access. */
 function pageStorage(name: 'localStorage' | 'sessionStorage'): Storage | null {
@@ -38,7 +37,7 @@ function pageStorage(name: 'localStorage' | 'sessionStorage'): Storage | null {
 
 /** Makes everything that belongs to an open level. @returns the level and the function that closes it */
 function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; close: () => void } {
-  const { session, settings, terms } = editor;
+  const { session, terms } = editor;
   const document = opened.level;
   const selection = createSelection(document);
   const proof = createProofStore(document, terms.getState().shown, {
@@ -80,9 +79,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     analysis: createStore<Analysis | null>(() => null),
     playtest: createStore<ReturnType<OpenLevel['playtest']['getState']>>(() => null),
   };
-  const { desk } = editor;
-  const parts = { level, settings, desk };
-  stops.push(keepAlive(parts), watchMend({ ...parts, session, alive: aliveOf(level) }));
+  stops.push(...FEATURES.flatMap(({ open }) => open?.(editor, level) ?? []));
   const close = () => {
     for (const stop of stops) stop();
     selection.close();
@@ -186,7 +183,7 @@ export async function createEditor(): Promise<Editor> {
   const editor: Editor = {
     settings,
     terms: createPageTerms(workspace, settings),
-    session: createSession(),
+    session: createSession(LAYERS),
     commands: createCommands(),
     notices,
     workspace,

@@ -1,6 +1,6 @@
 import type { Editor } from '../core/context/index.ts';
 import { openFirst } from '../core/levels/index.ts';
-import { followPlaces, takePlace } from '../features/places/index.ts';
+import { FEATURES } from '../features/index.ts';
 
 const KEY = 'gravity-quest-last-level';
 
@@ -25,6 +25,6 @@ export async function openFirstLevel(editor: Editor): Promise<void> {
       // the browser stores nothing
     }
   });
-  followPlaces(editor);
-  if (!(await takePlace(editor))) await openFirst(editor, last);
+  for (const { openNamed } of FEATURES) if (await openNamed?.(editor)) return;
+  await openFirst(editor, last);
 }

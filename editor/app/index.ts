@@ -1,4 +1,3 @@
-export { tellKept } from '../features/kept/index.ts';
 export { App } from './App.tsx';
 export { createEditor } from './create-editor.ts';
 export { openFirstLevel } from './first-level.ts';

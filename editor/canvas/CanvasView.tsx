@@ -1,43 +1,24 @@
-import { type ReactNode, useEffect, useMemo, useRef } from 'react';
-import { type StoreApi, useStore } from 'zustand';
+import { useEffect, useMemo, useRef } from 'react';
+import { useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../core/context/index.ts';
-import { LeewayLegend } from '../features/leeway/index.ts';
-import { LostLegend } from '../features/lost/index.ts';
-import { OnionCard, type OnionSession } from '../features/onion/index.ts';
 import { createCanvasState } from './canvas-state.ts';
 import { EndReason } from './EndReason.tsx';
 import './canvas.css';
 import { CROSSHAIR_HELP } from './crosshair/index.ts';
-import { DeathLegend } from './DeathLegend.tsx';
-import { DeathTip } from './DeathTip.tsx';
 import { HiddenNote } from './HiddenNote.tsx';
 import { HoverName } from './HoverName.tsx';
-import { LeewayShade } from './LeewayShade.tsx';
-import type { SearchPicture } from './layers/index.ts';
 import { CanvasMenu } from './menu/index.ts';
 import { Minimap } from './minimap/index.ts';
 import { mountCanvas } from './mount-canvas.ts';
 import { NotePins } from './notes/index.ts';
-import { OnionLabel } from './OnionLabel.tsx';
-import { placesOnPage } from './places-on-page.ts';
+import type { NamedPart } from './part.ts';
 import { RepeatPanel } from './RepeatPanel.tsx';
-import { RunLossLabel } from './RunLossLabel.tsx';
 import { Rulers } from './rulers/index.ts';
 import { Measures, ToldLabel } from './ToldLabel.tsx';
-import { useLeeway } from './use-leeway.ts';
 
-interface CanvasViewProps {
-  /** What searches show on the canvas; read every frame. */
-  readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
-  /** The legend of what searches show. */
-  readonly legend: ReactNode;
-  /** The comparison with what was before a change. */
-  readonly onion: OnionSession;
-}
-
-/** The canvas of the level. */
-export function CanvasView({ search, legend, onion }: CanvasViewProps) {
+/** The canvas of the level. @param parts what features of the page show on it; the same list at every call */
+export function CanvasView({ parts }: { readonly parts: readonly NamedPart[] }) {
   const editor = useEditor();
   const level = useLevel();
   const host = useRef<HTMLDivElement>(null);
@@ -48,14 +29,13 @@ export function CanvasView({ search, legend, onion }: CanvasViewProps) {
   const said = useRef(createStore<string>(() => '')).current;
   const words = useStore(said);
 
-  useLeeway(canvas);
-  const places = useMemo(() => placesOnPage(host, level, canvas), [level, canvas]);
+  const drawn = useMemo(() => parts.flatMap((part) => part.drawn ?? []), [parts]);
 
   useEffect(() => {
     const element = host.current;
     if (element === null) return;
-    return mountCanvas({ element, editor, level, canvas, said, search });
-  }, [editor, level, canvas, said, search]);
+    return mountCanvas({ element, editor, level, canvas, said, drawn });
+  }, [editor, level, canvas, said, drawn]);
 
   return (
     <>
@@ -72,10 +52,8 @@ export function CanvasView({ search, legend, onion }: CanvasViewProps) {
       <p className={`canvas__said${hasCrosshair ? '' : ' canvas__said--unseen'} numbers`} role="status" aria-label="Crosshair">
         {words}
       </p>
-      <LeewayShade canvas={canvas} />
+      {parts.map(({ name, labels: Labels }) => Labels && <Labels key={name} canvas={canvas} host={host} />)}
       <EndReason canvas={canvas} />
-      <RunLossLabel canvas={canvas} />
-      <OnionLabel canvas={canvas} />
       <HoverName canvas={canvas} />
       <ToldLabel canvas={canvas} />
       <Measures canvas={canvas} />
@@ -86,13 +64,9 @@ export function CanvasView({ search, legend, onion }: CanvasViewProps) {
       <CanvasMenu canvas={canvas} host={host} />
       <div className="legends">
         <HiddenNote />
-        {legend}
-        <LostLegend />
-        <LeewayLegend />
-        <DeathLegend />
+        {parts.map(({ name, legend: Legend }) => Legend && <Legend key={name} />)}
       </div>
-      <DeathTip canvas={canvas} host={host} />
-      <OnionCard onion={onion} {...places} />
+      {parts.map(({ name, cards: Cards }) => Cards && <Cards key={name} canvas={canvas} host={host} />)}
     </>
   );
 }

@@ -1,7 +1,14 @@
 export { CanvasView } from './CanvasView.tsx';
+export type { CanvasState } from './canvas-state.ts';
+export { COLOURS, type Colours, colourNumber, deathOpacity, type Theme } from './colours.ts';
+export { extentOf } from './extent.ts';
 export { signOf } from './kinds/index.ts';
+export { momentPlace, pointsOfWay, reasonOf } from './labels.ts';
+export { fillSquares, type Line, linesOf, Rings, scaleIn } from './layers/index.ts';
 export { objectChanges } from './object-changes.ts';
 export { rendererOf } from './page-stage.ts';
+export { type CanvasPart, type Drawing, type DrawnPart, type Frame, type OnCanvas, unchanged } from './part.ts';
 export { DRAGGED_TOOL } from './pointer/index.ts';
 export { poseAt } from './run-pose.ts';
 export { transformActions } from './selection-box/index.ts';
+export { isInView, type Point, toLevel, toScreen, type View } from './view.ts';

@@ -6,10 +6,10 @@ import { pictureOf } from './canvas-picture.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { createCrosshair } from './crosshair/index.ts';
 import { extentOf } from './extent.ts';
-import type { SearchPicture } from './layers/index.ts';
 import { menuEntries } from './menu/index.ts';
 import { objectChanges } from './object-changes.ts';
 import { stageOf } from './page-stage.ts';
+import type { DrawnPart } from './part.ts';
 import { paste } from './paste.ts';
 import { type LastClick, listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
 import type { Stage } from './stage.ts';
@@ -22,20 +22,20 @@ interface MountParts {
   readonly canvas: StoreApi<CanvasState>;
   /** Announcements of the crosshair. */
   readonly said: StoreApi<string>;
-  /** What searches show on the canvas. */
-  readonly search: Pick<StoreApi<SearchPicture>, 'getState'>;
+  /** What features of the page draw into the level. */
+  readonly drawn: readonly DrawnPart[];
 }
 
 /** Shows a level in an element for editing. @returns removes it */
-export function mountCanvas({ element, editor, level, canvas, said, search }: MountParts): () => void {
+export function mountCanvas({ element, editor, level, canvas, said, drawn }: MountParts): () => void {
   const { settings, session, notices } = editor;
   const { document, selection, hovered } = level;
   const setView = (view: View) => {
     canvas.setState({ view });
     session.setState({ zoom: view.zoom });
   };
-  const stage = stageOf(editor);
-  const unmount = stage.mount(element, pictureOf(editor, level, canvas, search));
+  const stage = stageOf(editor, drawn);
+  const unmount = stage.mount(element, pictureOf(editor, level, canvas, drawn));
   const { bringIntoView, stop: stopFitting } = fitView({ element, editor, level, canvas, stage, setView });
   const changes = objectChanges(editor, level);
   const context: PointerContext = {

@@ -4,27 +4,11 @@ import type { LevelFile } from '../../schema/index.ts';
 import type { Ghost, Pose } from '../core/context/index.ts';
 import type { ObjectKey } from '../core/document/index.ts';
 import type { LiveProof } from '../core/proof/index.ts';
-import type { Layer } from '../core/session/index.ts';
-import type { DeathMap } from '../core/shelf/index.ts';
-import type { Racer } from '../features/compare/index.ts';
-import type { LostPicture } from '../features/lost/index.ts';
-import type { OnionPicture } from '../features/onion/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { COLOURS, type Theme } from './colours.ts';
 import { isFrameDue } from './frame-pace.ts';
-import {
-  AstronautLayer,
-  DeathLayer,
-  LostLayer,
-  ObjectLayer,
-  OnionLayer,
-  OverlayLayer,
-  RaceLayer,
-  SearchLayer,
-  type SearchPicture,
-  SpaceScene,
-  WayLayer,
-} from './layers/index.ts';
+import { AstronautLayer, ObjectLayer, OverlayLayer, SpaceScene, WayLayer } from './layers/index.ts';
+import type { Drawing, DrawnPart } from './part.ts';
 import type { RendererName } from './renderer.ts';
 import { drawTextures } from './textures/index.ts';
 
@@ -37,22 +21,13 @@ export interface Picture {
   readonly canvas: CanvasState;
   readonly selected: readonly ObjectKey[];
   readonly hovered: ObjectKey | null;
-  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly layers: Readonly<Record<string, boolean>>;
   /** px; null: no grid */
   readonly grid: number | null;
   readonly ghosts: readonly Ghost[];
-  readonly search: SearchPicture;
-  /** Where players die in the opened plays; null: not known. */
-  readonly deaths: DeathMap | null;
-  /** Where the level is already lost; null: it is not shown. */
-  readonly lost: LostPicture | null;
-  /** The level as it was before a change; null: it is not shown. */
-  readonly onion: OnionPicture | null;
+  /** What features of the page show, one for each drawn part; the same list until one of them changes. */
+  readonly parts: readonly unknown[];
   readonly pose: Pose;
-  /** The compared runs that are shown; the same list until one of them changes. */
-  readonly racers: readonly Racer[];
-  /** The tick at which they are shown, with a fraction. */
-  readonly moment: number;
   readonly editing: boolean;
   /** Whether the path of the run is shown. */
   readonly showsRun: boolean;
@@ -65,13 +40,10 @@ export interface Picture {
 interface Layers {
   readonly theme: Theme;
   readonly overlay: OverlayLayer;
-  readonly search: SearchLayer;
-  readonly deaths: DeathLayer;
-  readonly lost: LostLayer;
-  readonly onion: OnionLayer;
   readonly way: WayLayer;
-  readonly race: RaceLayer;
   readonly astronaut: AstronautLayer;
+  /** What features of the page have drawn, one for each drawn part. */
+  readonly parts: readonly Drawing<unknown>[];
 }
 
 /** Draws what it is given; it holds no state of the level. */
@@ -85,7 +57,8 @@ class LevelScene extends Scene {
   /** When the last frame was drawn, ms. */
   private drawn = Number.NEGATIVE_INFINITY;
 
-  constructor() {
+  /** @param drawnParts what features of the page draw into every level */
+  constructor(private readonly drawnParts: readonly DrawnPart[]) {
     super('level');
   }
 
@@ -115,7 +88,7 @@ class LevelScene extends Scene {
     const space = this.scene.get('space') as SpaceScene;
     const isRedressed = this.layers?.theme !== picture.theme;
     if (isRedressed) this.layers = this.dress(picture.theme, objects, space);
-    const { overlay, search, deaths, lost, onion, way, race, astronaut } = this.layers as Layers;
+    const { overlay, way, astronaut, parts } = this.layers as Layers;
     const fresh = last === null || isRedressed;
     const { view } = picture.canvas;
     if (fresh || last.canvas.view !== view) {
@@ -127,12 +100,10 @@ class LevelScene extends Scene {
     const same = (...names: readonly (keyof Picture)[]) => !fresh && names.every((name) => last[name] === picture[name]);
     if (!same('file', 'her', 'canvas', 'selected', 'hovered', 'layers', 'grid', 'editing')) overlay.show(picture);
     if (zoomed || !same('proof', 'ghosts', 'layers', 'showsRun')) way.show({ ...picture, zoom: view.zoom });
-    if (zoomed || !same('racers', 'her')) race.show({ ...picture, zoom: view.zoom });
-    if (zoomed || !same('racers', 'moment')) race.pose(picture.racers, picture.moment, view.zoom, picture.her);
-    if (zoomed || !same('search', 'layers')) search.show(picture.search, picture.layers.heatMap, view.zoom);
-    if (!same('deaths', 'layers')) deaths.show(picture.layers.deaths ? picture.deaths : null);
-    if (zoomed || !same('lost')) lost.show(picture.lost, view.zoom);
-    if (zoomed || !same('onion')) onion.show(picture.onion, view.zoom);
+    const frame = { zoom: view.zoom, her: picture.her };
+    for (const [i, part] of parts.entries()) {
+      if (zoomed || !same('her') || last.parts[i] !== picture.parts[i]) part.show(picture.parts[i], frame);
+    }
     if (zoomed || !same('file', 'pose', 'editing')) objects.pose(picture.pose, view.zoom);
     const seconds = time / 1000;
     if (!picture.calm) objects.animate(seconds, view.zoom);
@@ -142,27 +113,17 @@ class LevelScene extends Scene {
 
   private dress(theme: Theme, objects: ObjectLayer, space: SpaceScene): Layers {
     const colours = COLOURS[theme];
-    this.layers?.overlay.destroy();
-    this.layers?.search.destroy();
-    this.layers?.deaths.destroy();
-    this.layers?.lost.destroy();
-    this.layers?.onion.destroy();
-    this.layers?.way.destroy();
-    this.layers?.race.destroy();
-    this.layers?.astronaut.destroy();
+    const { overlay, way, astronaut, parts } = this.layers ?? {};
+    for (const layer of [overlay, way, astronaut, ...(parts ?? [])]) layer?.destroy();
     objects.clear();
     drawTextures(this.textures, theme);
     space.dress(theme);
     return {
       theme,
       overlay: new OverlayLayer(this, colours),
-      search: new SearchLayer(this, colours),
-      deaths: new DeathLayer(this, colours),
-      lost: new LostLayer(this, colours),
-      onion: new OnionLayer(this, colours),
       way: new WayLayer(this, colours),
-      race: new RaceLayer(this, theme, colours),
       astronaut: new AstronautLayer(this, colours),
+      parts: this.drawnParts.map(({ draw }) => draw(this, theme)),
     };
   }
 }
@@ -196,9 +157,12 @@ class PacedGame extends Game {
   }
 }
 
-/** Phaser only draws: its physics, sound and input are off, as the engine, the editor and the user move things. */
-export function createStage(renderer: RendererName): Stage {
-  const level = new LevelScene();
+/**
+ * Phaser only draws: its physics, sound and input are off, as the engine, the editor and the user move things.
+ * @param drawn what features of the page draw into every level
+ */
+export function createStage(renderer: RendererName, drawn: readonly DrawnPart[]): Stage {
+  const level = new LevelScene(drawn);
   const canvas = document.createElement('canvas');
   const game = new PacedGame(
     {

@@ -3,13 +3,11 @@ import { useStore } from 'zustand';
 import { useInPace } from '../core/ask/index.ts';
 import { useEditor, useLevel, useProof, useSession, useTouch } from '../core/context/index.ts';
 import type { LiveProof, Reach } from '../core/proof/index.ts';
-import { useComparedRows, useDifference } from '../features/compare/index.ts';
-import { ComparedLanes } from './ComparedLanes.tsx';
 import { EventMarks } from './EventMarks.tsx';
 import { Graphs } from './Graphs.tsx';
 import { GunLane } from './GunLane.tsx';
-import { LossMark } from './LossMark.tsx';
 import { NoteFlags, type WrittenNote } from './NoteFlags.tsx';
+import { type NamedPart, useBeside } from './part.ts';
 import { followPlayback } from './playback.ts';
 import { Ruler } from './Ruler.tsx';
 import { reachedBy } from './reached.ts';
@@ -55,8 +53,11 @@ function NoRun() {
   );
 }
 
-/** The shown run along time: transport, gun lane, events, speed and clearance. */
-export function Timeline() {
+/**
+ * The shown run along time: transport, gun lane, events, speed and clearance.
+ * @param parts what features of the page show in it; the same list at every call
+ */
+export function Timeline({ parts }: { readonly parts: readonly NamedPart[] }) {
   const editor = useEditor();
   const level = useLevel();
   const { session, commands } = editor;
@@ -80,11 +81,8 @@ export function Timeline() {
   const [isExplained, setExplained] = useState(false);
   const [written, setWritten] = useState<WrittenNote | null>(null);
   const { width } = size;
-  // a compared run may last longer than the shown one
-  const longest = useComparedRows().reduce(
-    (most, { found }) => Math.max(most, found === null ? 0 : Math.ceil(60 * found.end.time)),
-    0,
-  );
+  // another run may last longer than the shown one
+  const { ticks: longest, apart } = useBeside(parts);
   const last = Math.max(end, longest);
   const shown = Math.max(ticks, longest);
   const shownIdle = Math.max(drawnTicks, longest);
@@ -133,12 +131,6 @@ export function Timeline() {
   }, [commands, editor, level, session]);
 
   const onDragging = useCallback((isDragging: boolean) => setKept(isDragging ? now.current.scale : null), []);
-  const difference = useDifference();
-  const [against, distances, partings] = [difference?.row.name, difference?.distances, difference?.partings];
-  const apart = useMemo(
-    () => (against && distances && partings ? { name: against, distances, partings } : null),
-    [against, distances, partings],
-  );
   const slack = analysis !== null && analysis.holds === holds.join() ? analysis.slack : null;
   const ending = toX(scale, end);
   const isPlaying = useSession(({ mode }) => mode === 'play');
@@ -147,7 +139,7 @@ export function Timeline() {
   const isHidden = isPlaying && !isRunShown;
   return (
     <div className="timeline">
-      <Transport end={end} reached={reached} isExplained={isExplained} onExplain={setExplained} />
+      <Transport parts={parts} end={end} reached={reached} isExplained={isExplained} onExplain={setExplained} />
       <div
         ref={box}
         className={isHidden ? 'timeline__box timeline__box--hidden' : 'timeline__box'}
@@ -171,7 +163,7 @@ export function Timeline() {
         ) : (
           <GunLane run={name} holds={holds} reached={reached} scale={scale} slack={slack} onDragging={onDragging} />
         )}
-        <ComparedLanes scale={scale} width={width} />
+        {parts.map(({ name: part, lanes: Lanes }) => Lanes && <Lanes key={part} scale={scale} width={width} end={end} />)}
         <EventMarks events={details.events} scale={drawn} width={width} />
         <div ref={graphs} className="timeline__graphs">
           <Graphs
@@ -182,7 +174,7 @@ export function Timeline() {
             apart={apart}
           />
         </div>
-        <LossMark scale={scale} width={width} end={end} />
+        {parts.map(({ name: part, marks: Marks }) => Marks && <Marks key={part} scale={scale} width={width} end={end} />)}
         <div className="timeline__end" style={{ left: ending }} aria-hidden />
         <Cursors scale={scale} end={last} />
       </div>

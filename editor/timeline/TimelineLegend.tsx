@@ -1,41 +1,46 @@
 import { CircleQuestionMark, Flag, X } from 'lucide-react';
 import { Popover } from 'radix-ui';
-import type { ReactNode } from 'react';
 import { useTouch } from '../core/context/index.ts';
 import { NEAR } from '../core/proof/index.ts';
 import { Button } from '../core/ui/index.ts';
+import { looksLike, markedAs } from './legend-signs.tsx';
+import type { LegendEntry, TimelinePart } from './part.ts';
 
 interface TimelineLegendProps {
+  /** What features of the page show in the timeline, and what it means. */
+  readonly parts: readonly TimelinePart[];
   readonly isOpen: boolean;
   readonly onOpen: (isOpen: boolean) => void;
 }
 
-const mark = (text: string): ReactNode => <span className="legend__mark">{text}</span>;
-const look = (name: string): ReactNode => <span className={`legend__look legend__look--${name}`} />;
+const BARS: readonly LegendEntry[] = [
+  [looksLike('hold'), 'The gun is held. The number is how long, in ticks of 1/60 s.'],
+  [looksLike('slack'), 'Slack: how far this press or release alone may slip while the run still completes the level.'],
+  [looksLike('missed'), 'Not reached: the run ends before or during this hold.'],
+  [looksLike('after'), 'After the end of a run that fails.'],
+];
 
-const ENTRIES: readonly (readonly [sign: ReactNode, words: string])[] = [
-  [look('hold'), 'The gun is held. The number is how long, in ticks of 1/60 s.'],
-  [look('slack'), 'Slack: how far this press or release alone may slip while the run still completes the level.'],
-  [look('missed'), 'Not reached: the run ends before or during this hold.'],
-  [look('after'), 'After the end of a run that fails.'],
-  [look('lost'), 'The run is already lost; this is proved.'],
-  [look('not-found'), 'No run was found from here on, which proves nothing.'],
-  [mark('A2'), 'Asteroid 2 becomes the target.'],
-  [mark('◆1'), 'Mineral 1 is collected.'],
-  [mark('R1 /R1'), 'She enters repulsor 1; she leaves it.'],
-  [mark('E1! E1z'), 'Alien 1 wakes up; it falls asleep.'],
-  [mark('✺'), 'Two aliens explode.'],
-  [mark('● ✕'), 'She reaches the black hole; she collides or is lost.'],
-  [look('speed'), 'Her speed.'],
-  [look('gap'), 'Her distance to the nearest hazard.'],
-  [look('apart'), 'The distance to the compared run; bars where they part and come near each other again.'],
+const MARKS: readonly LegendEntry[] = [
+  [markedAs('A2'), 'Asteroid 2 becomes the target.'],
+  [markedAs('◆1'), 'Mineral 1 is collected.'],
+  [markedAs('R1 /R1'), 'She enters repulsor 1; she leaves it.'],
+  [markedAs('E1! E1z'), 'Alien 1 wakes up; it falls asleep.'],
+  [markedAs('✺'), 'Two aliens explode.'],
+  [markedAs('● ✕'), 'She reaches the black hole; she collides or is lost.'],
+  [looksLike('speed'), 'Her speed.'],
+  [looksLike('gap'), 'Her distance to the nearest hazard.'],
+];
+
+const NOTES: readonly LegendEntry[] = [
   [<Flag key="flag" size={12} />, 'A note: click it to read and change it.'],
-  [look('near'), `Near miss: she passes a hazard at less than ${NEAR} px.`],
+  [looksLike('near'), `Near miss: she passes a hazard at less than ${NEAR} px.`],
 ];
 
 /** What the bars, hatches, marks and lines of the timeline mean, and how to edit a hold. */
-export function TimelineLegend({ isOpen, onOpen }: TimelineLegendProps) {
+export function TimelineLegend({ parts, isOpen, onOpen }: TimelineLegendProps) {
   const touch = useTouch();
+  const of = (what: 'bars' | 'graphs') => parts.flatMap(({ legend }) => legend?.[what] ?? []);
+  const entries = [...BARS, ...of('bars'), ...MARKS, ...of('graphs'), ...NOTES];
   return (
     <Popover.Root open={isOpen} onOpenChange={onOpen}>
       <Popover.Trigger asChild>
@@ -61,7 +66,7 @@ export function TimelineLegend({ isOpen, onOpen }: TimelineLegendProps) {
             </Popover.Close>
           </div>
           <ul className="legend__list">
-            {ENTRIES.map(([sign, words]) => (
+            {entries.map(([sign, words]) => (
               <li key={words} className="legend__one">
                 <span className="legend__sign" aria-hidden>
                   {sign}

@@ -4,7 +4,7 @@ import { useDocument, useEditor, useProof, useSession } from '../core/context/in
 import { endInWords } from '../core/proof/index.ts';
 import { RATE_NAMES, RATES } from '../core/session/index.ts';
 import { Button } from '../core/ui/index.ts';
-import { AliveToggle } from '../features/alive/index.ts';
+import type { NamedPart } from './part.ts';
 import { holdsInWords, type Reached } from './reached.ts';
 import { TimelineLegend } from './TimelineLegend.tsx';
 
@@ -32,13 +32,15 @@ function Summary({ reached }: { readonly reached: Reached }) {
 }
 
 interface ControlsProps {
+  /** What features of the page show in the timeline. */
+  readonly parts: readonly NamedPart[];
   /** Whether the legend is open. */
   readonly isExplained: boolean;
   readonly onExplain: (isExplained: boolean) => void;
 }
 
 /** Which run is shown, and what steps, plays back and scrubs. Memoized, so that a drag does not redraw it. */
-const Controls = memo(function Controls({ isExplained, onExplain }: ControlsProps) {
+const Controls = memo(function Controls({ parts, isExplained, onExplain }: ControlsProps) {
   const { session, commands } = useEditor();
   const runs = useDocument(({ file }) => file.runs);
   const shown = useProof((now) => now.run.name);
@@ -96,8 +98,8 @@ const Controls = memo(function Controls({ isExplained, onExplain }: ControlsProp
         <Button hint="Zoom the timeline out" icon={<ZoomOut size={16} />} onClick={() => commands.run('run.zoom-out')} />
         <Button hint="Zoom the timeline in" icon={<ZoomIn size={16} />} onClick={() => commands.run('run.zoom-in')} />
       </div>
-      <AliveToggle />
-      <TimelineLegend isOpen={isExplained} onOpen={onExplain} />
+      {parts.map(({ name: part, buttons: Buttons }) => Buttons && <Buttons key={part} />)}
+      <TimelineLegend parts={parts} isOpen={isExplained} onOpen={onExplain} />
     </>
   );
 });
@@ -108,10 +110,10 @@ interface TransportProps extends ControlsProps {
 }
 
 /** Which run is shown, and the moment in it: step, play back, scrub. */
-export const Transport = memo(function Transport({ end, reached, isExplained, onExplain }: TransportProps) {
+export const Transport = memo(function Transport({ parts, end, reached, isExplained, onExplain }: TransportProps) {
   return (
     <div className="transport">
-      <Controls isExplained={isExplained} onExplain={onExplain} />
+      <Controls parts={parts} isExplained={isExplained} onExplain={onExplain} />
       <Moment end={end} />
       <Summary reached={reached} />
     </div>

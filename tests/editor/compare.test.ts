@@ -11,7 +11,7 @@ import {
   setLevelProperty,
 } from '../../editor/core/document/index.ts';
 import { createProofStore, type ProofStore } from '../../editor/core/proof/index.ts';
-import { createSession } from '../../editor/core/session/index.ts';
+import { CANVAS_LAYERS, createSession } from '../../editor/core/session/index.ts';
 import {
   comparedOf,
   isFresh,
@@ -281,7 +281,7 @@ describe('racers', () => {
 
   it('are the same list until something changes, and in a playtest only what gives nothing away', async () => {
     const all = stage();
-    const session = createSession();
+    const session = createSession(CANVAS_LAYERS);
     const settings = { runInPlay: false };
     const level = {
       ...all.level,

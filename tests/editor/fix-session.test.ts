@@ -26,7 +26,7 @@ const ASIDE: LevelFile = {
 function stage(file: LevelFile = ASIDE) {
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
-  const session = createSession();
+  const session = createSession([]);
   session.subscribe(({ run }) => proof.showRun(run));
   let asked: Requests['fix'] | null = null;
   let tell: (progress: Fixing) => void = () => {};

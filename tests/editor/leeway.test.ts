@@ -55,7 +55,7 @@ function stage() {
   const document = createEditedLevel(FILE);
   const proof = createProofStore(document, DEFAULT_TERMS);
   const selection = createSelection(document);
-  const session = createSession();
+  const session = createSession([{ id: 'leeway', title: 'leeway', isShown: false }]);
   const settings = createSettings(null);
   const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Seen, calls: [] as (() => void)[] };
   const workers = new FakeWorkers();

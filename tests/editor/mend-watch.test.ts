@@ -26,7 +26,7 @@ const FALL: LevelFile = {
 function stage(file: LevelFile = FALL) {
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
-  const session = createSession();
+  const session = createSession([]);
   session.subscribe(({ run }) => proof.showRun(run));
   const settings = createSettings(null);
   const alive = createStore<AliveState>(() => ({ kind: 'idle' }));

@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
-import { dashesOf } from '../../editor/canvas/layers/dashes.ts';
 import {
   createEditedLevel,
   deleteObjects,
@@ -15,6 +14,7 @@ import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { cardPlace, type Side } from '../../editor/features/onion/card-place.ts';
 import { changedObjects } from '../../editor/features/onion/changed-objects.ts';
+import { dashesOf } from '../../editor/features/onion/dashes.ts';
 import type { Figures } from '../../editor/features/onion/figures.ts';
 import type { ShownSlack } from '../../editor/features/onion/measure-slack.ts';
 import { onionPictureOf } from '../../editor/features/onion/onion-picture.ts';
@@ -41,7 +41,7 @@ const slackOf = (file: LevelFile) => findSlack(compile(resolveLevel(file)), file
 function stage(file: LevelFile = FILE) {
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
-  const session = createSession();
+  const session = createSession([{ id: 'onion', title: 'onion', isShown: true }]);
   const robustness = createStore<ShownSlack>(() => ({ phase: 'waiting', message: null, slack: null, withMinerals: false }));
   // as the watch of the robustness does, before anything else hears of the new run
   proof.store.subscribe(() => robustness.setState({ phase: 'waiting', slack: null }));

@@ -37,7 +37,7 @@ function stage(name = '04-slingshot', withRuns = true) {
   const { runs, ...file } = readShipped(name);
   const document = createEditedLevel(withRuns ? { ...file, runs } : file);
   const proof = createProofStore(document, DEFAULT_TERMS);
-  const session = createSession();
+  const session = createSession([]);
   session.subscribe(({ run }) => proof.showRun(run));
   const level = {
     document,

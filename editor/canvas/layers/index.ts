@@ -1,10 +1,8 @@
-export { AstronautLayer } from './astronaut-layer.ts';
-export { DeathLayer } from './death-layer.ts';
-export { LostLayer } from './lost-layer.ts';
+export { AstronautLayer, scaleIn } from './astronaut-layer.ts';
+export { type Line, linesOf } from './ghost-lines.ts';
+export { fillSquares } from './heat.ts';
 export { ObjectLayer } from './object-layer.ts';
-export { OnionLayer } from './onion-layer.ts';
 export { OverlayLayer } from './overlay-layer.ts';
-export { RaceLayer } from './race-layer.ts';
-export { SearchLayer, type SearchPicture } from './search-layer.ts';
+export { Rings } from './rings.ts';
 export { SpaceScene } from './space-scene.ts';
 export { WayLayer } from './way-layer.ts';

@@ -10,7 +10,6 @@ import {
   radiusOf,
   visibleIn,
 } from '../../core/document/index.ts';
-import type { Layer } from '../../core/session/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxesOf } from '../extent.ts';
@@ -47,7 +46,7 @@ export interface OverlayInput {
   readonly selected: readonly ObjectKey[];
   /** The object under the pointer, here or in a list. */
   readonly hovered: ObjectKey | null;
-  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly layers: Readonly<Record<string, boolean>>;
   /** px between grid lines; null: none */
   readonly grid: number | null;
   /** Whether the level is being edited: selection, grid and guides are hidden in a playtest. */

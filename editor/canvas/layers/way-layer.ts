@@ -2,7 +2,6 @@ import type { GameObjects, Scene } from 'phaser';
 import { isJump, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import type { Ghost } from '../../core/context/index.ts';
 import { isWhole, type LiveProof } from '../../core/proof/index.ts';
-import type { Layer } from '../../core/session/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { linesOf } from './ghost-lines.ts';
 
@@ -27,7 +26,7 @@ const GHOST_LINES = {
 export interface WayInput {
   readonly proof: LiveProof;
   readonly ghosts: readonly Ghost[];
-  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly layers: Readonly<Record<string, boolean>>;
   readonly zoom: number;
   /** Whether the run and its details are shown. In a playtest they would give the solution away. */
   readonly showsRun: boolean;

@@ -1,4 +1,5 @@
 export { type Command, type Commands, createCommands, needsOf } from './commands.ts';
+export { type Destination, findDestinations } from './destinations.ts';
 export { followGamepads } from './gamepads.ts';
 export { keyLabel, keyLabels } from './key-label.ts';
 export { listenToKeys } from './keyboard.ts';

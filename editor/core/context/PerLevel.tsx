@@ -1,4 +1,4 @@
-import { Fragment, type ReactNode, useRef } from 'react';
+import { type ComponentType, Fragment, type ReactNode, useRef } from 'react';
 import { useLevel } from './context.ts';
 
 /**
@@ -16,3 +16,10 @@ export function useLevelKey(): number {
 export function PerLevel({ children }: { readonly children: ReactNode }) {
   return <Fragment key={useLevelKey()}>{children}</Fragment>;
 }
+
+/** A component that is reset with every level. */
+export const perLevel = (Part: ComponentType) => () => (
+  <PerLevel>
+    <Part />
+  </PerLevel>
+);

@@ -13,8 +13,9 @@ export {
   useSession,
 } from './context.ts';
 export type { Analysis, Editor, OpenLevel } from './editor.ts';
-export type { Ghost } from './ghost.ts';
-export { PerLevel, useLevelKey } from './PerLevel.tsx';
+export { attemptGhosts, type Ghost } from './ghost.ts';
+export { ofLevel } from './of-level.ts';
+export { PerLevel, perLevel, useLevelKey } from './PerLevel.tsx';
 export { usePageTheme } from './page-theme.ts';
 export { IS_MAC } from './platform.ts';
 export type { Pose } from './pose.ts';

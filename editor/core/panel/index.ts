@@ -2,6 +2,7 @@ import './parts.css';
 
 export { Facts } from './Facts.tsx';
 export { Offer } from './Offer.tsx';
+export { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 export { PlayButton } from './PlayButton.tsx';
 export { Progress } from './Progress.tsx';
 export { Section } from './Section.tsx';

@@ -1,9 +1,8 @@
+export { CANVAS_LAYERS, type LayerSwitch } from './layers.ts';
 export { createPreview } from './preview.ts';
 export {
   chooseTool,
   createSession,
-  LAYERS,
-  type Layer,
   RATE_NAMES,
   RATES,
   type Replay,

@@ -1,26 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
 import { type Hold, PLACEABLES, type Placeable, type RuleName } from '../../../schema/index.ts';
+import type { LayerSwitch } from './layers.ts';
 
 /** What a press on the canvas does: select and move, pan, or place an object of a kind. */
 export type Tool = 'select' | 'hand' | Placeable;
 export const TOOLS: readonly Tool[] = ['select', 'hand', ...PLACEABLES];
-
-/** Optional layers over the level. */
-export const LAYERS = [
-  'ranges',
-  'margins',
-  'nearMisses',
-  'slackFan',
-  'ghosts',
-  'heatMap',
-  'deaths',
-  'lost',
-  'onion',
-  'leeway',
-  'notes',
-] as const;
-export type Layer = (typeof LAYERS)[number];
 
 /** Speeds of the timeline and the playtest, relative to real time. */
 export const RATES = [0.25, 0.5, 1, 2] as const;
@@ -75,7 +60,8 @@ export interface Session {
   /** Whether the timeline is playing the run. */
   readonly isPlayingBack: boolean;
   readonly rate: Rate;
-  readonly layers: Readonly<Record<Layer, boolean>>;
+  /** Whether each layer is shown, by its id; a layer that no part of the page has is never shown. */
+  readonly layers: Readonly<Record<string, boolean>>;
   readonly overlay: Overlay | null;
   /** The ids of the panels in front: on the sides of a wide screen, and on a phone (null: none). */
   readonly panels: { readonly left: string; readonly right: string; readonly phone: string | null };
@@ -93,8 +79,8 @@ export interface Session {
 
 export type SessionStore = StoreApi<Session>;
 
-/** The initial session. */
-export function createSession(): SessionStore {
+/** The initial session. @param layers those of the canvas and of features of the page */
+export function createSession(layers: readonly LayerSwitch[]): SessionStore {
   return createStore<Session>(() => ({
     view: 'level',
     mode: 'edit',
@@ -106,19 +92,7 @@ export function createSession(): SessionStore {
     hoverTick: null,
     isPlayingBack: false,
     rate: 1,
-    layers: {
-      ranges: true,
-      margins: true,
-      nearMisses: true,
-      slackFan: true,
-      ghosts: true,
-      heatMap: false,
-      deaths: true,
-      lost: false,
-      onion: true,
-      leeway: false,
-      notes: true,
-    },
+    layers: Object.fromEntries(layers.map(({ id, isShown }) => [id, isShown])),
     overlay: null,
     panels: { left: 'outline', right: 'inspector', phone: 'timeline' },
     renaming: null,

@@ -1,9 +1,9 @@
 import { DoorOpen, FileQuestionMark } from 'lucide-react';
 import { TICK } from '../../../engine/index.ts';
+import { OutcomeSign } from '../../core/panel/index.ts';
 import { MoreButton } from '../../core/tree/index.ts';
 import type { Loss } from '../../workers/index.ts';
 import { lostFromInWords, sinceInWords } from '../lost/index.ts';
-import { OutcomeSign } from '../runs/index.ts';
 import type { AttemptRow } from './attempt-rows.ts';
 
 function Sign({ outcome }: Pick<AttemptRow, 'outcome'>) {

@@ -1,12 +1,11 @@
 import type { StoreApi } from 'zustand/vanilla';
 import { type Desk, keepAnswers, question } from '../../core/ask/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
-import type { Ghost } from '../../core/context/index.ts';
+import { attemptGhosts, type Ghost } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import type { OpenedPlay } from '../../core/shelf/index.ts';
 import { termsAt } from '../../core/terms/index.ts';
 import { type AskedOf, jobs } from '../../workers/index.ts';
-import { attemptGhosts } from '../play/index.ts';
 
 /** Paths that are shown at once: more of them are a tangle. */
 const MOST = 40;

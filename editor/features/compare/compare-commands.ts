@@ -1,6 +1,6 @@
 import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
 import { STATE_SIZE } from '../../../engine/index.ts';
-import type { Command } from '../../core/commands/index.ts';
+import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { chosenOf, comparedOf, isCompared, type Source, sourceKey } from './compared.ts';
 import { compareOrTell, showCompared } from './show-compared.ts';
@@ -97,4 +97,24 @@ function partingTick(level: OpenLevel): number | null {
   const { states, count } = level.proof.proof().run.way;
   const places = Float32Array.from({ length: 2 * count }, (_, i) => states[(i >> 1) * STATE_SIZE + (i & 1)]);
   return partingsOf(distancesOf(places, found.points.subarray(0, -2))).parts;
+}
+
+/** Runs to compare with, and those that are compared. */
+export function compareDestinations(editor: Editor): readonly Destination[] {
+  const level = editor.open.getState();
+  if (level === null) return [];
+  const shown = level.proof.proof().run.name;
+  return (level.document.file().runs ?? [])
+    .filter(({ name }) => name !== shown)
+    .map(({ name }) => {
+      const source = { kind: 'run', name } as const;
+      const isIn = isCompared(comparedOf(level).getState(), source);
+      return {
+        key: `compare ${name}`,
+        group: 'Run',
+        title: `${isIn ? 'Stop comparing' : 'Compare with'} ${name}`,
+        detail: '',
+        go: () => compareOrTell(editor, level, source),
+      };
+    });
 }

@@ -65,13 +65,19 @@ export function raceOf({ session, settings }: Pick<Editor, 'session' | 'settings
     }
     return shown.racers;
   };
-  return () => {
+  const now = (): Race => {
     const { mode, layers, tick, hoverTick } = session.getState();
     const racers = all();
     if (mode === 'edit') return { racers, tick: hoverTick ?? tick };
     const played = level.playtest.getState()?.moment() ?? 0;
     if (!layers.ghosts) return { racers: NOBODY, tick: played };
     return { racers: settings.getState().runInPlay ? racers : attemptsAlone(racers), tick: played };
+  };
+  let last: Race = { racers: NOBODY, tick: 0 };
+  return () => {
+    const next = now();
+    if (next.racers !== last.racers || next.tick !== last.tick) last = next;
+    return last;
   };
 }
 

@@ -1,5 +1,5 @@
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
-import { keepAsRun } from '../play/index.ts';
+import { keepAsRun } from '../../core/levels/index.ts';
 import { comparedOf, MOST_COMPARED, type Source, sourceName, toggleCompared } from './compared.ts';
 
 /** Puts a run beside the shown one or takes it away; says why if there is no room. */

@@ -1,2 +1,1 @@
-export { Inspector } from './Inspector.tsx';
-export { ruleLabel, ruleValues } from './rule-values.ts';
+export { ruleLabel } from './rule-values.ts';

@@ -1,6 +1,6 @@
 import { useEditor } from '../../core/context/index.ts';
+import { SamplesButton } from '../../core/levels/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { SamplesButton } from './SamplesButton.tsx';
 
 /** The empty state of a folder without levels. @param folder the path as the user gave it */
 export function NoLevels({ folder }: { readonly folder: string }) {

@@ -1,4 +1,4 @@
-import type { Command } from '../../core/commands/index.ts';
+import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor } from '../../core/context/index.ts';
 import { folderOf } from '../../core/files/index.ts';
 import { addSamples, deleteLevel, duplicateLevel, openListed } from '../../core/levels/index.ts';
@@ -63,4 +63,18 @@ export function fileCommands(editor: Editor): readonly Command[] {
     },
     { id: 'file.import', title: 'Import levels', group: 'File', run: () => session.setState({ overlay: 'open' }) },
   ];
+}
+
+/** The other levels that can be opened. */
+export function levelDestinations(editor: Editor): readonly Destination[] {
+  const { list, opened } = editor.workspace.store.getState();
+  return (list?.levels ?? [])
+    .filter(({ id, status }) => status === 'valid' && id !== opened?.id())
+    .map(({ id, name }) => ({
+      key: `level ${id}`,
+      group: 'Level',
+      title: name ?? id,
+      detail: id,
+      go: () => void openListed(editor, id),
+    }));
 }

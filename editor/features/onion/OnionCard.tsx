@@ -1,15 +1,17 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
-import { useLevel, useSession } from '../../core/context/index.ts';
+import type { OnCanvas } from '../../canvas/index.ts';
+import { useEditor, useLevel, useSession } from '../../core/context/index.ts';
 import type { Rect } from './card-place.ts';
 import { changedObjects } from './changed-objects.ts';
 import type { FormerRun } from './former.ts';
+import { onionSessionOf } from './onion-session.ts';
 import { onionOf } from './onion-store.ts';
+import { placesOnPage } from './places-on-page.ts';
 import { type Difference, rowsOf, whyUnknown } from './rows.ts';
 import { type Surroundings, useCardPlace } from './use-card-place.ts';
 import { useFigures } from './use-figures.ts';
 import { useOnionEvents } from './use-onion-events.ts';
-import type { OnionSession } from './watch-onion.ts';
 import './onion.css';
 
 /** A sign and a word for each difference, so that colour is not the only one. */
@@ -21,8 +23,8 @@ const SIGNS: Readonly<Record<Difference, readonly [sign: string, word: string]>>
   unknown: ['?', 'not known'],
 };
 
-interface OnionCardProps {
-  readonly onion: OnionSession;
+interface CardProps {
+  readonly former: FormerRun;
   /** Where objects of the level are on the page; without any, the corner of the canvas. */
   readonly whereAre: (keys: readonly string[]) => Rect;
   /** Points of the way of the shown run, px of the page. */
@@ -30,8 +32,11 @@ interface OnionCardProps {
 }
 
 /** The differences between the run before a change and the shown run, beside the pointer or the changed objects. */
-export function OnionCard({ onion, ...places }: OnionCardProps) {
-  const store = onionOf(useLevel());
+export function OnionCard({ host, canvas }: OnCanvas) {
+  const level = useLevel();
+  const onion = onionSessionOf(useEditor(), level);
+  const store = onionOf(level);
+  const places = useMemo(() => placesOnPage(level, { host, canvas }), [level, host, canvas]);
   const former = useStore(store, (state) => state.former);
   const said = useStore(store, (state) => state.said);
   const isEdited = useSession(({ mode }) => mode === 'edit');
@@ -46,7 +51,7 @@ export function OnionCard({ onion, ...places }: OnionCardProps) {
   );
 }
 
-function Card({ former, whereAre, wayOnPage }: Omit<OnionCardProps, 'onion'> & { readonly former: FormerRun }) {
+function Card({ former, whereAre, wayOnPage }: CardProps) {
   const level = useLevel();
   const { phase, slack, slackNow } = useStore(onionOf(level));
   const figures = useFigures(phase === 'held');

@@ -1,27 +1,11 @@
 import { useEffect } from 'react';
-import { useEditor } from '../../core/context/index.ts';
 import { followInput } from './last-input.ts';
-import { COMPARE_KEY, type OnionSession } from './watch-onion.ts';
+import type { OnionSession } from './watch-onion.ts';
 
 const MODIFIERS: readonly string[] = ['Shift', 'Alt', 'Control', 'Meta'];
 
-/** Tells the session what the user does anywhere on the page, and registers its command. */
+/** Tells the session what the user does anywhere on the page. */
 export function useOnionEvents(onion: OnionSession): void {
-  const { commands } = useEditor();
-  useEffect(
-    () =>
-      commands.register([
-        {
-          id: 'view.before',
-          title: 'Compare with before the last change',
-          group: 'View',
-          keys: [COMPARE_KEY],
-          needs: onion.needs,
-          run: onion.toggle,
-        },
-      ]),
-    [commands, onion],
-  );
   useEffect(() => {
     const stopping = new AbortController();
     followInput(stopping.signal);

@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef } from 'react';
 import { useEditor, useLevel, useTouch } from '../../core/context/index.ts';
-import { keepAsRun, makeProof } from './keep-attempt.ts';
+import { keepAsRun, makeProof } from '../../core/levels/index.ts';
 import { PlayEnd } from './PlayEnd.tsx';
 import { PlayHud } from './PlayHud.tsx';
 import './play.css';

@@ -1,2 +1,1 @@
-export { Problems } from './Problems.tsx';
 export { useProblemCount } from './use-problems.ts';

@@ -3,13 +3,13 @@ import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import { type Attempt, attemptInWords } from '../../core/attempts/index.ts';
-import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { attemptGhosts, useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { plural, seconds } from '../../core/figures/index.ts';
+import { keepAsRun, makeProof } from '../../core/levels/index.ts';
+import { OutcomeSign, outcomeWord } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
-import { attemptGhosts, keepAsRun, makeProof } from '../play/index.ts';
 import { CompareButton } from './CompareButton.tsx';
-import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 
 /** The attempts of this session: each is a ghost on the canvas and can be kept as a run of the level. */
 export function AttemptList() {

@@ -2,9 +2,9 @@ import { ArrowRightToLine } from 'lucide-react';
 import { type Better, type Comparison, type HoldPair, pairInWords, partingsInWords } from '../../../check/runs/index.ts';
 import { useEditor, useProof } from '../../core/context/index.ts';
 import { plural, seconds } from '../../core/figures/index.ts';
+import { outcomeWord } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { useDifference } from '../compare/index.ts';
-import { outcomeWord } from './OutcomeSign.tsx';
 import './difference.css';
 
 /** More holds than this are not listed. */

@@ -1,7 +1,7 @@
 import { plural } from '../../core/figures/index.ts';
+import { OutcomeSign, outcomeWord } from '../../core/panel/index.ts';
 import { InlineName, MoreButton } from '../../core/tree/index.ts';
 import { CompareButton } from './CompareButton.tsx';
-import { OutcomeSign, outcomeWord } from './OutcomeSign.tsx';
 import type { RunRow } from './run-row.ts';
 
 const LONGEST_NAME = 80;

@@ -1,4 +1,1 @@
-export { OutcomeSign } from './OutcomeSign.tsx';
-export { RunsPanel } from './RunsPanel.tsx';
 export { useRunEnds } from './run-ends.ts';
-export { SCRIPT_FIELD } from './ScriptField.tsx';

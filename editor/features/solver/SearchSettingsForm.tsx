@@ -5,7 +5,7 @@ import { keyLabel } from '../../core/commands/index.ts';
 import { IS_MAC, useDocument } from '../../core/context/index.ts';
 import { Segments } from '../../core/panel/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
-import { SOLVE_KEY } from './SolverWatch.tsx';
+import { SOLVE_KEY } from './solver-commands.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 const OBJECTIVES = [

@@ -1,14 +1,14 @@
+import type { ComponentType } from 'react';
 import { Section } from '../../core/panel/index.ts';
 import { DifficultyReport } from './DifficultyReport.tsx';
 import { FixReport } from './FixReport.tsx';
-import { LostReport } from './LostReport.tsx';
 import { RobustnessReport } from './RobustnessReport.tsx';
 import { SearchReport } from './SearchReport.tsx';
 import './solver.css';
 import { SearchSettingsForm } from './SearchSettingsForm.tsx';
 
-/** The solver panel: search, fixes, lost states, robustness and difficulty. */
-export function Solver() {
+/** The solver panel: search, fixes, robustness and difficulty. @param sections what other features examine */
+export function Solver({ sections }: { readonly sections: readonly ComponentType[] }) {
   return (
     <div className="panel__body solver">
       <Section title="Find runs">
@@ -16,7 +16,10 @@ export function Solver() {
         <SearchReport />
       </Section>
       <FixReport />
-      <LostReport />
+      {sections.map((Part, key) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+        <Part key={key} />
+      ))}
       <RobustnessReport />
       <DifficultyReport />
     </div>

@@ -1,6 +1,4 @@
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
-import { type LostSession, watchLost } from '../lost/index.ts';
-import { type OnionSession, watchOnion } from '../onion/index.ts';
 import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
 import { createFixSession, type FixSession } from './fix-session.ts';
@@ -19,9 +17,6 @@ export interface SolverSession {
   readonly fixes: FixSession;
   readonly proofs: ProofWatch;
   readonly checks: CheckWatch;
-  readonly lost: LostSession;
-  /** The comparison with what was before a change. */
-  readonly onion: OnionSession;
   readonly overlay: OverlayStore;
 }
 
@@ -38,11 +33,9 @@ export function solverSessionOf({ desk, session, open }: Editor, level: OpenLeve
   const robustness = watchRobustness({ level, desk });
   const proofs = watchProofs({ proof, desk });
   const checks = watchChecks({ proof, desk });
-  const lost = watchLost({ level, session, desk });
-  const onion = watchOnion({ level, session, desk, robustness: robustness.store });
   const difficulty = createDifficultySession({ level, desk, settings });
   const fixes = createFixSession({ level, session, desk, settings });
-  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, onion, overlay };
+  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, overlay };
   sessions.set(level, solver);
   const stop = open.subscribe((current) => {
     if (current === level) return;
@@ -54,8 +47,6 @@ export function solverSessionOf({ desk, session, open }: Editor, level: OpenLeve
     fixes.close();
     proofs.close();
     checks.close();
-    lost.close();
-    onion.close();
   });
   return solver;
 }

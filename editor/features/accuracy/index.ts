@@ -1,2 +1,0 @@
-export { AccuracyPanel } from './AccuracyPanel.tsx';
-export { OtherAccuracy } from './OtherAccuracy.tsx';

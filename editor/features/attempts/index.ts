@@ -1,2 +1,0 @@
-export { AttemptsPanel } from './AttemptsPanel.tsx';
-export { AttemptsWatch } from './AttemptsWatch.tsx';

@@ -1,0 +1,160 @@
+import type { GameObjects, Scene } from 'phaser';
+import { COLOURS, colourNumber, type Drawing, type Frame, type Line, linesOf, scaleIn, type Theme } from '../../canvas/index.ts';
+import { MOST_COMPARED } from './compared.ts';
+import { LOOKS } from './looks.ts';
+import { placeOf, type Race, type Racer } from './racers.ts';
+
+/** px of screen */
+const WIDTH = 2;
+const FONT = 11;
+/** px of screen between a figure and its name */
+const BESIDE = 6;
+const RING = 3;
+/** letters of a name that are shown */
+const MOST_LETTERS = 18;
+/** more strokes than this in one path are drawn as one line */
+const MOST_STROKES = 3000;
+/** How opaque what belongs to the level as it is now is, and what is of an earlier state of it. */
+const OPACITY = { fresh: 0.95, stale: 0.4 } as const;
+
+interface Figure {
+  readonly body: GameObjects.Image;
+  /** Where images can't be tinted, it has the colour. */
+  readonly ring: GameObjects.Arc;
+  readonly name: GameObjects.Text;
+}
+
+const short = (name: string): string => {
+  const letters = [...name];
+  return letters.length > MOST_LETTERS ? `${letters.slice(0, MOST_LETTERS - 1).join('')}…` : name;
+};
+
+/** Compared runs: their paths in strokes of their own, and her figure with a name where each is now. */
+export class RaceLayer implements Drawing<Race> {
+  private readonly paths: GameObjects.Graphics;
+  private readonly figures: readonly Figure[];
+  /** What the paths were last drawn from. */
+  private drawn: { readonly racers: readonly Racer[]; readonly frame: Frame } | null = null;
+
+  constructor(
+    scene: Scene,
+    private readonly theme: Theme,
+  ) {
+    const { space } = COLOURS[theme];
+    this.paths = scene.add.graphics().setDepth(7.6);
+    this.figures = Array.from({ length: MOST_COMPARED }, (_, slot) => ({
+      body: scene.add.image(0, 0, 'astronaut').setDepth(8.6).setTint(this.colourOf(slot)).setVisible(false),
+      ring: scene.add.circle(0, 0, 1).setDepth(8.6).setVisible(false),
+      name: scene.add
+        .text(0, 0, '', {
+          fontFamily: 'system-ui, sans-serif',
+          fontSize: `${FONT}px`,
+          fontStyle: 'bold',
+          color: LOOKS[slot][theme],
+          backgroundColor: space,
+          padding: { x: 3, y: 1 },
+          resolution: Math.max(1, globalThis.devicePixelRatio ?? 1),
+        })
+        .setDepth(9.5)
+        .setOrigin(0, 0.5)
+        .setVisible(false),
+    }));
+  }
+
+  show({ racers, tick }: Race, frame: Frame): void {
+    const { drawn } = this;
+    if (drawn?.racers !== racers || drawn.frame.zoom !== frame.zoom || drawn.frame.her !== frame.her) this.dress(racers, frame);
+    this.pose(racers, tick, frame);
+  }
+
+  /** Draws the paths, and the figures as they look. */
+  private dress(racers: readonly Racer[], frame: Frame): void {
+    const { zoom, her } = frame;
+    this.drawn = { racers, frame };
+    this.paths.clear();
+    for (const { body, ring, name } of this.figures) for (const part of [body, ring, name]) part.setVisible(false);
+    for (const racer of racers) {
+      this.path(racer, zoom);
+      const { body, ring, name } = this.figures[racer.slot];
+      const alpha = racer.isStale ? OPACITY.stale : OPACITY.fresh;
+      body
+        .setVisible(true)
+        .setScale(scaleIn(her))
+        .setAlpha(0.8 * alpha);
+      ring
+        .setVisible(true)
+        .setAlpha(alpha)
+        .setRadius(her.halfHeight + RING / zoom);
+      ring.setStrokeStyle(WIDTH / zoom, this.colourOf(racer.slot));
+      name
+        .setVisible(true)
+        .setText(`${racer.slot + 1} ${short(racer.name)}`)
+        .setScale(1 / zoom)
+        .setAlpha(alpha);
+    }
+  }
+
+  /** Moves the figures to a moment. */
+  private pose(racers: readonly Racer[], tick: number, { zoom, her: { halfHeight } }: Frame): void {
+    for (const racer of racers) {
+      const { x, y, cos, sin } = placeOf(racer, tick);
+      const { body, ring, name } = this.figures[racer.slot];
+      body.setPosition(x, y).setRotation(Math.atan2(sin, cos));
+      ring.setPosition(x, y);
+      name.setPosition(x + halfHeight + BESIDE / zoom, y - halfHeight);
+    }
+  }
+
+  destroy(): void {
+    this.paths.destroy();
+    for (const { body, ring, name } of this.figures) for (const part of [body, ring, name]) part.destroy();
+  }
+
+  private colourOf(slot: number): number {
+    return colourNumber(LOOKS[slot][this.theme]);
+  }
+
+  private path({ slot, points, completes, isStale }: Racer, zoom: number): void {
+    this.paths.lineStyle(WIDTH / zoom, this.colourOf(slot), isStale ? OPACITY.stale : OPACITY.fresh).beginPath();
+    for (const line of linesOf(points)) this.strokes(line, LOOKS[slot].dashes, zoom);
+    this.paths.strokePath();
+    const [x, y] = [points[points.length - 2], points[points.length - 1]];
+    const arm = 5 / zoom;
+    // a ring where it completes the level, a cross where it fails
+    if (completes) this.paths.strokeCircle(x, y, arm);
+    else this.paths.lineBetween(x - arm, y - arm, x + arm, y + arm).lineBetween(x - arm, y + arm, x + arm, y - arm);
+  }
+
+  /** A line in strokes. @param dashes px of screen: strokes and gaps in turn */
+  private strokes(line: Line, dashes: readonly number[], zoom: number): void {
+    const { paths } = this;
+    const shortest = Math.min(...dashes) / zoom;
+    const isLong = lengthOf(line) / shortest > MOST_STROKES;
+    let part = 0;
+    let left = dashes[0] / zoom;
+    paths.moveTo(line[0], line[1]);
+    for (let i = 2; i < line.length; i += 2) {
+      let [x, y] = [line[i - 2], line[i - 1]];
+      const [toX, toY] = [line[i], line[i + 1]];
+      let rest = Math.hypot(toX - x, toY - y);
+      while (!isLong && rest > left) {
+        x += ((toX - x) * left) / rest;
+        y += ((toY - y) * left) / rest;
+        rest -= left;
+        if (part % 2 === 0) paths.lineTo(x, y);
+        else paths.moveTo(x, y);
+        part = (part + 1) % dashes.length;
+        left = dashes[part] / zoom;
+      }
+      left -= rest;
+      if (isLong || part % 2 === 0) paths.lineTo(toX, toY);
+      else paths.moveTo(toX, toY);
+    }
+  }
+}
+
+function lengthOf(line: Line): number {
+  let length = 0;
+  for (let i = 2; i < line.length; i += 2) length += Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
+  return length;
+}

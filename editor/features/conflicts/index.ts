@@ -1,2 +1,0 @@
-export { ConflictDialog } from './ConflictDialog.tsx';
-export { followDisagreement } from './follow-disagreement.ts';

@@ -1,2 +1,0 @@
-export { KeptDialog } from './KeptDialog.tsx';
-export { tellKept } from './tell-kept.ts';

@@ -1,0 +1,71 @@
+import { useEffect, useLayoutEffect, useRef } from 'react';
+import { useStore } from 'zustand';
+import { COLOURS, type OnCanvas, toScreen, type View } from '../../canvas/index.ts';
+import { useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
+import { drawLeeway } from './draw-leeway.ts';
+import { type ShadeRect, shapesOf } from './leeway-picture.ts';
+import { leewayOf } from './leeway-store.ts';
+import { useLeeway } from './use-leeway.ts';
+
+/** px of screen between samples from which on each is marked */
+const APART = 14;
+/** the largest width and height of the picture, px */
+const MOST = 2400;
+
+/** The zoom for which it is drawn: a step of a half octave, so that it is not drawn anew for every turn of the wheel. */
+const drawnZoom = (zoom: number): number => 2 ** (Math.round(2 * Math.log2(zoom)) / 2);
+
+/** What was drawn last. */
+interface Drawn {
+  readonly frame: ShadeRect;
+  /** px of the picture per px of the level */
+  readonly scale: number;
+}
+
+/** Moves the picture to where the view shows it. */
+function place(picture: HTMLCanvasElement | null, drawn: Drawn | null, view: View): void {
+  if (picture === null || drawn === null) return;
+  const { x, y } = toScreen(view, { x: drawn.frame.left, y: drawn.frame.top });
+  picture.style.transform = `translate(${x}px, ${y}px) scale(${view.zoom / drawn.scale})`;
+}
+
+/**
+ * The shade of the places where the selection may stand. It is drawn when something new is known, once per frame at most; a view
+ * that moves only moves the picture, and costs nothing.
+ */
+export function LeewayShade({ canvas }: OnCanvas) {
+  const leeway = useStore(leewayOf(useLevel()), (state) => state.answer?.leeway ?? null);
+  const isShown = useSession(({ layers, mode }) => layers.leeway && mode === 'edit') && leeway !== null;
+  const theme = usePageTheme();
+  const view = useStore(canvas, (state) => state.view);
+  const zoom = drawnZoom(view.zoom);
+  useLeeway(canvas);
+  const picture = useRef<HTMLCanvasElement>(null);
+  const drawn = useRef<Drawn | null>(null);
+  useLayoutEffect(() => place(picture.current, drawn.current, view), [view]);
+  useEffect(() => {
+    if (leeway === null || !isShown) return;
+    const draw = () => {
+      const element = picture.current;
+      const shapes = shapesOf(leeway, APART / zoom);
+      const { frame } = shapes;
+      if (element === null || frame === null) return;
+      const [width, height] = [frame.right - frame.left, frame.bottom - frame.top];
+      const scale = Math.min(zoom * Math.min(2, window.devicePixelRatio), MOST / width, MOST / height);
+      element.width = Math.max(1, Math.ceil(width * scale));
+      element.height = Math.max(1, Math.ceil(height * scale));
+      const { leeway: colour, danger, label } = COLOURS[theme];
+      drawLeeway(element, shapes, { scale, density: scale / zoom, colour, bad: danger, open: label });
+      drawn.current = { frame, scale };
+      place(element, drawn.current, canvas.getState().view);
+    };
+    const asked = requestAnimationFrame(draw);
+    return () => cancelAnimationFrame(asked);
+  }, [leeway, isShown, theme, zoom, canvas]);
+  if (!isShown) return null;
+  return (
+    <div className="canvas__leeway" aria-hidden>
+      <canvas ref={picture} />
+    </div>
+  );
+}

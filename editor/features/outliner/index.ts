@@ -1,2 +1,0 @@
-export { Outliner } from './Outliner.tsx';
-export { objectRows } from './object-rows.ts';

@@ -1,2 +1,0 @@
-export { PackView } from './PackView.tsx';
-export { packCommands } from './pack-commands.ts';

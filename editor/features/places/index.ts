@@ -1,1 +1,0 @@
-export { followPlaces, takePlace } from './follow-places.ts';

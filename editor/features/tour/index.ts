@@ -1,1 +1,0 @@
-export { Tour } from './Tour.tsx';
