@@ -23,11 +23,10 @@ export const MOVED = 14;
 export const STRAYED = 15;
 /** 1 if the gun was held in the last frame. */
 export const HELD = 16;
-/** For a recorder, which reports changes: the last frame's nearest target and field, or -1, and whether the gun was held. */
+/** For a recorder, which reports changes: the last frame's nearest target, or -1, and whether the gun was held. */
 export const SEEN_TARGET = 17;
-export const SEEN_FIELD = 18;
-export const SEEN_HELD = 19;
-export const HEAD = 20;
+export const SEEN_HELD = 18;
+export const HEAD = 19;
 
 // OUTCOME is 0 while the run goes on, then one of these.
 export const LOST = 1;

@@ -1,4 +1,4 @@
-import type { Circles } from '../circles.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import { DIAGONAL, Square } from './square.ts';
 
@@ -31,9 +31,10 @@ export interface Neighbourhood {
   /** Codes of what ends the run by touch: 0 is the black hole, novae begin at 1, targets at 1 + novae; ascending. */
   readonly deadly: Int32Array;
   readonly minerals: Int32Array;
-  readonly repulsors: Int32Array;
   /** Discs of each frame rule. */
   readonly discs: readonly Int32Array[];
+  /** How many of all these a frame here looks at. */
+  readonly things: number;
   /** Only the gun acts: nothing can be touched, there is no field, and the range does not end. */
   readonly quiet: boolean;
   /** Aliens at their places in the level neither see nor touch her. */
@@ -82,9 +83,11 @@ export class Neighbourhoods {
   constructor(
     scene: Scene,
     /** Discs of each frame rule. */
-    private readonly discs: readonly Circles[],
+    private readonly discs: readonly IndexedCircles[],
+    /** Which of these count as looks of the budget. */
+    private readonly areWork: readonly boolean[],
   ) {
-    const { targets, coldCount, novae, minerals, repulsors, level } = scene;
+    const { targets, coldCount, novae, minerals, level } = scene;
     this.square = new Square(scene, level.recoil ? DRIFT : 0);
     // all novae, and those targets that are hot
     const deadly = below(1 + novae.count + targets.count - coldCount);
@@ -97,8 +100,8 @@ export class Neighbourhoods {
       rivals: below(targets.count),
       deadly,
       minerals: below(minerals.count),
-      repulsors: below(repulsors.count),
       discs: discs.map(({ count }) => below(count)),
+      things: deadly.length + minerals.count + this.looks(discs.map(({ count }) => count)),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -140,8 +143,6 @@ export class Neighbourhoods {
     const deadly = square.taken();
     square.addMinerals();
     const minerals = square.taken();
-    square.addRepulsors();
-    const repulsors = square.taken();
     const discs = this.discs.map((list) => {
       square.addDiscs(list);
       return square.taken();
@@ -152,7 +153,6 @@ export class Neighbourhoods {
       square.isInRange &&
       deadly.length === 0 &&
       minerals.length === 0 &&
-      repulsors.length === 0 &&
       discs.every(({ length }) => length === 0);
     const unseen = square.isUnseen;
     const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
@@ -163,8 +163,8 @@ export class Neighbourhoods {
       rivals,
       deadly,
       minerals,
-      repulsors,
       discs,
+      things: deadly.length + minerals.length + this.looks(discs.map(({ length }) => length)),
       quiet,
       unseen,
       left: column * SIDE,
@@ -176,6 +176,11 @@ export class Neighbourhoods {
       freeTop: y - free,
       freeBottom: y + free,
     };
+  }
+
+  /** How many of so many discs of each frame rule count as looks. */
+  private looks(counts: readonly number[]): number {
+    return counts.reduce((sum, count, k) => (this.areWork[k] ? sum + count : sum), 0);
   }
 
   /** Half the side of the largest square around a quiet cell that is as quiet, with as many rivals and the same `unseen`, px. */
@@ -194,7 +199,6 @@ export class Neighbourhoods {
     if (!square.isInRange) return false;
     square.addDeadly();
     square.addMinerals();
-    square.addRepulsors();
     for (const list of this.discs) square.addDiscs(list);
     return square.counted() === 0;
   }

@@ -5,7 +5,7 @@ import type { Scene } from '../scene.ts';
 import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE } from '../simulation.ts';
 import type { Trajectory } from '../trajectory.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { SEEN_FIELD, SEEN_HELD, SEEN_TARGET } from './layout.ts';
+import { SEEN_HELD, SEEN_TARGET } from './layout.ts';
 
 /** Records every frame and event of an `arcade` run. Row f is the state after frame f and stands for time f / 60 s. */
 export class FrameRecorder implements Trajectory {
@@ -128,15 +128,6 @@ export class FrameRecorder implements Trajectory {
       this.events.push({ time, type: 'target', index: this.scene.targets.index[nearest] });
     }
     s[SEEN_HELD] = held ? 1 : 0;
-  }
-
-  /** @param s - the state, as for {@link button} */
-  field(s: Float64Array, frame: number, now: number): void {
-    const before = s[SEEN_FIELD];
-    if (now === before) return;
-    s[SEEN_FIELD] = now;
-    if (before >= 0) this.events.push({ time: frame * TICK, type: 'leave', index: before });
-    if (now >= 0) this.events.push({ time: frame * TICK, type: 'enter', index: now });
   }
 
   mineral(frame: number, index: number): void {

@@ -32,7 +32,7 @@ const FEW_FRAMES = 3;
 /**
  * The original game frame by frame, at 60 Hz, quirks included (accuracy `arcade`): semi-implicit Euler whose checks use the
  * places of the previous frame. Within a frame, velocities come first, then the gun and the checks on the old places (lost,
- * completed, burned: the first counts), then aliens and repulsors set accelerations, then everything moves.
+ * completed, burned: the first counts), then aliens and fields set accelerations, then everything moves.
  *
  * Each frame examines only what is near enough to matter (`neighbourhoods.ts`); the bits are those of examining everything.
  */
@@ -181,7 +181,7 @@ export class ArcadeSimulation implements Simulation {
       } else {
         const alert = hasAliens && !aliens.restWhileIn(cell);
         this.encounters.meet(cell, until, held, alert);
-        const things = cell.deadly.length + cell.minerals.length + cell.repulsors.length + (alert ? aliens.count : 0);
+        const things = cell.things + (alert ? aliens.count : 0);
         budget.look((s[FRAME] - start) * (3 + things / 8));
       }
       budget.look((s[FRAME] - start) * (1 + (cell.rivals.length + s[MOVED]) / 8) + aliens.looked / 8);

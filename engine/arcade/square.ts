@@ -1,4 +1,5 @@
 import type { Circles } from '../circles.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import type { SpatialIndex } from '../spatial-index.ts';
 
@@ -72,15 +73,9 @@ export class Square {
     this.add(minerals, minerals.spatial, 0, 0, box.halfDiagonal, 0);
   }
 
-  /** Adds the repulsors whose fields she may enter. */
-  addRepulsors(): void {
-    const { repulsors } = this.scene;
-    this.add(repulsors, repulsors.spatial, 0, 0, 0, 0);
-  }
-
   /** Adds the discs that her centre may enter. */
-  addDiscs(discs: Circles): void {
-    this.add(discs, null, 0, 0, 0, 0);
+  addDiscs(discs: IndexedCircles): void {
+    this.add(discs, discs.spatial, 0, 0, 0, 0);
   }
 
   /** Adds the targets that may be the nearest. */

@@ -100,7 +100,12 @@ export class EffectSet {
       ),
       central: forces.filter((force) => force.acts === 'instead'),
       steady: forces.filter((force) => force.acts === 'beside'),
-      own: effects.flatMap(({ name, stateLength }) => (stateLength === undefined ? [] : [{ name, length: stateLength }])),
+      circles: effects.flatMap(({ circles }) => circles ?? []),
+      // of all effects, so that every motion has them in one shape, which V8 reads fast
+      own: this.all.flatMap((effect) => {
+        const { name, stateLength } = effect;
+        return stateLength === undefined ? [] : [{ name, length: effects.includes(effect) ? stateLength : () => 0 }];
+      }),
       indexing: this.indexing,
       moved: hooks('moved'),
       beforePiece: hooks('beforePiece'),

@@ -1,5 +1,6 @@
 import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { FrameRule } from '../frames/index.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { CentralForce, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { Indexing } from '../spatial-index.ts';
@@ -44,6 +45,13 @@ export interface Effect {
    * @returns what {@link Scene.own} keeps under the effect's name
    */
   prepare?(level: Level, indexing: Indexing): unknown;
+  /**
+   * The circles that its events look for. Where there are many, an index finds those near her.
+   *
+   * @param scene - the scene
+   * @returns the circles
+   */
+  circles?(scene: Scene): IndexedCircles;
   /**
    * The effect's own events: for each `what` of a {@link RunEvent} of type `effect`, a function that takes the index of the
    * object, from 0, and returns a sentence without its subject.

@@ -1,6 +1,7 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { TICK_RATE } from '../constants.ts';
 import type { Box } from '../contact/index.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
 import type { Indexing } from '../spatial-index.ts';
@@ -20,10 +21,6 @@ const FIXED_STEP_ROOM = 1.05;
 
 /** The series of a chaser that has not begun to chase, and of what no chaser follows. */
 const NO_SERIES = new Float64Array(0);
-
-/** Whether a list of objects is so long that it has an index. */
-const hasIndex = (list: unknown): boolean =>
-  typeof list === 'object' && list !== null && 'spatial' in list && list.spatial !== null;
 
 /** The modes of motion between two events. */
 export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim', 'steady force'] as const;
@@ -120,7 +117,9 @@ export interface Parts {
   readonly first: readonly EventRule[];
   readonly always: readonly EventRule[];
   readonly alwaysQuiet: readonly EventRule[];
-  /** Doubles of state that effects need for themselves. */
+  /** Circles that events look for, of which an index may find some. */
+  readonly circles: readonly ((scene: Scene) => IndexedCircles)[];
+  /** Doubles of state that effects need for themselves; none for those that the level does not call for. */
   readonly own: readonly { readonly name: string; length(scene: Scene): number }[];
   /** Finds objects where there are many. */
   readonly indexing: Indexing;
@@ -212,8 +211,6 @@ export class Motion {
   readonly chasers: number;
   readonly rocks: number;
   readonly minerals: number;
-  /** Index of the first flag that says whether a repulsor contains her; one flag per repulsor. */
-  readonly inside: number;
   /** Index in the state at which each effect's own doubles begin, by the effect's name. */
   readonly own: Readonly<Record<string, number>>;
   /** Index from which each target that moves has the number of the line that it moves along. */
@@ -277,14 +274,9 @@ export class Motion {
     this.recorder = recorder;
     this.strongest = FIXED_STEP_ROOM * scene.strongest;
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
-    const { level, targets, aliens, minerals, novae, repulsors } = scene;
+    const { level, targets, aliens, minerals } = scene;
     this.recoils = level.recoil && targets.count > 0;
-    this.crowded =
-      targets.spatial !== null ||
-      novae.spatial !== null ||
-      minerals.spatial !== null ||
-      repulsors.spatial !== null ||
-      Object.values(scene.own).some(hasIndex);
+    this.crowded = targets.spatial !== null || parts.circles.some((circles) => circles(scene).spatial !== null);
     this.originX = level.astronaut.x;
     this.originY = level.astronaut.y;
     this.targetX = new Float64Array(targets.count);
@@ -299,8 +291,7 @@ export class Motion {
     this.chasers = HEAD;
     this.rocks = this.chasers + CHASER * chasers;
     this.minerals = this.rocks + (this.recoils ? ROCK * targets.count : 0);
-    this.inside = this.minerals + minerals.count;
-    this.lines = this.inside + repulsors.count;
+    this.lines = this.minerals + minerals.count;
     let end = this.lines + (this.recoils ? targets.count : 0);
     const own: Record<string, number> = {};
     for (const { name, length } of parts.own) {

@@ -5,7 +5,7 @@ const MARGIN = 0.5;
 
 /**
  * Tells without a simulation that drifting on cannot reach the black hole. She flies on a straight line until she meets a
- * repulsor or a disc in which another effect acts on her.
+ * disc in which an effect acts on her.
  */
 export interface CoastingFilter {
   /**
@@ -42,7 +42,7 @@ export function coastingFilter(scene: Scene): CoastingFilter {
 /** Discs in which something other than the gun may turn or move her. */
 function turningDiscs(scene: Scene): Circles[] {
   const frames = EFFECTS.flatMap((effect) => (effect.frame && effect.calledFor(scene.level).called ? [effect.frame] : []));
-  return [scene.repulsors, ...frames.map((frame) => frame.discs(scene))];
+  return frames.map((frame) => frame.discs(scene));
 }
 
 /** Whether |d + v t| <= reach + drift t for some t >= 0. */

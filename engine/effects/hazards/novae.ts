@@ -24,5 +24,6 @@ export const novae: Effect = {
   summary: () => 'end the run on touch',
   calledFor: whereAny('novae', 'nova'),
   kills: true,
+  circles: ({ novae }) => novae,
   events: [touchNova],
 };

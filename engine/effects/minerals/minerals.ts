@@ -35,5 +35,6 @@ export const minerals: Effect = {
   name: 'minerals',
   summary: () => 'collected on touch',
   calledFor: whereAny('minerals', 'mineral'),
+  circles: ({ minerals }) => minerals,
   events: [collect],
 };

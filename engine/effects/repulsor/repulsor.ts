@@ -3,6 +3,7 @@ import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { changeFields, enterFields } from './fields.ts';
 import { repulsorPush } from './force.ts';
+import { fieldFrame } from './frame.ts';
 import { comeOffRim, enterField, followRim, leaveField } from './rims.ts';
 import { setRim } from './slide.ts';
 
@@ -14,6 +15,10 @@ export const repulsor: Effect = {
   calledFor: whereAny('repulsors', 'repulsor'),
   rules: ['push'],
   force: repulsorPush,
+  frame: fieldFrame,
+  circles: ({ repulsors }) => repulsors,
+  // a flag for each field: whether it contains her
+  stateLength: ({ repulsors }) => repulsors.count,
   beforePiece(m) {
     if (m.s[RIM] >= 0) followRim(m);
   },

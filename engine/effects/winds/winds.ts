@@ -1,6 +1,6 @@
 import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
-import { windsOf } from './discs.ts';
+import { preparedWinds, windsOf } from './discs.ts';
 import { enterWind, feelWinds, leaveWind, stateLength, wind } from './events.ts';
 import { windFrame } from './frame.ts';
 
@@ -14,6 +14,7 @@ export const winds: Effect = {
     leave: (index) => `leaves wind ${index + 1}`,
   },
   prepare: windsOf,
+  circles: preparedWinds,
   frame: windFrame,
   events: [enterWind, leaveWind],
   stateLength,

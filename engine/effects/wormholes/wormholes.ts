@@ -2,7 +2,7 @@ import { whereAny } from '../count.ts';
 import type { Effect } from '../effect.ts';
 import { arriveInMouths, enterMouth, leaveMouth, startInMouths } from './events.ts';
 import { wormholeFrame } from './frame.ts';
-import { mouthsOf } from './mouths.ts';
+import { mouthsOf, preparedMouths } from './mouths.ts';
 
 export const wormholes: Effect = {
   name: 'wormholes',
@@ -11,6 +11,7 @@ export const wormholes: Effect = {
   jumps: true,
   tells: { jump: (index) => `goes through wormhole ${index + 1}` },
   prepare: mouthsOf,
+  circles: preparedMouths,
   frame: wormholeFrame,
   events: [enterMouth, leaveMouth],
   stateLength: ({ level }) => level.wormholes.length,
