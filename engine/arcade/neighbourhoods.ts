@@ -149,11 +149,7 @@ export class Neighbourhoods {
     });
     square.addRivals();
     const rivals = square.taken();
-    const quiet =
-      square.isInRange &&
-      deadly.length === 0 &&
-      minerals.length === 0 &&
-      discs.every(({ length }) => length === 0);
+    const quiet = square.isInRange && deadly.length === 0 && minerals.length === 0 && discs.every(({ length }) => length === 0);
     const unseen = square.isUnseen;
     const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
     // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
