@@ -1,5 +1,5 @@
 import { TICK } from '../constants.ts';
-import { AHEAD } from './aliens.ts';
+import { AHEAD } from './chasers.ts';
 import { AX, AY, COS, FRAME, HEAD, MOVED, SIN, VX, VY, X, Y } from './layout.ts';
 import { limitSpeed } from './limit-speed.ts';
 import { ROCK, ROCK_FRAMES } from './rocks.ts';

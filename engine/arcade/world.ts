@@ -4,7 +4,7 @@ import type { FrameRule } from '../frames/index.ts';
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { Aliens } from './aliens.ts';
+import { Aliens } from './chasers.ts';
 import { COS, HEAD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
 
