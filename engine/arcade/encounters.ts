@@ -3,11 +3,11 @@ import { boxOverlapsCircle } from '../contact/index.ts';
 import type { Frame } from '../frames/index.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
 import {
-  ALIEN_TOUCH,
   ASTEROID,
   AX,
   AY,
   BLACK_HOLE,
+  CHASER,
   COS,
   FRAME,
   HEAD,
@@ -52,7 +52,7 @@ export class Encounters {
 
   /**
    * Makes some frames among objects; stops where she leaves the cell or the run ends.
-   * @param alert - whether an alien matters
+   * @param alert - whether a chaser matters
    */
   meet(cell: Neighbourhood, until: number, held: boolean, alert: boolean): void {
     const { recorder } = this;
@@ -62,7 +62,7 @@ export class Encounters {
       targetR,
       recoil,
       rocks,
-      aliens,
+      chasers,
       places,
       placesFrom,
       placesStep,
@@ -155,11 +155,11 @@ export class Encounters {
           break;
         }
         if (near.length > 0) this.collectMinerals(near);
-        if (alert) aliens.explode(frame, recorder);
+        if (alert) chasers.explode(frame, recorder);
       }
       if (alert) {
-        const alien = aliens.move(frame, recorder);
-        if (alien >= 0 && going && s[OUTCOME] === 0) this.end(ALIEN_TOUCH, this.world.scene.aliens.index[alien]);
+        const chaser = chasers.move(frame, recorder);
+        if (chaser >= 0 && going && s[OUTCOME] === 0) this.end(CHASER, chasers.circles.index[chaser]);
       }
 
       if (frameRules.length > 0) {

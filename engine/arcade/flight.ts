@@ -21,8 +21,8 @@ export class Flight {
     private readonly world: World,
     private readonly around: Surroundings,
   ) {
-    // only aliens follow it
-    this.path = world.aliens.count > 0 ? new Float64Array(2 * AHEAD) : NOWHERE;
+    // only chasers follow it
+    this.path = world.chasers.count > 0 ? new Float64Array(2 * AHEAD) : NOWHERE;
   }
 
   /**

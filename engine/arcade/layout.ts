@@ -15,7 +15,7 @@ export const OUTCOME = 10;
 export const TOUCHED = 11;
 /** Number of minerals counted. */
 export const MINERALS = 12;
-/** 1 once an alien has been awake; until then all of them sleep where the level has them. */
+/** 1 once a chaser has been awake; until then all of them sleep where the level has them. */
 export const ROUSED = 13;
 /** Number of asteroids that recoil has moved. */
 export const MOVED = 14;
@@ -33,7 +33,7 @@ export const LOST = 1;
 export const BLACK_HOLE = 2;
 export const NOVA = 3;
 export const ASTEROID = 4;
-export const ALIEN_TOUCH = 5;
+export const CHASER = 5;
 
 /** The kind of object touched, by outcome. */
 export const TOUCH_KIND: readonly (BodyKind | null)[] = [null, null, 'blackHole', 'nova', 'asteroid', 'alien'];

@@ -1,6 +1,6 @@
 import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import { DIAGONAL, Square } from './square.ts';
+import { DIAGONAL, Square, type Watchers } from './square.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
@@ -37,7 +37,7 @@ export interface Neighbourhood {
   readonly things: number;
   /** Only the gun acts: nothing can be touched, there is no field, and the range does not end. */
   readonly quiet: boolean;
-  /** Aliens at their places in the level neither see nor touch her. */
+  /** Chasers at their places in the level neither see nor touch her. */
   readonly unseen: boolean;
   /** Bounds of the cell, px: from `left` and `top` inclusive to `right` and `bottom` exclusive. */
   readonly left: number;
@@ -82,13 +82,14 @@ export class Neighbourhoods {
 
   constructor(
     scene: Scene,
+    chasers: Watchers,
     /** Discs of each frame rule. */
     private readonly discs: readonly IndexedCircles[],
     /** Which of these count as looks of the budget. */
     private readonly areWork: readonly boolean[],
   ) {
     const { targets, coldCount, novae, minerals, level } = scene;
-    this.square = new Square(scene, level.recoil ? DRIFT : 0);
+    this.square = new Square(scene, chasers, level.recoil ? DRIFT : 0);
     // all novae, and those targets that are hot
     const deadly = below(1 + novae.count + targets.count - coldCount);
     for (let k = 1 + novae.count; k < deadly.length; k++) deadly[k] += coldCount;

@@ -8,6 +8,12 @@ export const DIAGONAL = 1.4143;
 
 const NONE = new Int32Array(0);
 
+/** What may see her, where the level places it, and how far it sees, px. */
+export interface Watchers {
+  readonly circles: Circles;
+  readonly sight: number;
+}
+
 /**
  * A square whose surroundings are examined: what can matter to her anywhere in it. What it finds collects in a list, ascending,
  * until that is taken. One square serves for many: a run makes dozens of them.
@@ -24,6 +30,7 @@ export class Square {
   /** @param drift - how far recoil may have moved an asteroid, px */
   constructor(
     private readonly scene: Scene,
+    private readonly chasers: Watchers,
     private readonly drift: number,
   ) {}
 
@@ -96,12 +103,13 @@ export class Square {
     return !(this.closest * (1 + 1e-9) + this.toCorner + this.drift + 1e-3 >= this.scene.level.range);
   }
 
-  /** Whether aliens at their places in the level neither see nor touch her. */
+  /** Whether chasers at their places in the level neither see nor touch her. */
   get isUnseen(): boolean {
-    const { aliens, rules, box } = this.scene;
-    for (let i = 0; i < aliens.count; i++) {
-      const reach = Math.max(rules.alienSight, box.halfDiagonal + aliens.r[i]);
-      if (this.within(this.distance(aliens.x[i], aliens.y[i]), reach)) return false;
+    const { circles, sight } = this.chasers;
+    const { halfDiagonal } = this.scene.box;
+    for (let i = 0; i < circles.count; i++) {
+      const reach = Math.max(sight, halfDiagonal + circles.r[i]);
+      if (this.within(this.distance(circles.x[i], circles.y[i]), reach)) return false;
     }
     return true;
   }

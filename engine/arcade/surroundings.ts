@@ -24,6 +24,7 @@ export class Surroundings {
     this.discs = world.frameRules.map((rule) => rule.discs(world.scene));
     this.neighbourhoods = new Neighbourhoods(
       world.scene,
+      world.chasers,
       this.discs,
       world.frameRules.map(({ isWork }) => isWork === true),
     );

@@ -4,7 +4,7 @@ import type { FrameRule } from '../frames/index.ts';
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../snapshot.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { Aliens } from './chasers.ts';
+import { Chasers } from './chasers.ts';
 import { COS, HEAD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
 
@@ -28,7 +28,7 @@ export class World {
   readonly numbers: Float64Array;
   readonly box: Box;
   readonly rocks: Rocks;
-  readonly aliens: Aliens;
+  readonly chasers: Chasers;
   readonly range: number;
   readonly targetR: Float64Array;
   readonly mineralX: Float64Array;
@@ -55,14 +55,16 @@ export class World {
     readonly scene: Scene,
     readonly budget: WorkBudget,
   ) {
-    const { level, targets, novae, aliens, minerals } = scene;
+    const { level, targets, novae, minerals } = scene;
     const { blackHole } = level;
     this.recoil = level.recoil;
     const { pull, recoil, speedLimit } = scene.rules;
     this.numbers = Float64Array.of(pull, recoil, speedLimit);
     this.box = scene.box;
     this.frameRules = ALL_EFFECTS.frameRulesOf(scene.effects);
-    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
+    const chase = ALL_EFFECTS.chaseOf(scene.effects);
+    const chased = chase?.circles(scene).count ?? 0;
+    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Chasers.length(chased) + minerals.count;
     this.frameStates = this.frameRules.map((rule) => {
       const at = length;
       length += rule.stateLength?.(scene) ?? 0;
@@ -71,8 +73,8 @@ export class World {
     this.s = new Float64Array(length);
     this.start = new Float64Array(length);
     this.rocks = new Rocks(this.s, scene);
-    this.aliens = new Aliens(this.s, scene, this.rocks.end, budget);
-    this.collected = this.aliens.end;
+    this.chasers = new Chasers(this.s, scene, this.rocks.end, budget);
+    this.collected = this.chasers.end;
     this.range = level.range;
     this.targetR = targets.r;
     this.mineralX = minerals.x;
@@ -99,7 +101,7 @@ export class World {
     s[COS] = 1;
     s[SEEN_TARGET] = -1;
     this.rocks.layOut(s);
-    this.aliens.layOut(s);
+    this.chasers.layOut(s);
     for (const [k, rule] of this.frameRules.entries()) rule.layOut?.(this.scene, s, this.frameStates[k]);
     if (this.recoil) return;
     for (let i = 0; i < targets.count; i++) {
@@ -117,7 +119,7 @@ export class World {
 
   reset(): void {
     copy(this.start, this.s);
-    this.aliens.forget();
+    this.chasers.forget();
   }
 
   snapshot(into?: Float64Array): Float64Array {
@@ -129,7 +131,7 @@ export class World {
   restore(snapshot: Float64Array): void {
     expectSnapshot(snapshot, this.s.length);
     copy(snapshot, this.s);
-    this.aliens.forget();
+    this.chasers.forget();
   }
 }
 

@@ -59,8 +59,8 @@ export class PieceRecorder implements Recorder, Trajectory {
         for (const i of crowd.altered) this.chasers.set(i, s, chasers + CHASER * i);
         crowd.altered.length = 0;
       }
-      const { count } = this.scene.aliens;
-      if (motion.recoils) this.chasers.set(count, s, chasers + CHASER * count);
+      const dragged = motion.chaserCount;
+      if (motion.recoils) this.chasers.set(dragged, s, chasers + CHASER * dragged);
     }
     if (minerals > rocks) {
       this.rocks ??= new ChangeLog(ROCK, s.subarray(rocks, minerals), budget);
@@ -132,8 +132,8 @@ export class PieceRecorder implements Recorder, Trajectory {
   /** The smallest gap to a hazard. */
   clearance(): Clearance | null {
     const { scene, events } = this;
-    if (scene.novae.count + scene.aliens.count + scene.targets.count - scene.coldCount === 0) return null;
     const near = new ClearanceTracker(scene);
+    if (near.count === 0) return null;
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
     for (let i = 0; i < this.starts.length; i += stride) this.approach(i, 0, near);

@@ -1,7 +1,7 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { layOutRules } from '../events/index.ts';
 import type { FrameRule } from '../frames/index.ts';
-import type { EventRule, Parts } from '../motion/index.ts';
+import type { Chase, EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
 import type { Indexing } from '../spatial-index.ts';
 import type { Effect } from './effect.ts';
@@ -69,6 +69,11 @@ export class EffectSet {
     return chosen.frameRules;
   }
 
+  /** What chases her in a scene with these effects; null if nothing does. */
+  chaseOf(choice: EffectChoice): Chase | null {
+    return chaseOf(this.chosenBy(choice).effects);
+  }
+
   private chosenBy(choice: EffectChoice): Chosen {
     let chosen = this.chosen.get(choice);
     if (chosen === undefined) {
@@ -98,6 +103,7 @@ export class EffectSet {
         byName(this.rules, LISTED_FIRST),
         effects.flatMap(({ events }) => events ?? []),
       ),
+      chase: chaseOf(effects),
       central: forces.filter((force) => force.acts === 'instead'),
       steady: forces.filter((force) => force.acts === 'beside'),
       circles: effects.flatMap(({ circles }) => circles ?? []),
@@ -116,6 +122,8 @@ export class EffectSet {
     };
   }
 }
+
+const chaseOf = (effects: readonly Effect[]): Chase | null => effects.find(({ chase }) => chase !== undefined)?.chase ?? null;
 
 /** Those of a list that an order names, in that order. */
 const byName = <T extends { readonly name: string }>(list: readonly T[], order: readonly string[]): readonly T[] =>

@@ -1,7 +1,7 @@
 import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { FrameRule } from '../frames/index.ts';
 import type { IndexedCircles } from '../indexed-circles.ts';
-import type { CentralForce, EventRule, Motion, SteadyForce } from '../motion/index.ts';
+import type { CentralForce, Chase, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { Indexing } from '../spatial-index.ts';
 
@@ -30,6 +30,8 @@ export interface Effect {
   readonly rules?: readonly RuleName[];
   /** How it accelerates her, if it does. */
   readonly force?: CentralForce | SteadyForce;
+  /** Its objects, if they chase her. */
+  readonly chase?: Chase;
   /** Set if it can move her from one place to another at once. */
   readonly jumps?: true;
   /** Set if it moves objects of the level. */

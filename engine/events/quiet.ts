@@ -11,7 +11,7 @@ const LONGEST = 4;
 
 /**
  * Quiet time: for how long no event can happen, s, whatever the flow does. It is the shortest first step towards any guard,
- * with bounds that hold for every piece. 0 while an alien chases her.
+ * with bounds that hold for every piece. 0 while a chaser chases her.
  */
 export function quietTime(m: Motion): number {
   const { s, near, path, parts, ux, uy, strongest, integrator } = m;

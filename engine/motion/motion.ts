@@ -106,6 +106,21 @@ export interface SteadyForce {
   add(m: Motion): void;
 }
 
+/** What chases her, as the level places it. */
+export interface ChaserCircles extends IndexedCircles {
+  /** Pairs that overlap at the start, two indices each, in the order in which they explode. */
+  readonly explosions: Int32Array;
+}
+
+/** Objects that chase her: they sleep until she is in sight, then they accelerate towards her. A level has one sort of them. */
+export interface Chase {
+  circles(scene: Scene): ChaserCircles;
+  /** Their acceleration, px/s². */
+  pull(rules: Rules): number;
+  /** How far they see, from centre to centre, px. */
+  sight(rules: Rules): number;
+}
+
 type Hook = (m: Motion) => void;
 
 /** What the chosen effects contribute to a motion. */
@@ -123,6 +138,7 @@ export interface Parts {
   readonly own: readonly { readonly name: string; length(scene: Scene): number }[];
   /** Finds objects where there are many. */
   readonly indexing: Indexing;
+  readonly chase: Chase | null;
   readonly central: readonly CentralForce[];
   readonly steady: readonly SteadyForce[];
   /** Called when she has been moved from one place to another: updates what depends on her place. */
@@ -156,11 +172,11 @@ export class Path {
   reach = 0;
 }
 
-/** Which aliens are awake, and where the others sleep. */
+/** Which chasers are awake, and where the others sleep. */
 export interface Crowd {
-  /** Indices of the aliens that are awake, ascending; the state has their number. */
+  /** Indices of the chasers that are awake, ascending; the state has their number. */
   readonly awake: Int32Array;
-  /** Aliens that woke, fell asleep or exploded since this list was emptied; for a recorder. */
+  /** Those that woke, fell asleep or are gone since this list was emptied; for a recorder. */
   readonly altered: number[];
   /** Whether any of them may differ from the start. */
   changed: boolean;
@@ -202,8 +218,12 @@ export class Motion {
   /** Places of the chasers while they chase: coefficients. They follow from the state and are no part of it. */
   readonly chaserX: Float64Array[] = [];
   readonly chaserY: Float64Array[] = [];
-  /** Null if the level has no aliens. */
+  /** Null if nothing chases her. */
   crowd: Crowd | null = null;
+  /** How many objects chase her; the asteroid that she drags has this index. */
+  readonly chaserCount: number;
+  /** Their acceleration, px/s². */
+  readonly chaserPull: number;
   readonly path = new Path();
   /** Asteroids that the gun has held, ascending; all others are where the level places them. Follows from the state. */
   readonly stirred: number[] = [];
@@ -274,7 +294,7 @@ export class Motion {
     this.recorder = recorder;
     this.strongest = FIXED_STEP_ROOM * scene.strongest;
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
-    const { level, targets, aliens, minerals } = scene;
+    const { level, targets, minerals } = scene;
     this.recoils = level.recoil && targets.count > 0;
     this.crowded = targets.spatial !== null || parts.circles.some((circles) => circles(scene).spatial !== null);
     this.originX = level.astronaut.x;
@@ -285,8 +305,10 @@ export class Motion {
       this.targetX[i] = targets.x[i] - this.originX;
       this.targetY[i] = targets.y[i] - this.originY;
     }
-    // an asteroid that she holds while in a field is dragged along like an alien: one more chaser
-    const chasers = aliens.count + (this.recoils ? 1 : 0);
+    this.chaserCount = parts.chase?.circles(scene).count ?? 0;
+    this.chaserPull = parts.chase?.pull(scene.rules) ?? 0;
+    // an asteroid that she holds while in a field is dragged along: one more chaser
+    const chasers = this.chaserCount + (this.recoils ? 1 : 0);
     const length = this.integrator.degree + 1;
     this.chasers = HEAD;
     this.rocks = this.chasers + CHASER * chasers;
@@ -348,7 +370,7 @@ export class Motion {
   }
 }
 
-/** The index of the k-th awake alien. */
+/** The index of the k-th awake chaser. */
 export function awakeAt({ crowd }: Motion, k: number): number {
   return crowd === null ? -1 : crowd.awake[k];
 }

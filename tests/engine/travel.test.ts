@@ -3,7 +3,7 @@ import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
 import { type RandomScene, randomScene } from '../../bench/soak/random-scene.ts';
 import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { ContinuousSimulation, WHOLE_METHOD } from '../../engine/continuous/index.ts';
-import { alienTravel, ownTravel, rockTravel } from '../../engine/events/index.ts';
+import { chaserTravel, ownTravel, rockTravel } from '../../engine/events/index.ts';
 import {
   ACCURACIES,
   type Accuracy,
@@ -14,7 +14,7 @@ import {
   WorkBudget,
   WorkLimitReached,
 } from '../../engine/index.ts';
-import { ALERTNESS, alienPlaceAt, type Motion, placeAt, RECORDS, rockAt, SLOTS } from '../../engine/motion/index.ts';
+import { ALERTNESS, chaserPlaceAt, type Motion, placeAt, RECORDS, rockAt, SLOTS } from '../../engine/motion/index.ts';
 import { propertySettings } from '../property-settings.ts';
 import { continuousNames } from './accuracies.ts';
 
@@ -72,8 +72,8 @@ function farthest(scene: RandomScene, accuracy: Accuracy): { beyond: number; sha
     for (let i = 0; i < m.scene.aliens.count; i++) {
       if (m.s[m.chasers + CHASER * i + 4] === GONE) continue;
       follow(
-        (time) => alienPlaceAt(m, i, time, out),
-        (time) => alienTravel(m, i, m.rules.alienPull, time),
+        (time) => chaserPlaceAt(m, i, time, out),
+        (time) => chaserTravel(m, i, m.rules.alienPull, time),
       );
     }
   };

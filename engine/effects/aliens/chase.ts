@@ -9,6 +9,11 @@ export const alienChase: Effect = {
     `an alien within ${alienSight} px accelerates towards her at ${alienPull} px/s2, otherwise it stops dead; touching it ends the run`,
   calledFor: whereAny('aliens', 'alien'),
   rules: ['alienPull', 'alienSight'],
+  chase: {
+    circles: ({ aliens }) => aliens,
+    pull: ({ alienPull }) => alienPull,
+    sight: ({ alienSight }) => alienSight,
+  },
   moves: true,
   kills: true,
   events: [touchAlien, wake, fallAsleep],
