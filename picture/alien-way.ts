@@ -1,3 +1,4 @@
+import { ALIEN_INK } from './kinds/index.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
 import { num } from './xml.ts';
@@ -23,7 +24,7 @@ export function drawAlienWay(
     ? `<path d="${burst}" stroke-width="2" stroke-linecap="round"/>`
     : `<circle r="${num(r)}" stroke-width="1.2" stroke-dasharray="4 3"/><circle cx="${num(-0.28 * r)}" cy="${num(-0.14 * r)}" r="${num(0.16 * r)}" stroke-width="1.2"/><circle cx="${num(0.28 * r)}" cy="${num(-0.14 * r)}" r="${num(0.16 * r)}" stroke-width="1.2"/>`;
   return (
-    `<g data-kind="alien-way" fill="none" stroke="${theme.alien}"><path d="M${points}" stroke-width="1.6" stroke-dasharray=".1 5" stroke-linecap="round"/>` +
+    `<g data-kind="alien-way" fill="none" stroke="${ALIEN_INK[theme.name]}"><path d="M${points}" stroke-width="1.6" stroke-dasharray=".1 5" stroke-linecap="round"/>` +
     `<g transform="translate(${num(view.x(x))} ${num(view.y(y))})">${end}</g></g>`
   );
 }

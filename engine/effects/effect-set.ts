@@ -4,19 +4,19 @@ import type { FrameRule } from '../frames/index.ts';
 import type { Chase, EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
 import type { Indexing } from '../spatial-index.ts';
-import type { Effect } from './effect.ts';
+import type { Effect, EngineEffect } from './effect.ts';
 import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, LISTED_FIRST } from './order.ts';
 
 /** Chosen effects, and what follows from them once somebody has asked for it. */
 interface Chosen {
-  readonly effects: readonly Effect[];
+  readonly effects: readonly EngineEffect[];
   parts: Parts | null;
   frameRules: readonly FrameRule[] | null;
 }
 
 /** The effects that a program includes: all of them, or what its levels call for. */
 export class EffectSet {
-  private readonly all: readonly Effect[];
+  private readonly all: readonly EngineEffect[];
   private readonly rules: readonly EventRule[];
   // found again by the choice itself: a level is simulated more than once, at more than one accuracy
   private readonly chosen = new WeakMap<EffectChoice, Chosen>();
@@ -51,7 +51,7 @@ export class EffectSet {
   }
 
   /** The effects that are part of a scene. */
-  of(choice: EffectChoice): readonly Effect[] {
+  of(choice: EffectChoice): readonly EngineEffect[] {
     return this.chosenBy(choice).effects;
   }
 
@@ -67,6 +67,11 @@ export class EffectSet {
     const chosen = this.chosenBy(choice);
     chosen.frameRules ??= chosen.effects.flatMap(({ frame }) => frame ?? []);
     return chosen.frameRules;
+  }
+
+  /** Whether the objects of a kind chase her. */
+  hasChaser(kind: string): boolean {
+    return this.all.some(({ chase }) => chase?.kind === kind);
   }
 
   /** What chases her in a scene with these effects; null if nothing does. */
@@ -90,7 +95,7 @@ export class EffectSet {
     return chosen;
   }
 
-  private layOut(effects: readonly Effect[]): Parts {
+  private layOut(effects: readonly EngineEffect[]): Parts {
     const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
       effects.flatMap((effect) => {
         const hook = effect[name];
@@ -123,7 +128,7 @@ export class EffectSet {
   }
 }
 
-const chaseOf = (effects: readonly Effect[]): Chase | null => effects.find(({ chase }) => chase !== undefined)?.chase ?? null;
+const chaseOf = (effects: readonly EngineEffect[]): Chase | null => effects.find(({ chase }) => chase !== undefined)?.chase ?? null;
 
 /** Those of a list that an order names, in that order. */
 const byName = <T extends { readonly name: string }>(list: readonly T[], order: readonly string[]): readonly T[] =>

@@ -30,8 +30,6 @@ export interface Effect {
   readonly rules?: readonly RuleName[];
   /** How it accelerates her, if it does. */
   readonly force?: CentralForce | SteadyForce;
-  /** Its objects, if they chase her. */
-  readonly chase?: Chase;
   /** Set if it can move her from one place to another at once. */
   readonly jumps?: true;
   /** Set if it moves objects of the level. */
@@ -47,13 +45,6 @@ export interface Effect {
    * @returns what {@link Scene.own} keeps under the effect's name
    */
   prepare?(level: Level, indexing: Indexing): unknown;
-  /**
-   * The circles that its events look for. Where there are many, an index finds those near her.
-   *
-   * @param scene - the scene
-   * @returns the circles
-   */
-  circles?(scene: Scene): IndexedCircles;
   /**
    * The effect's own events: for each `what` of a {@link RunEvent} of type `effect`, a function that takes the index of the
    * object, from 0, and returns a sentence without its subject.
@@ -123,4 +114,17 @@ export interface Effect {
    * @returns whether it may
    */
   mayRepeat?(m: Motion): boolean;
+}
+
+/** An effect as the engine's parts declare it. */
+export interface EngineEffect extends Effect {
+  /** Its objects, if they chase her. */
+  readonly chase?: Chase;
+  /**
+   * The circles that its events look for. Where there are many, an index finds those near her.
+   *
+   * @param scene - the scene
+   * @returns the circles
+   */
+  circles?(scene: Scene): IndexedCircles;
 }

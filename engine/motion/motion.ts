@@ -114,6 +114,7 @@ export interface ChaserCircles extends IndexedCircles {
 
 /** Objects that chase her: they sleep until she is in sight, then they accelerate towards her. A level has one sort of them. */
 export interface Chase {
+  readonly kind: BodyKind;
   circles(scene: Scene): ChaserCircles;
   /** Their acceleration, px/s². */
   pull(rules: Rules): number;

@@ -1,46 +1,51 @@
-import { type Level, objectName } from '../../schema/basics/index.ts';
+import {
+  appearanceOfObject,
+  KINDS,
+  type Level,
+  LISTED_KINDS,
+  type ListedKind,
+  listOf,
+  objectName,
+  objectsIn,
+} from '../../schema/basics/index.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
 
 /** A solid circle of a level, which she may touch. Lengths are in px. */
 export interface Body {
-  readonly kind: 'asteroid' | 'hot asteroid' | 'nova' | 'alien' | 'black hole';
+  readonly kind: ListedKind | 'blackHole';
   readonly x: number;
   readonly y: number;
   readonly radius: number;
   /** Index within the level's list of that kind, from 0. */
   readonly index: number;
+  /** Its name in a sentence: `nova 3`, `the black hole`. */
+  readonly name: string;
+  /** Whether touching it ends a run with `collided`. */
+  readonly isHazard: boolean;
+  /** Whether it stays where the level places it during a whole run. */
+  readonly staysPut: boolean;
 }
 
-/** The list of a level that holds each kind of body. */
-export const LIST_OF = { asteroid: 'asteroids', 'hot asteroid': 'asteroids', nova: 'novae', alien: 'aliens' } as const;
+/** The kinds of which an object can be deadly: all their objects are drawn solid. */
+const SOLID = LISTED_KINDS.filter((kind) => KINDS[kind].deadly || KINDS[kind].variant?.deadly === true);
 
-/** Asteroids, novae, aliens, then the black hole. */
+/** The solid objects of a level in the order of a file, then the black hole. */
 export function bodiesOf(level: Level): Body[] {
   const bodies: Body[] = [];
-  const add = (
-    kind: Body['kind'],
-    index: number,
-    o: { readonly x: number; readonly y: number; readonly radius: number },
-  ): void => {
-    bodies.push({ kind, x: o.x, y: o.y, radius: o.radius, index });
-  };
-  for (const [i, o] of level.asteroids.entries()) add(o.hot ? 'hot asteroid' : 'asteroid', i, o);
-  for (const [i, o] of level.novae.entries()) add('nova', i, o);
-  for (const [i, o] of level.aliens.entries()) add('alien', i, o);
-  add('black hole', 0, level.blackHole);
+  for (const kind of SOLID) {
+    const chases = ALL_EFFECTS.hasChaser(kind);
+    // recoil moves what the gun targets
+    const stays = !chases && !(kind === 'asteroid' && level.recoil);
+    for (const [index, object] of objectsIn(level, kind).entries()) {
+      const { x, y, radius } = object;
+      const isHazard = appearanceOfObject(kind, object).deadly;
+      bodies.push({ kind, x, y, radius, index, name: objectName(kind, index, object), isHazard, staysPut: stays });
+    }
+  }
+  const { x, y, radius } = level.blackHole;
+  bodies.push({ kind: 'blackHole', x, y, radius, index: 0, name: 'the black hole', isHazard: false, staysPut: true });
   return bodies;
 }
 
 /** The JSON pointer of a body in the level file. */
-export const pointerOf = ({ kind, index }: Body): string => (kind === 'black hole' ? '/blackHole' : `/${LIST_OF[kind]}/${index}`);
-
-/** The name of a body in a sentence: `nova 3`, `the black hole`. */
-export function nameOf({ kind, index }: Body): string {
-  if (kind === 'black hole') return 'the black hole';
-  return kind === 'hot asteroid' ? objectName('asteroid', index, { hot: true }) : objectName(kind, index);
-}
-
-/** Whether touching it ends a run with `collided`. */
-export const isHazard = ({ kind }: Body): boolean => kind === 'nova' || kind === 'hot asteroid' || kind === 'alien';
-
-/** Whether it stays where the level places it during a whole run. */
-export const staysPut = ({ kind }: Body, recoil: boolean): boolean => kind === 'nova' || (kind === 'hot asteroid' && !recoil);
+export const pointerOf = ({ kind, index }: Body): string => (kind === 'blackHole' ? '/blackHole' : `/${listOf(kind)}/${index}`);

@@ -1,5 +1,4 @@
 import { boxCircleGap, boxOverlapsCircle } from '../contact/index.ts';
-import { isHazard, nameOf } from './bodies.ts';
 import { px } from './geometry.ts';
 import type { Rule } from './warning.ts';
 
@@ -15,11 +14,11 @@ export const startsInHazard: Rule = {
   *find({ level, box, bodies }) {
     const { x, y } = level.astronaut;
     for (const body of bodies) {
-      if (!isHazard(body) || !boxOverlapsCircle(box, body.x - x, body.y - y, 1, 0, body.radius)) continue;
+      if (!body.isHazard || !boxOverlapsCircle(box, body.x - x, body.y - y, 1, 0, body.radius)) continue;
       const depth = -boxCircleGap(box, body.x - x, body.y - y, 1, 0, body.radius);
       yield {
-        message: `the astronaut starts inside ${nameOf(body)}: her box reaches ${px(depth)} into its radius of ${px(body.radius)}`,
-        hint: `move the astronaut and ${nameOf(body)} apart by at least ${px(depth)}`,
+        message: `the astronaut starts inside ${body.name}: her box reaches ${px(depth)} into its radius of ${px(body.radius)}`,
+        hint: `move the astronaut and ${body.name} apart by at least ${px(depth)}`,
         pointer: '/astronaut',
       };
     }

@@ -3,7 +3,7 @@ import { radial } from '../radial-gradient.ts';
 import { randomFrom } from '../random.ts';
 import type { Theme } from '../theme.ts';
 import { num } from '../xml.ts';
-import { drawHotAsteroid } from './hot-asteroid.ts';
+import { drawHotAsteroid, EMBER, FLAMES } from './hot-asteroid.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
 /** Draws a cold asteroid around its centre: lit from the upper left, with craters. */
@@ -36,9 +36,9 @@ export const asteroid: KindInPicture<Asteroid> = {
     const r = num(radius);
     if (!object.hot) return `<circle r="${r}" fill="${theme.rock[1]}"/>`;
     const h = num(0.35 * radius);
-    return `<circle r="${r}" fill="${theme.hot[1]}"/><path d="M0-${h}L${h} ${h}H-${h}Z" fill="${theme.flame}"/>`;
+    return `<circle r="${r}" fill="${EMBER[theme.name][1]}"/><path d="M0-${h}L${h} ${h}H-${h}Z" fill="${FLAMES[theme.name]}"/>`;
   },
-  gradients: ({ rock, hot }) => [
+  gradients: ({ rock, name }) => [
     radial(
       'rock',
       [
@@ -51,16 +51,16 @@ export const asteroid: KindInPicture<Asteroid> = {
     radial(
       'hot',
       [
-        [0, hot[0]],
-        [0.5, hot[1]],
-        [1, hot[2]],
+        [0, EMBER[name][0]],
+        [0.5, EMBER[name][1]],
+        [1, EMBER[name][2]],
       ],
       ' cx=".5" cy=".5" r=".55"',
     ),
     radial('heat', [
-      [0.45, hot[0], 0.55],
-      [0.7, hot[1], 0.22],
-      [1, hot[1], 0],
+      [0.45, EMBER[name][0], 0.55],
+      [0.7, EMBER[name][1], 0.22],
+      [1, EMBER[name][1], 0],
     ]),
   ],
   legend: { radius: 16 },

@@ -81,7 +81,7 @@ export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks
   return { count, tried: (steps * (steps + 1)) / 2, example, ticks };
 }
 
-// Ticks after which the filter is asked again, because a repulsor may have turned her away for good.
+// Ticks after which the filter is asked again, because a field may have turned her away for good.
 const LOOK_AGAIN = 60;
 
 /**

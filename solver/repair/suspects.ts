@@ -1,6 +1,6 @@
 import type { Level } from '../../schema/basics/index.ts';
 import type { Blocker, LineEnd, Proof, Strip } from '../proofs/index.ts';
-import type { ObjectRef } from './change.ts';
+import { type ObjectRef, objectAt } from './change.ts';
 import { HOLE, hazards, isSame, START } from './family.ts';
 
 /**
@@ -48,9 +48,8 @@ function byDistance({ asteroids }: Level, { x, y }: { readonly x: number; readon
   return [...asteroids.keys()].sort((a, b) => square(a) - square(b)).map((index) => ({ kind: 'asteroid', index }));
 }
 
-function overlapsHole(level: Level, { kind, index }: ObjectRef): boolean {
-  const list = kind === 'nova' ? level.novae : kind === 'asteroid' ? level.asteroids : level.aliens;
-  const { x, y, radius } = list[index];
+function overlapsHole(level: Level, object: ObjectRef): boolean {
+  const { x, y, radius } = objectAt(level, object);
   const { blackHole } = level;
   const reach = radius + blackHole.radius;
   return (x - blackHole.x) * (x - blackHole.x) + (y - blackHole.y) * (y - blackHole.y) < reach * reach;

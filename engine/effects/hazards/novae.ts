@@ -1,7 +1,7 @@
 import { eventRule, listTouching, offerContact, quietOutside } from '../../events/index.ts';
 import { placeCircle } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
-import type { Effect } from '../effect.ts';
+import type { EngineEffect } from '../effect.ts';
 
 export const touchNova = eventRule({
   name: 'nova',
@@ -19,7 +19,7 @@ export const touchNova = eventRule({
   fire: (_m, index) => index,
 });
 
-export const novae: Effect = {
+export const novae: EngineEffect = {
   name: 'novae',
   summary: () => 'end the run on touch',
   calledFor: whereAny('novae', 'nova'),

@@ -1,7 +1,7 @@
 import { eventRule, listTouching, offerContact, quietOutside } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLOTS } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
-import type { Effect } from '../effect.ts';
+import type { EngineEffect } from '../effect.ts';
 
 const { MINERALS } = SLOTS;
 
@@ -31,7 +31,7 @@ export const collect = eventRule({
   },
 });
 
-export const minerals: Effect = {
+export const minerals: EngineEffect = {
   name: 'minerals',
   summary: () => 'collected on touch',
   calledFor: whereAny('minerals', 'mineral'),

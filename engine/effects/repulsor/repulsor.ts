@@ -1,6 +1,6 @@
 import { SLOTS } from '../../motion/index.ts';
 import { whereAny } from '../count.ts';
-import type { Effect } from '../effect.ts';
+import type { EngineEffect } from '../effect.ts';
 import { changeFields, enterFields } from './fields.ts';
 import { repulsorPush } from './force.ts';
 import { fieldFrame } from './frame.ts';
@@ -9,7 +9,7 @@ import { setRim } from './slide.ts';
 
 const { RIM } = SLOTS;
 
-export const repulsor: Effect = {
+export const repulsor: EngineEffect = {
   name: 'repulsor',
   summary: ({ push }) => `pushes her away at ${push} px/s2 while her centre is inside, instead of the gun`,
   calledFor: whereAny('repulsors', 'repulsor'),

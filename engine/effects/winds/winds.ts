@@ -1,10 +1,10 @@
 import { whereAny } from '../count.ts';
-import type { Effect } from '../effect.ts';
+import type { EngineEffect } from '../effect.ts';
 import { preparedWinds, windsOf } from './discs.ts';
 import { enterWind, feelWinds, leaveWind, stateLength, wind } from './events.ts';
 import { windFrame } from './frame.ts';
 
-export const winds: Effect = {
+export const winds: EngineEffect = {
   name: 'winds',
   summary: () => 'a steady acceleration while her centre is inside, added to whatever else acts on her',
   calledFor: whereAny('winds', 'wind'),

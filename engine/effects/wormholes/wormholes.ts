@@ -1,10 +1,10 @@
 import { whereAny } from '../count.ts';
-import type { Effect } from '../effect.ts';
+import type { EngineEffect } from '../effect.ts';
 import { arriveInMouths, enterMouth, leaveMouth, startInMouths } from './events.ts';
 import { wormholeFrame } from './frame.ts';
 import { mouthsOf, preparedMouths } from './mouths.ts';
 
-export const wormholes: Effect = {
+export const wormholes: EngineEffect = {
   name: 'wormholes',
   summary: () => 'when her centre enters one mouth, she goes on from the other, with her velocity and angle',
   calledFor: whereAny('wormholes', 'wormhole'),
