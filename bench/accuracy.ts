@@ -28,9 +28,9 @@ import {
   type TunnellingCurve,
 } from '../picture/accuracy/index.ts';
 import { type Hold, type Level, readLevel } from '../schema/index.ts';
+import { seeded } from '../tests/scenes/seeded.ts';
 import { atMost, machine, optionValue, publish } from './harness.ts';
 import { buttonPerStep, loadPeers, type Peer, type PeerWorld, unsupportedIn } from './peers/index.ts';
-import { seeded } from './scenes/seeded.ts';
 
 const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
 const OUT = optionValue('--out') ?? join(PROJECT, 'docs');

@@ -1,9 +1,9 @@
 import { compile, createSimulation, joinHolds, playScript, type Simulation } from '../engine/index.ts';
+import { TWELVE_CIRCLES } from '../tests/scenes/index.ts';
 import { atMost, compare, publish } from './harness.ts';
 import { buttonPerStep } from './peers/index.ts';
 import { phaserArcade } from './peers/phaser-arcade.ts';
 import { type PlainState, plainLoop, plainScene } from './plain-loop.ts';
-import { TWELVE_CIRCLES } from './scenes/index.ts';
 
 const { level, holds, seconds } = TWELVE_CIRCLES;
 const TICKS = seconds * 60;

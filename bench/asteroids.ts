@@ -1,6 +1,6 @@
 import { ACCURACIES, type AccuracyName, compile, createSimulation, joinHolds, playScript, TICK_RATE } from '../engine/index.ts';
+import { asteroidField } from '../tests/scenes/index.ts';
 import { atMost, type Claim, compare, publish } from './harness.ts';
-import { asteroidField } from './scenes/index.ts';
 
 const FEW = asteroidField(100);
 const MANY = asteroidField(10_000);

@@ -3,8 +3,8 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'n
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { RANDOM_SET_SIZE, randomLevel } from '../tests/scenes/random-set/index.ts';
 import { atMost, optionValue, publish, spread } from './harness.ts';
-import { RANDOM_SET_SIZE, randomLevel } from './random-set/index.ts';
 
 const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
 

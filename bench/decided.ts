@@ -1,8 +1,8 @@
 import { compile, simulate } from '../engine/index.ts';
 import { type Level, resolveLevel } from '../schema/index.ts';
+import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from '../tests/scenes/random-set/index.ts';
 import { askedEffort, decideAll, refuteSome, type Stratum, tell } from './decide/index.ts';
 import { optionValue } from './harness.ts';
-import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from './random-set/index.ts';
 import { hashStyledSet, STYLED_SET_HASH, STYLED_SET_SIZE, STYLES, styledLevel, styleOf } from './styled-set/index.ts';
 
 /** The strata of either set. */

@@ -1,7 +1,7 @@
 import { changesInWords, diffLevels } from '../review/index.ts';
 import { KINDS, type LevelFile, LISTED_KINDS, listOf, withIds } from '../schema/index.ts';
+import { seeded } from '../tests/scenes/index.ts';
 import { atMost, type Contestant, compare, publish } from './harness.ts';
-import { seeded } from './scenes/index.ts';
 
 const OBJECTS = 1000;
 const RUNS = 5;

@@ -1,11 +1,11 @@
 import { findRuns } from '../solver/index.ts';
+import { seeded } from '../tests/scenes/index.ts';
 import { measureCoverage } from './difficulty/coverage.ts';
 import { type Halves, measureHalves } from './difficulty/halves.ts';
 import { ANY, scenesToMeasure } from './difficulty/levels.ts';
 import { measureRecovery, type Recovery } from './difficulty/recovery.ts';
 import { correlation, Share, spearmanBrown } from './difficulty/statistics.ts';
 import { atLeast, atMost, figure, optionValue, publish } from './harness.ts';
-import { seeded } from './scenes/index.ts';
 
 // how reliable the measure of difficulty is, and whether its intervals contain the truth; with synthetic players only
 

@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
+import { playableLevel } from '../tests/scenes/playable-level.ts';
 import * as interactions from './editor/interactions.ts';
-import { playableLevel } from './editor/playable-level.ts';
 import { openStage } from './editor/stage.ts';
 import { type Cost, p95 } from './editor/trace.ts';
 import { atMost, type Claim, optionValue, publish, spread } from './harness.ts';

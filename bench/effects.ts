@@ -9,8 +9,8 @@ import {
   TICK_RATE,
 } from '../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../schema/index.ts';
+import { ORBIT, ORBIT_FILE } from '../tests/scenes/index.ts';
 import { atMost, type Claim, compare, optionValue, publish } from './harness.ts';
-import { ORBIT, ORBIT_FILE } from './scenes/index.ts';
 
 const SECONDS = 60;
 const TICKS = SECONDS * TICK_RATE;

@@ -1,5 +1,6 @@
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { seeded } from '../tests/scenes/seeded.ts';
 import {
   type Assumptions,
   drawFleet,
@@ -17,7 +18,6 @@ import {
   splitSet,
 } from './fleet/index.ts';
 import { atMost, optionValue, publish } from './harness.ts';
-import { seeded } from './scenes/seeded.ts';
 
 const PICTURE = fileURLToPath(new URL('../../docs/fleet-model.svg', import.meta.url));
 

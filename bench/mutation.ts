@@ -5,10 +5,10 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
+import { seeded } from '../tests/scenes/seeded.ts';
 import { allMutants, type PlacedMutant } from './mutation/mutants.ts';
 import { type Fate, PLAN, type Plan, type Reach, type Result } from './mutation/plan.ts';
 import { filesIn, ROOMS } from './mutation/rooms.ts';
-import { seeded } from './scenes/seeded.ts';
 
 /** A child that has written nothing for this long hangs, ms. */
 const HANGS_AFTER = 120_000;

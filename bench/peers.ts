@@ -10,10 +10,10 @@ import {
   TICK,
   TICK_RATE,
 } from '../engine/index.ts';
+import { type BenchScene, ORBIT, TWELVE_CIRCLES } from '../tests/scenes/index.ts';
 import { atMost, type Contestant, compare, publish } from './harness.ts';
 import { buttonPerStep, loadPeers, type Peer, type PeerWorld, simulatePeer } from './peers/index.ts';
 import { referenceEnd } from './reference.ts';
-import { type BenchScene, ORBIT, TWELVE_CIRCLES } from './scenes/index.ts';
 
 const PEER_RATE = 60;
 const REFERENCE_RATE = 3840;

@@ -1,9 +1,9 @@
 import { DEFAULT_MAX_WORK, unlimited } from '../engine/index.ts';
 import { type Level, resolveLevel } from '../schema/index.ts';
 import { type Proof, proveImpossible, verifyProof } from '../solver/index.ts';
+import { RANDOM_SET_SIZE, randomLevel } from '../tests/scenes/random-set/index.ts';
 import { atMost, optionValue, publish, spread } from './harness.ts';
 import { askedLevels } from './levels.ts';
-import { RANDOM_SET_SIZE, randomLevel } from './random-set/index.ts';
 
 /** Processor time, so that other work on the machine matters little. */
 const milliseconds = (work: () => void): number => {

@@ -1,18 +1,18 @@
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
+import { checkBySteps } from '../tests/judges/by-steps.ts';
+import { checkMixed, shrinkMixed } from '../tests/judges/check-mixed.ts';
+import { checkScene, type Finding } from '../tests/judges/check-scene.ts';
+import { checkGraze, GRAZED_AT, graze } from '../tests/judges/contacts.ts';
+import { checkPieces } from '../tests/judges/pieces.ts';
+import { degenerateScene } from '../tests/scenes/degenerate-scene.ts';
+import { mixedScene } from '../tests/scenes/mixed-scene.ts';
+import { randomScene } from '../tests/scenes/random-scene.ts';
+import { steppableScene, windyDegenerateScene, windyScene } from '../tests/scenes/windy-scene.ts';
 import { optionValue } from './harness.ts';
 import { attackProofs } from './soak/attack-proofs.ts';
 import { attackProperties } from './soak/attack-properties.ts';
 import { attackSignals } from './soak/attack-signals.ts';
 import { attackWriters } from './soak/attack-writers.ts';
-import { checkBySteps } from './soak/by-steps.ts';
-import { checkMixed, shrinkMixed } from './soak/check-mixed.ts';
-import { checkScene, type Finding } from './soak/check-scene.ts';
-import { checkGraze, GRAZED_AT, graze } from './soak/contacts.ts';
-import { degenerateScene } from './soak/degenerate-scene.ts';
-import { mixedScene } from './soak/mixed-scene.ts';
-import { checkPieces } from './soak/pieces.ts';
-import { randomScene } from './soak/random-scene.ts';
-import { steppableScene, windyDegenerateScene, windyScene } from './soak/windy-scene.ts';
 
 /**
  * What is examined for each seed: `rules` in any scene, `pieces` in scenes where something may happen endlessly; both also with

@@ -4,10 +4,10 @@ import { fileURLToPath } from 'node:url';
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { compile, createSimulation, joinHolds, playScript, type Simulation } from '../engine/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
+import { seeded } from '../tests/scenes/seeded.ts';
 import { atLeast, consume, publish, spread } from './harness.ts';
 import { askedLevels } from './levels.ts';
 import { type NativeArcade, type NativeScene, startNative } from './native/index.ts';
-import { seeded } from './scenes/seeded.ts';
 
 const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
 const MAX_FRAMES = 3600;

@@ -1,8 +1,8 @@
 import { type AccuracyName, compile } from '../engine/index.ts';
 import { createPlayer, createVerifier, encodePlay, type PlayVerifier, playOf } from '../game/index.ts';
+import { minuteOfPlay } from '../tests/scenes/minute-plays.ts';
 import { atLeast, consume, publish, spread } from './harness.ts';
 import { askedLevels } from './levels.ts';
-import { minuteOfPlay } from './scenes/minute-plays.ts';
 
 const ACCURACIES: readonly AccuracyName[] = ['arcade', 'fast', 'standard', 'precise'];
 const PLAYS_A_LEVEL = 4;

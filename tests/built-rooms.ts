@@ -2,8 +2,11 @@ import { existsSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
 import type { Plugin } from 'vitest/config';
 
-/** The rooms of which `tsc -b` and `tsc -b bench` write a module for each source. */
-const BUILT = ['schema', 'engine', 'game', 'phaser', 'solver', 'check', 'picture', 'review', 'cli', 'bench'];
+/** The rooms, and the folders that tests and benchmarks share, of which `tsc -b` and `tsc -b bench` write a module for each source. */
+const BUILT = [
+  ...['schema', 'engine', 'game', 'phaser', 'solver', 'check', 'picture', 'review', 'cli', 'bench'],
+  ...['scenes', 'judges', 'attackers', 'interrupted'].map((folder) => `tests/${folder}`),
+];
 
 /** What Node loads by itself, without a transformation. */
 export const BUILT_FILES = new RegExp(`/dist/(${BUILT.join('|')})/.*\\.js$`);
@@ -19,8 +22,10 @@ export function builtRooms(project: string): Plugin {
     enforce: 'pre',
     resolveId(id, importer) {
       if (importer === undefined || !id.startsWith('.') || !id.endsWith('.ts')) return null;
-      const source = relative(project, resolve(dirname(importer), id));
-      if (!BUILT.includes(source.split(sep)[0])) return null;
+      const source = relative(project, resolve(dirname(importer), id))
+        .split(sep)
+        .join('/');
+      if (!BUILT.some((folder) => source.startsWith(`${folder}/`))) return null;
       const built = join(project, 'dist', source.replace(/ts$/, 'js'));
       if (!existsSync(built))
         this.error(`${source} is not built: expected ${relative(project, built)}. Run npm test, which builds.`);

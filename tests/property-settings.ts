@@ -8,6 +8,9 @@ interface PropertySettings {
 
 const FIXED_SEED = 1;
 
+/** The factor of the quick set, for vitest.config.ts. The deep set runs each property as often as it says. */
+export const QUICK_RUNS = 0.1;
+
 /**
  * The settings from `PROPERTY_SEED` and `PROPERTY_RUNS`, by default the same on every machine and every day.
  * @throws Error for invalid values

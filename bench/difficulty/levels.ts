@@ -1,8 +1,8 @@
 import { compile, type Scene } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
 import { createGenerator, createSearch, type Goal, type WantedDifficulty } from '../../solver/index.ts';
+import { RANDOM_SET_SIZE, randomLevel } from '../../tests/scenes/random-set/index.ts';
 import { askedLevels } from '../levels.ts';
-import { RANDOM_SET_SIZE, randomLevel } from '../random-set/index.ts';
 
 export const ANY: Goal = { minerals: 'any' };
 

@@ -2,7 +2,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
-import { DRAGGED } from './playable-level.ts';
+import { DRAGGED } from '../../tests/scenes/playable-level.ts';
 import type { Stage } from './stage.ts';
 import { type Cost, costs } from './trace.ts';
 

@@ -1,10 +1,10 @@
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { randomLevel } from '../../tests/scenes/random-set/index.ts';
 import { copiedLevels } from '../copied-levels.ts';
 import { runGq } from '../gq-process.ts';
 import { spread } from '../harness.ts';
-import { randomLevel } from '../random-set/index.ts';
 import type { LevelCosts, Measured } from './assumptions.ts';
 
 /** Levels of the sets whose difference is what a level costs: in both, the code is warm. */

@@ -1,6 +1,4 @@
 import { writeFileSync } from 'node:fs';
-import { optionValue } from '../harness.ts';
-import { packLevels } from '../levels.ts';
 import {
   ALL_ACCURACIES,
   ALL_PROVERS,
@@ -15,7 +13,9 @@ import {
   emptyTally,
   LARGE,
   type Prover,
-} from './attack/index.ts';
+} from '../../tests/attackers/index.ts';
+import { optionValue } from '../harness.ts';
+import { packLevels } from '../levels.ts';
 
 /**
  * Attacks every kind of proof at every accuracy with claims that are known to be false; every other level has rules of its own,

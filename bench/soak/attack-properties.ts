@@ -14,7 +14,7 @@ const FOLDERS = [
   'server',
 ].map((name) => `tests/${name}`);
 
-/** `npm test` tries few examples of each property, so that it does not take long. */
+/** The deep set tries few examples of each property, so that it does not take long. */
 const TIMES = 10;
 
 /**
@@ -28,7 +28,7 @@ export function attackProperties(from: number, until: number): void {
   for (; Date.now() < until; seed++) {
     const ended = spawnSync(
       process.execPath,
-      ['node_modules/vitest/vitest.mjs', 'run', '--mode', 'built', '--project', 'node', ...FOLDERS],
+      ['node_modules/vitest/vitest.mjs', 'run', '--mode', 'built', '--project', 'deep', ...FOLDERS],
       {
         env: { ...process.env, PROPERTY_SEED: String(seed), PROPERTY_RUNS: String(TIMES) },
         stdio: 'inherit',

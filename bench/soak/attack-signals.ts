@@ -1,4 +1,4 @@
-import { runWhole, SIGNALLED_COMMANDS, signalAt } from './interrupted/signalled-command.ts';
+import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../../tests/interrupted/signalled-command.ts';
 
 /**
  * Sends signals to commands before each of their steps, command after command, each for an equal share of the time; the exit code becomes 1 when one ends otherwise than

@@ -1,4 +1,4 @@
-import { killWriterAt } from './interrupted/killed-writer.ts';
+import { killWriterAt } from '../../tests/interrupted/killed-writer.ts';
 
 /**
  * Kills a program that changes a folder of levels before each of its steps; the exit code becomes 1 when a file is not whole or lost.

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { drawSet, type Fleet, type Policy, type ShardCosts, simulateFleet, splitSet } from '../../bench/fleet/index.ts';
-import { seeded } from '../../bench/scenes/seeded.ts';
 import { addToLeast } from '../../cli/fleet/index.ts';
+import { seeded } from '../scenes/seeded.ts';
 
 const HOUR = 3600;
 

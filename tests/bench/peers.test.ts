@@ -1,9 +1,9 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import { loadPeers, PEERS, type Peer, simulatePeer } from '../../bench/peers/index.ts';
 import { referenceEnd } from '../../bench/reference.ts';
-import { FALL, fallDistance, ORBIT, TWELVE_CIRCLES } from '../../bench/scenes/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { once } from '../once.ts';
+import { FALL, fallDistance, ORBIT, TWELVE_CIRCLES } from '../scenes/index.ts';
 
 // A peer that was driven wrongly would still draw a nice curve: with an ever smaller step each must come to the same motion,
 // and its contacts must say what ours say.

@@ -2,9 +2,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type PlainState, plainLoop, plainScene } from '../../bench/plain-loop.ts';
 import { referenceEnd } from '../../bench/reference.ts';
-import { asteroidField, FALL, fallDistance, ORBIT, TWELVE_CIRCLES } from '../../bench/scenes/index.ts';
 import { compile, createSimulation, joinHolds, playScript } from '../../engine/index.ts';
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
+import { asteroidField, FALL, fallDistance, ORBIT, TWELVE_CIRCLES } from '../scenes/index.ts';
 
 function playArcade(level: Level, holds: readonly Hold[], ticks: number) {
   const simulation = createSimulation(compile(level, 'arcade'));

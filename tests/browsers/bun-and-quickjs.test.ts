@@ -6,7 +6,7 @@ import { dirname, join } from 'node:path';
 import { getQuickJS } from 'quickjs-emscripten';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { ACCURACIES } from '../../engine/index.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { declareMissing } from '../missing.ts';
 import { bundleEngine } from './bundle.ts';
 import { committedTable, type HashTable, questions } from './hash-table.ts';

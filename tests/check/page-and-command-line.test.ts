@@ -1,12 +1,12 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
 import { termsOnDisk } from '../../cli/edit/terms-on-disk.ts';
 import { ACCURACIES, type AccuracyName, type Terms, termsOf } from '../../engine/index.ts';
 import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
+import { HEAVY_LEVELS } from '../scenes/heavy-levels.ts';
 import { BAD_LEVELS } from '../schema/fixtures/bad-levels.ts';
 import { inTheList, onThePage, type Said } from './on-the-page.ts';
 import { PROBLEM_LEVELS } from './problem-levels.ts';

@@ -6,7 +6,7 @@ import { chooseReference } from '../../check/plays/reference.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/robustness/index.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
 
 const ANY = { minerals: 'any' } as const;

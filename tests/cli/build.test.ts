@@ -4,8 +4,8 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { runInNewContext } from 'node:vm';
 import { afterAll, describe, expect, it } from 'vitest';
-import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { buildReportSchema, readLevel } from '../../schema/index.ts';
+import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { narrowGap } from './levels.ts';
 

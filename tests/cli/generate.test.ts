@@ -1,10 +1,10 @@
 import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
-import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { generatedPath, keepLevel, packPath } from '../../cli/generate/keep-level.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
+import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { inDirectory } from './levels.ts';
 

@@ -2,9 +2,9 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
-import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../../bench/soak/interrupted/signalled-command.ts';
-import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { checkReportSchema } from '../../schema/index.ts';
+import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../interrupted/signalled-command.ts';
+import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap } from './levels.ts';
 

@@ -3,8 +3,8 @@ import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, w
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
-import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { findLevelFiles } from '../../cli/files.ts';
+import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
 // drifting for an hour takes long enough to be interrupted

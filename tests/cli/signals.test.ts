@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../../bench/soak/interrupted/signalled-command.ts';
+import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../interrupted/signalled-command.ts';
 import { once } from '../once.ts';
 
 // A signal ends every command with 130 or 143, at whatever step it arrives, and nothing is written afterwards. This test draws

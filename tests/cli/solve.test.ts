@@ -3,9 +3,9 @@ import { existsSync, lstatSync, readFileSync, symlinkSync, writeFileSync } from 
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
-import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
 import { type Proof, verifyProof } from '../../solver/index.ts';
+import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { inDirectory, narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
 

@@ -1,6 +1,6 @@
 import { afterAll, describe, expect, it } from 'vitest';
-import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
 import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
+import { HEAVY_LEVELS } from '../scenes/heavy-levels.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 const heavy = (name: string, size: number): string => JSON.stringify(HEAVY_LEVELS[name](size));

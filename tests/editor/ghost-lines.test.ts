@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
 import { poseAt } from '../../editor/canvas/run-pose.ts';
 import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
@@ -8,6 +7,7 @@ import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { plainLevel } from '../engine/plain-level.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 
 const through = (vx: number) => ({
   ...plainLevel({ astronaut: { x: 0, y: 0, vx, vy: 0 } }),

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { playableLevel } from '../../bench/editor/playable-level.ts';
 import { hitTest, REACH } from '../../editor/canvas/hit-test.ts';
 import { objectsOf } from '../../editor/document/index.ts';
 import { boxOf } from '../../engine/index.ts';
 import { DEFAULT_RULES } from '../../schema/index.ts';
+import { playableLevel } from '../scenes/playable-level.ts';
 
 /** 20 asteroids of 16 px in a row, 100 px apart. */
 const level = () => ({

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { GRAZED_AT, graze } from '../../bench/soak/contacts.ts';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import { boxCircleGap, compile, DEFAULT_BOX, type Run, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { GRAZED_AT, graze } from '../judges/contacts.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 import { plainLevel } from './plain-level.ts';
 
 /** The distance to the nearest hazard at a time, px. */

@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
 import { INDEXING } from '../../engine/box-index.ts';
 import { EffectSet } from '../../engine/effects/index.ts';
 import { EFFECTS_IN_ORDER } from '../../engine/effects/order.ts';
 import { compile, createSimulation, EFFECTS, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, listOf, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
+import { windyDegenerateScene, windyScene } from '../scenes/windy-scene.ts';
 import { accuracyNames } from './accuracies.ts';
 import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { plainLevel } from './plain-level.ts';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { checkGraze, GRAZED_AT, graze } from '../../bench/soak/contacts.ts';
 import { compile, createSimulation, playScript, simulate } from '../../engine/index.ts';
+import { checkGraze, GRAZED_AT, graze } from '../judges/contacts.ts';
 import { plainLevel } from './plain-level.ts';
 
 describe('a minimal touch', () => {

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Asteroid, Level } from '../../schema/index.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import { safeStep, safeStretch } from '../../engine/events/conservative-advancement.ts';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 import { continuousNames } from './accuracies.ts';
 
 const real = (min: number, max: number) => fc.double({ min, max, noNaN: true });

@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { seeded } from '../../bench/scenes/seeded.ts';
 import { INDEXING } from '../../engine/box-index.ts';
 import { MeetingsOfMany, NOBODY } from '../../engine/effects/aliens/meetings-of-many.ts';
 import { unlimited } from '../../engine/index.ts';
 import { ALERTNESS, type Motion, RECORDS, SLOTS } from '../../engine/motion/index.ts';
+import { seeded } from '../scenes/seeded.ts';
 
 const { CHASER } = RECORDS;
 const PULL = 30;

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 

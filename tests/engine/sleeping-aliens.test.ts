@@ -1,7 +1,5 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { seeded } from '../../bench/scenes/seeded.ts';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import {
   type AccuracyName,
   compile,
@@ -13,6 +11,8 @@ import {
   type WorkBudget,
 } from '../../engine/index.ts';
 import type { Circle, Level } from '../../schema/index.ts';
+import { randomScene } from '../scenes/random-scene.ts';
+import { seeded } from '../scenes/seeded.ts';
 import { plainLevel } from './plain-level.ts';
 
 const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'arcade');

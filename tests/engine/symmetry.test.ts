@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { seeded } from '../../bench/scenes/seeded.ts';
-import { randomScene } from '../../bench/soak/random-scene.ts';
-import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { compile, type Run, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { randomScene } from '../scenes/random-scene.ts';
+import { seeded } from '../scenes/seeded.ts';
+import { windyScene } from '../scenes/windy-scene.ts';
 import { continuousNames } from './accuracies.ts';
 import { flipped, imageOf, swapped } from './image.ts';
 import { plainLevel } from './plain-level.ts';

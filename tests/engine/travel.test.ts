@@ -1,7 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
-import { type RandomScene, randomScene } from '../../bench/soak/random-scene.ts';
-import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { ContinuousSimulation, WHOLE_METHOD } from '../../engine/continuous/index.ts';
 import { chaserTravel, ownTravel, rockTravel } from '../../engine/events/index.ts';
 import {
@@ -16,6 +13,9 @@ import {
 } from '../../engine/index.ts';
 import { ALERTNESS, chaserPlaceAt, type Motion, placeAt, RECORDS, rockAt, SLOTS } from '../../engine/motion/index.ts';
 import { propertySettings } from '../property-settings.ts';
+import { degenerateScene } from '../scenes/degenerate-scene.ts';
+import { type RandomScene, randomScene } from '../scenes/random-scene.ts';
+import { windyScene } from '../scenes/windy-scene.ts';
 import { continuousNames } from './accuracies.ts';
 
 const { LENGTH_H } = SLOTS;

@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { bySmallSteps as computeBySmallSteps } from '../../bench/soak/small-steps.ts';
-import { windyScene } from '../../bench/soak/windy-scene.ts';
 import { compile, type RunEvent, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { bySmallSteps as computeBySmallSteps } from '../judges/small-steps.ts';
 import { once } from '../once.ts';
 import { propertySettings } from '../property-settings.ts';
+import { windyScene } from '../scenes/windy-scene.ts';
 import { accuracyNames, continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 

@@ -1,7 +1,5 @@
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
-import { HEAVY_LEVELS } from '../../bench/soak/heavy-levels.ts';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import {
   type AccuracyName,
   compile,
@@ -13,6 +11,8 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
+import { HEAVY_LEVELS } from '../scenes/heavy-levels.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 import { plainLevel } from './plain-level.ts';
 
 const ACCURACY = fc.constantFrom<AccuracyName>('precise', 'standard', 'fast', 'arcade');

@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest';
-import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
-import { randomScene } from '../../bench/soak/random-scene.ts';
 import { type AccuracyName, compile, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { hashedRuns } from '../browsers/scenes.ts';
+import { degenerateScene } from '../scenes/degenerate-scene.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 import { accuracyNames, continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 

@@ -7,7 +7,7 @@ import { challengeFor, levelHash, playToText } from '../../game/index.ts';
 import { difficultyReportSchema, solveSetReportSchema, type VerifyReport, verifyReportSchema } from '../../schema/index.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 import { changed as changedPlay, playOfRun } from '../cli/plays.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { shipped } from '../levels/shipped-pack.ts';
 import { changed, placesIn } from './mistakes.ts';
 

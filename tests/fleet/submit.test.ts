@@ -8,7 +8,7 @@ import { submission } from '../../cli/fleet/index.ts';
 import { gq, MAIN, makeFiles } from '../cli/gq.ts';
 import { planOf } from './plan.ts';
 
-// What Slurm makes of the jobs is tested with Slurm, in slurm.test.ts. Here stands a script for it.
+// What Slurm makes of the jobs is tested with Slurm, in slurm.deep.test.ts. Here stands a script for it.
 
 let work: ReturnType<typeof makeFiles>;
 let bin: string;

@@ -1,4 +1,3 @@
-import { seeded } from '../../bench/scenes/index.ts';
 import { type AccuracyName, compile } from '../../engine/index.ts';
 import {
   challengeFor,
@@ -15,6 +14,7 @@ import {
 import type { Hold } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { pack } from '../levels/shipped-pack.ts';
+import { seeded } from '../scenes/index.ts';
 
 const KEY = new TextEncoder().encode('the key of the attacked server');
 const NOW = 1_000_000;

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { attack } from './mutated-plays.ts';
 
 it('of mutated plays none is accepted that is not true, none throws and none takes long', () => {

@@ -1,10 +1,10 @@
 import { expect, it } from 'vitest';
-import { seeded } from '../../bench/scenes/index.ts';
 import { compile } from '../../engine/index.ts';
 import { createPlayer, createVerifier, encodePlay, type Player, playOf } from '../../game/index.ts';
+import { isHunt } from '../depth.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
-import { isHunt } from '../is-hunt.ts';
 import { pack } from '../levels/shipped-pack.ts';
+import { seeded } from '../scenes/index.ts';
 
 const TICK = 1000 / 60;
 

@@ -11,7 +11,7 @@ interface NearRadial {
   readonly samples: readonly [t: number, x: number, y: number, vx: number, vy: number][];
 }
 
-const file = new URL('../../bench/high-precision/near-radial.json', import.meta.url);
+const file = new URL('./high-precision/near-radial.json', import.meta.url);
 const cases: NearRadial[] = JSON.parse(readFileSync(file, 'utf8'));
 
 /** px and px/s; the allowed error of each accuracy in a second */

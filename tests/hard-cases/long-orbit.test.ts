@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { DEFAULT_RULES } from '../../schema/index.ts';
+import { isHunt } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';
-import { isHunt } from '../is-hunt.ts';
 
 const RANGE = 250;
 

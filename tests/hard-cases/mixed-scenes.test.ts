@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
-import { checkMixed } from '../../bench/soak/check-mixed.ts';
-import { mixedScene } from '../../bench/soak/mixed-scene.ts';
+import { checkMixed } from '../judges/check-mixed.ts';
 import { propertySettings } from '../property-settings.ts';
+import { mixedScene } from '../scenes/mixed-scene.ts';
 
 const BLOCKS = Math.max(1, Math.round(5 * propertySettings(process.env).runs));
 const SCENES = 40;

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { degenerateScene } from '../../bench/soak/degenerate-scene.ts';
-import { checkPieces, dearestSecond } from '../../bench/soak/pieces.ts';
 import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { DEFAULT_RULES, type Hold } from '../../schema/index.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
+import { checkPieces, dearestSecond } from '../judges/pieces.ts';
 import { propertySettings } from '../property-settings.ts';
+import { degenerateScene } from '../scenes/degenerate-scene.ts';
 
 const HELD: Hold[] = [[0, 3600]];
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { checkScene } from '../../bench/soak/check-scene.ts';
-import { randomScene } from '../../bench/soak/random-scene.ts';
+import { checkScene } from '../judges/check-scene.ts';
+import { randomScene } from '../scenes/random-scene.ts';
 
 // a sample of bench/soak.ts, which tests a hundred thousand scenes
 it('every rule holds in random scenes, at every accuracy, whole or split, at two tolerances', () => {

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { checkBySteps } from '../../bench/soak/by-steps.ts';
-import { checkScene } from '../../bench/soak/check-scene.ts';
-import { checkPieces } from '../../bench/soak/pieces.ts';
-import { steppableScene, windyDegenerateScene, windyScene } from '../../bench/soak/windy-scene.ts';
+import { checkBySteps } from '../judges/by-steps.ts';
+import { checkScene } from '../judges/check-scene.ts';
+import { checkPieces } from '../judges/pieces.ts';
 import { propertySettings } from '../property-settings.ts';
+import { steppableScene, windyDegenerateScene, windyScene } from '../scenes/windy-scene.ts';
 
 const { runs } = propertySettings(process.env);
 const seeds = (count: number) => Array.from({ length: count }, (_, seed) => seed);

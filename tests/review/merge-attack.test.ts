@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { mergeLevels, resolveConflicts, type Side, shareIds, withConflicts } from '../../review/index.ts';
 import { formatLevel, isSame, type LevelFile, OBJECT_LISTS, readLevel, withIds } from '../../schema/index.ts';
+import { isHunt } from '../depth.ts';
 import { arbitraryFile } from '../editor/arbitrary-file.ts';
-import { isHunt } from '../is-hunt.ts';
 import { apply, arbitraryEdits, edited, entriesOf, type Json } from './arbitrary-edits.ts';
 
 // Random levels and random edits of two sides, which often meet in the same object, run, id, name or list.

@@ -5,9 +5,9 @@ import { join } from 'node:path';
 import process from 'node:process';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { killWriterAt } from '../../bench/soak/interrupted/killed-writer.ts';
-import { interruptAt } from '../../bench/soak/interrupted/step.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { killWriterAt } from '../interrupted/killed-writer.ts';
+import { interruptAt } from '../interrupted/step.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf } from './running.ts';
 

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { AccuracyName } from '../../engine/index.ts';
 import {
   ALL_ACCURACIES,
   ALL_PROVERS,
@@ -13,9 +14,8 @@ import {
   emptyTally,
   type Prover,
   SMALL,
-} from '../../bench/soak/attack/index.ts';
-import type { AccuracyName } from '../../engine/index.ts';
-import { isHunt } from '../is-hunt.ts';
+} from '../attackers/index.ts';
+import { isHunt } from '../depth.ts';
 import { pack } from '../levels/shipped-pack.ts';
 
 const CONTINUOUS = ALL_ACCURACIES.filter((name) => name !== 'arcade');

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type Proof, proveImpossible, verifyProof } from '../../solver/index.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { LEVELS } from './impossible-levels.ts';
 
 // Changes every number of a certificate in every way: the certificate stays refused for a level that a run completes.

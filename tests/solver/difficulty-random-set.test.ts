@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from '../../bench/random-set/index.ts';
 import { formatLevel, readLevel } from '../../schema/index.ts';
 import { once } from '../once.ts';
+import { hashRandomSet, layoutOf, RANDOM_SET_HASH, RANDOM_SET_SIZE, randomLevel } from '../scenes/random-set/index.ts';
 
 const levelOf = once(randomLevel);
 

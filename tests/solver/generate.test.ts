@@ -23,7 +23,7 @@ import {
   verifyRun,
 } from '../../solver/index.ts';
 import { createRandom } from '../../solver/random.ts';
-import { isHunt } from '../is-hunt.ts';
+import { isHunt } from '../depth.ts';
 import { once } from '../once.ts';
 
 const ANY = { minerals: 'any' } as const;

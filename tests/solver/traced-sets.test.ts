@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { seeded } from '../../bench/scenes/seeded.ts';
-import { mixedLevel, type Prover, playLevel, STYLES } from '../../bench/soak/attack/index.ts';
 import { type AccuracyName, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { proveBy } from '../../solver/index.ts';
+import { mixedLevel, type Prover, playLevel, STYLES } from '../attackers/index.ts';
+import { seeded } from '../scenes/seeded.ts';
 import { at, level } from './impossible-levels.ts';
 import { type Moment, momentsOf } from './traced/moments.ts';
 import { fanSets, firstOutside, orbitSets, pipeSets, type Sets, staysWithin } from './traced/sets.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
-import { isHunt } from '../../is-hunt.ts';
+import { isHunt } from '../../depth.ts';
 import { type Asked, at, doomedBy, flowpipeBy, hot, levelWith, ORIGIN, spot, whyNot } from './near-miss.ts';
 
 // Reachable sets contain more than what she can do; followed.test.ts compares them with what is true. Here the point where

@@ -14,7 +14,7 @@ import {
 import { followFan } from '../../../solver/proofs/fan.ts';
 import { followPipes } from '../../../solver/proofs/pipe.ts';
 import { settingOf, thingOf } from '../../../solver/proofs/setting.ts';
-import { isHunt } from '../../is-hunt.ts';
+import { isHunt } from '../../depth.ts';
 
 // The game's numbers from its description and not from the sources: the two must agree.
 export const BOX = { halfWidth: 10, halfHeight: 16, halfDiagonal: Math.sqrt(10 * 10 + 16 * 16) };
