@@ -116,11 +116,7 @@ export class Stage {
   }
 }
 
-function causeOf(
-  outcome: Attempt['outcome'],
-  touched: Touched | null,
-  hasMinerals: boolean,
-): FailureCause | null {
+function causeOf(outcome: Attempt['outcome'], touched: Touched | null, hasMinerals: boolean): FailureCause | null {
   if (outcome === 'completed') return hasMinerals ? null : { kind: 'minerals', index: null };
   if (outcome !== 'collided') return { kind: outcome, index: null };
   if (touched === null) throw new Error('a collision without an object');

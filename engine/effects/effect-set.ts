@@ -128,7 +128,8 @@ export class EffectSet {
   }
 }
 
-const chaseOf = (effects: readonly EngineEffect[]): Chase | null => effects.find(({ chase }) => chase !== undefined)?.chase ?? null;
+const chaseOf = (effects: readonly EngineEffect[]): Chase | null =>
+  effects.find(({ chase }) => chase !== undefined)?.chase ?? null;
 
 /** Those of a list that an order names, in that order. */
 const byName = <T extends { readonly name: string }>(list: readonly T[], order: readonly string[]): readonly T[] =>

@@ -117,7 +117,9 @@ const isListed = ({ kind }: ObjectRef): boolean => kind !== 'astronaut' && kind 
 
 /** What pulls her is never removed. */
 const removal = (level: Level, object: ObjectRef): Relaxation[] =>
-  object.kind === 'asteroid' && !isVariant(object.kind, objectAt(level, object)) ? [] : [{ change: dropOf(level, object), along: null }];
+  object.kind === 'asteroid' && !isVariant(object.kind, objectAt(level, object))
+    ? []
+    : [{ change: dropOf(level, object), along: null }];
 
 const moves = (level: Level, object: ObjectRef): Relaxation[] => [
   ...around(moveFamily(level, object), FAR),
