@@ -1,6 +1,6 @@
 import type { Hold } from '../../schema/index.ts';
 import type { LiveProof, ProofStore } from '../proof/index.ts';
-import type { Job, Retiming, Workers } from '../workers/index.ts';
+import { jobs, type Results, type Retiming, type Running, type Workers } from '../workers/index.ts';
 import { type Former, indicesOf } from './former.ts';
 
 /** No press or release is shifted farther than this, ticks: it would be another run. */
@@ -36,7 +36,7 @@ const NOTHING: Retiming = { best: null, effort: { runs: 0, ticks: 0 }, finished:
 
 /** Asks a worker. */
 export function createHoldSeeker(proof: ProofStore, workers: Pick<Workers, 'start'>): HoldSeeker {
-  let job: Job<'retime'> | null = null;
+  let job: Running<Results['retime']> | null = null;
   let about: LiveProof | null = null;
   return {
     ask({ former, warm, effort, certifies }, hear) {
@@ -46,7 +46,7 @@ export function createHoldSeeker(proof: ProofStore, workers: Pick<Workers, 'star
       const { level, terms } = now;
       const minerals = indicesOf(now.file, former.minerals);
       const request = { level, terms, holds: former.holds, minerals, warm, within: WITHIN, formerEnd: former.tick };
-      const mine = workers.start('retime', { ...request, effort, certifies }, (found) => {
+      const mine = workers.start(jobs.retime, { ...request, effort, certifies }, (found) => {
         if (job === mine) hear({ ...found, about: now, isLast: false });
       });
       job = mine;

@@ -1,8 +1,7 @@
 import { useStore } from 'zustand';
-import { useDocument, useEditor, usePageTerms, useProof, useSession } from '../context/index.ts';
+import { useDocument, useEditor, usePageTerms, useProof, useProofInPace, useSession } from '../context/index.ts';
 import { objectsOf } from '../document/index.ts';
 import { OtherAccuracy } from '../panels/accuracy/index.ts';
-import { useThrottledProof } from '../panels/parts/index.ts';
 import { useProblemCount } from '../panels/problems/index.ts';
 import { endInWords, type LiveProof } from '../proof/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
@@ -13,7 +12,7 @@ const msOf = ({ ms }: LiveProof): string => ms.toFixed(1);
 
 /** How long the last simulation took, throttled: figures that change with every frame can't be read. */
 function ProofTime() {
-  return useThrottledProof(msOf);
+  return useProofInPace(msOf);
 }
 
 /** The number of objects and problems, the view, and how the shown run ends. */

@@ -1,6 +1,7 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
 import { aliveOf, keepAlive } from '../alive/index.ts';
+import { after, afterRest } from '../ask/index.ts';
 import { attemptsAt } from '../attempts/index.ts';
 import { createCommands } from '../commands/index.ts';
 import type { Analysis, Editor, OpenLevel } from '../context/index.ts';
@@ -13,13 +14,11 @@ import {
   type Link,
   type OpenedLevel,
   pageSurroundings,
-  pageTimers,
   tabName,
 } from '../files/index.ts';
 import { watchMend } from '../mend/index.ts';
 import { createNotices } from '../notices/index.ts';
 import { openHeldBack } from '../panels/levels/index.ts';
-import { afterRest } from '../panels/parts/index.ts';
 import { attemptGhosts } from '../play/index.ts';
 import { createProofStore } from '../proof/index.ts';
 import { createSession } from '../session/index.ts';
@@ -184,6 +183,7 @@ export async function createEditor(): Promise<Editor> {
   workspace.store.subscribe(({ link }, before) => {
     if (link !== before.link) tellLink(link);
   });
+  const workers = createWorkers({ spawn: spawnPageWorker, after });
   const editor: Editor = {
     settings,
     terms: createPageTerms(workspace, settings),
@@ -198,7 +198,8 @@ export async function createEditor(): Promise<Editor> {
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
     unchecked: new Set(),
-    workers: createWorkers({ spawn: spawnPageWorker, after: pageTimers.after }),
+    workers,
+    desk: { workers, afterRest, after },
     open: createStore<OpenLevel | null>(() => null),
   };
   let last: { opened: OpenedLevel; close: () => void } | null = null;

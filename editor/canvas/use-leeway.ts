@@ -1,8 +1,8 @@
 import { useEffect } from 'react';
 import type { StoreApi } from 'zustand';
+import { afterRest } from '../ask/index.ts';
 import { useEditor, useLevel } from '../context/index.ts';
 import { watchLeeway } from '../leeway/index.ts';
-import { afterRest } from '../panels/parts/index.ts';
 import type { CanvasState } from './canvas-state.ts';
 import { toLevel } from './view.ts';
 

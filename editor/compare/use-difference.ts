@@ -9,7 +9,8 @@ import {
   type RunsDifference,
 } from '../../check/runs/index.ts';
 import { STATE_SIZE } from '../../engine/index.ts';
-import { useLevel, useWhenIdle } from '../context/index.ts';
+import { useInPace } from '../ask/index.ts';
+import { useLevel } from '../context/index.ts';
 import { isWhole, type LiveProof } from '../proof/index.ts';
 import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
 import { useSlack } from './use-slack.ts';
@@ -55,7 +56,7 @@ export function useDifference(measures = false): ShownDifference | null {
   const level = useLevel();
   const row = useComparedRows().find(({ isChosen }) => isChosen) ?? null;
   const isAsked = row !== null;
-  const shown = useWhenIdle(level.proof.store, isAsked ? shownOf : NOTHING);
+  const shown = useInPace(level.proof.store, isAsked ? shownOf : NOTHING, 'idle');
   const analysis = useStore(level.analysis);
   const otherSlack = useSlack(measures && row?.found?.end.outcome === 'completed' && !row.isStale ? row.holds : null);
   const own = shown !== null && shown.outcome === 'completed' && analysis?.holds === shown.holds.join() ? analysis.slack : null;

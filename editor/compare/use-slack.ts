@@ -1,39 +1,21 @@
-import { useEffect, useState } from 'react';
+import { useMemo } from 'react';
 import type { Hold } from '../../schema/index.ts';
 import type { EdgeSlack } from '../../solver/index.ts';
+import { useQuestion } from '../ask/index.ts';
 import { useEditor, useLevel, useProof } from '../context/index.ts';
-import { afterRest } from '../panels/parts/index.ts';
-
-/** ms without a change before it is measured */
-const SETTLE = 300;
+import { type SlackOf, slackQuestion } from '../proof/index.ts';
 
 /** How far each press and release of a run of this level may move alone, measured by a worker; null until it is known. */
 export function useSlack(holds: readonly Hold[] | null): readonly EdgeSlack[] | null {
-  const { workers } = useEditor();
+  const { desk } = useEditor();
   const { proof } = useLevel();
   const scene = useProof((now) => now.scene);
-  const [known, setKnown] = useState<{
-    readonly of: string;
-    readonly scene: object;
-    readonly slack: readonly EdgeSlack[];
-  } | null>(null);
   const key = holds?.join() ?? null;
   // biome-ignore lint/correctness/useExhaustiveDependencies: holds are known by their key
-  useEffect(() => {
-    if (holds === null || key === null) return;
-    let cancel = () => {};
-    const forget = afterRest(SETTLE, () => {
-      const { level, terms } = proof.proof();
-      const job = workers.start('slack', { level: { ...level, runs: [] }, terms, holds, goal: { minerals: 'any' } });
-      cancel = job.cancel;
-      void job.end.then((end) => {
-        if (end.kind === 'done') setKnown({ of: key, scene, slack: end.result });
-      });
-    });
-    return () => {
-      forget();
-      cancel();
-    };
-  }, [workers, proof, scene, key]);
-  return known !== null && known.of === key && known.scene === scene ? known.slack : null;
+  const of = useMemo((): SlackOf | null => {
+    const { level, terms } = proof.proof();
+    return holds === null ? null : { of: scene, level, terms, holds, goal: { minerals: 'any' } };
+  }, [proof, scene, key]);
+  const asked = useQuestion(slackQuestion, desk, of);
+  return asked !== null && asked.of === of ? asked.answer : null;
 }

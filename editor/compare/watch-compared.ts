@@ -1,7 +1,7 @@
 import type { Hold } from '../../schema/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import type { LiveProof } from '../proof/index.ts';
-import type { Job, Workers } from '../workers/index.ts';
+import { jobs, type Results, type Running, type Workers } from '../workers/index.ts';
 import { type ComparingStore, comparedOf, isCompared, isFresh, type Source, sourceHolds, sourceKey } from './compared.ts';
 
 /** ms between two requests while the level changes: sending a large level takes a part of a frame */
@@ -63,7 +63,7 @@ function leave(
  */
 export function watchCompared({ level, workers, after }: WatchParts): () => void {
   const store = comparedOf(level);
-  let running: Job<'trajectory'> | null = null;
+  let running: Running<Results['trajectory']> | null = null;
   let forget: (() => void) | null = null;
   /** When each run was last asked for, counted in requests. */
   const asked = new Map<string, number>();
@@ -98,7 +98,7 @@ export function watchCompared({ level, workers, after }: WatchParts): () => void
     asked.set(key, ++requests);
     const { scene, terms } = now;
     const { holds } = wanted;
-    const mine = workers.start('trajectory', { level: { ...now.level, runs: [] }, terms, holds });
+    const mine = workers.start(jobs.trajectory, { level: { ...now.level, runs: [] }, terms, holds });
     running = mine;
     void mine.end.then((end) => {
       if (running !== mine) return;

@@ -1,6 +1,7 @@
 import { createContext, useContext } from 'react';
 import { useStore } from 'zustand';
 import type { FolderTerms } from '../../schema/index.ts';
+import { useAtRest, useInPace } from '../ask/index.ts';
 import type { DocumentState, ObjectKey } from '../document/index.ts';
 import { folderTermsIn } from '../files/index.ts';
 import type { LiveProof } from '../proof/index.ts';
@@ -52,3 +53,15 @@ export function useSelectedKeys(): readonly ObjectKey[] {
 export function useProof<T>(pick: (proof: LiveProof) => T): T {
   return useStore(useLevel().proof.store, pick);
 }
+
+/**
+ * A value derived from the live proof, updated at most once per `ms`: a panel need not render for every move of the pointer.
+ * @param pick stable between renders (`useCallback`, or defined outside the component)
+ */
+export const useProofInPace = <T>(pick: (proof: LiveProof) => T, ms = 100): T => useInPace(useLevel().proof.store, pick, ms);
+
+/**
+ * A value derived from the live proof once nothing has changed for `ms`, for values too costly during a drag.
+ * @param pick stable between renders (defined outside the component)
+ */
+export const useProofAtRest = <T>(pick: (proof: LiveProof) => T, ms: number): T => useAtRest(useLevel().proof.store, pick, ms);

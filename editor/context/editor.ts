@@ -1,5 +1,6 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../schema/index.ts';
+import type { Desk } from '../ask/index.ts';
 import type { AttemptKeeper, Attempts } from '../attempts/index.ts';
 import type { Commands } from '../commands/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../document/index.ts';
@@ -75,6 +76,8 @@ export interface Editor {
   /** Ids of levels that are opened without being simulated. */
   readonly unchecked: Set<string>;
   readonly workers: Workers;
+  /** Where questions are asked: these workers. */
+  readonly desk: Desk;
   /** null while no level is open */
   readonly open: StoreApi<OpenLevel | null>;
 }

@@ -7,6 +7,8 @@ export {
   useLevel,
   usePageTerms,
   useProof,
+  useProofAtRest,
+  useProofInPace,
   useSelectedKeys,
   useSession,
 } from './context.ts';
@@ -17,4 +19,3 @@ export { usePageTheme } from './page-theme.ts';
 export { IS_MAC } from './platform.ts';
 export type { Pose } from './pose.ts';
 export { useTouch } from './use-touch.ts';
-export { useWhenIdle } from './use-when-idle.ts';

@@ -5,6 +5,7 @@ import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../contex
 import { addLevels } from '../panels/levels/index.ts';
 import { slugOf } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
+import { jobs } from '../workers/index.ts';
 import { surveyLink } from './survey-link.ts';
 
 /** width of the picture, px */
@@ -36,7 +37,7 @@ function usePicture(text: string): { readonly url: string | null; readonly words
   useEffect(() => {
     let url: string | null = null;
     // Rules of a folder do not apply to a level from a link.
-    const job = workers.start('thumbnail', { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
+    const job = workers.start(jobs.thumbnail, { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
     void job.end.then((end) => {
       if (end.kind === 'cancelled') return;
       if (end.kind !== 'done') {

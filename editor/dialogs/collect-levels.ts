@@ -2,7 +2,7 @@ import { packedLevel } from '../../check/pack/index.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { LevelEntry, LevelFile, RefusedLevel } from '../../schema/index.ts';
 import { errorInWords, type LevelStorage, readText } from '../files/index.ts';
-import type { Workers } from '../workers/index.ts';
+import { jobs, type Workers } from '../workers/index.ts';
 
 /** Levels for a page, and those that are not known to be completable. */
 export interface CollectedLevels {
@@ -50,7 +50,7 @@ export async function collectLevels(entries: readonly LevelEntry[], options: Col
       continue;
     }
     const looks = { width: 16, theme: 'dark' } as const;
-    const end = await workers.start('thumbnail', { text: answer.value.text, terms, ...looks }).end;
+    const end = await workers.start(jobs.thumbnail, { text: answer.value.text, terms, ...looks }).end;
     const verdict = end.kind === 'done' ? end.result.verdict : 'unproven';
     if (verdict !== 'completable') refuse(verdict);
     levels.push({ id, level: packedLevel(file, { rules: terms.rules, withRuns, found: null }) });

@@ -2,7 +2,7 @@ import type { OpenLevel } from '../context/index.ts';
 import { endInWords, isWhole } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
-import type { Job, Leeway, Workers } from '../workers/index.ts';
+import { jobs, type Leeway, type Results, type Running, type Workers } from '../workers/index.ts';
 import { leewayOf } from './leeway-store.ts';
 import { asksSame, contains, isOnlyMoved, objectsAsked, type Question, questionOf, type Seen } from './question.ts';
 
@@ -30,7 +30,7 @@ interface LeewayParts {
 export function watchLeeway({ level, session, settings, workers, seen, afterRest }: LeewayParts): () => void {
   const { document, proof, selection } = level;
   const store = leewayOf(level);
-  let job: Job<'leeway'> | null = null;
+  let job: Running<Results['leeway']> | null = null;
   /** What is being sampled, or was. */
   let asked: Question | null = null;
   /** What was found while something is dragged: drawing it would delay the drag. */
@@ -74,7 +74,7 @@ export function watchLeeway({ level, session, settings, workers, seen, afterRest
     const { level: played, terms, holds, only, lead, grid: size, seen: region } = now;
     const objects = objectsAsked(now).map(({ kind, index }) => ({ kind, index }));
     const mine = workers.start(
-      'leeway',
+      jobs.leeway,
       { level: { ...played, runs: [] }, terms, holds, objects, only, lead, grid: size, seen: region },
       (leeway) => {
         if (job === mine) put(leeway);

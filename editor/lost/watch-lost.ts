@@ -6,7 +6,7 @@ import { isWhole } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import { hashNow, shelfOf } from '../shelf/index.ts';
 import { accuracyNameOf } from '../terms/index.ts';
-import type { Job, Losses, Workers } from '../workers/index.ts';
+import { jobs, type Losses, type Results, type Running, type Workers } from '../workers/index.ts';
 import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
 
 /** Shows or hides the shade. */
@@ -54,8 +54,8 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
   const shelf = shelfOf(level);
   let scene: Scene | null = null;
   let terms: Terms | null = null;
-  let states: Job<'lost'> | null = null;
-  let runs: Job<'losses'> | null = null;
+  let states: Running<Results['lost']> | null = null;
+  let runs: Running<Results['losses']> | null = null;
   /** The runs that are being examined. */
   let asked = '';
   /** The runs of which nothing more is found. */
@@ -120,7 +120,7 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
       for (const [i, loss] of losses.entries()) known.set(lossKey(traced[i], name), loss);
       store.setState({ losses: known });
     };
-    const mine = workers.start('losses', { level: from, terms: under, traced, effort: EFFORT_OF_RUNS }, (found) => {
+    const mine = workers.start(jobs.losses, { level: from, terms: under, traced, effort: EFFORT_OF_RUNS }, (found) => {
       if (runs === mine) show(found);
     });
     runs = mine;
@@ -132,7 +132,7 @@ export function watchLost({ level, session, workers, afterRest }: LostParts): Lo
   };
   const examineStates = (from: Level, under: Terms, effort: number) => {
     store.setState({ phase: 'examining', message: null, effort });
-    const mine = workers.start('lost', { level: from, terms: under, effort }, (losing) => {
+    const mine = workers.start(jobs.lost, { level: from, terms: under, effort }, (losing) => {
       if (states === mine) store.setState({ losing });
     });
     states = mine;

@@ -9,7 +9,7 @@ import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../
 import type { LiveProof } from '../proof/index.ts';
 import { createPreview, type SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
-import type { Job, Mending, Workers } from '../workers/index.ts';
+import { jobs, type Mending, type Results, type Running, type Workers } from '../workers/index.ts';
 
 /** Seeks what mends the level. */
 export const MEND_KEY = 'Shift+m';
@@ -89,7 +89,7 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   let pending: { readonly start: LevelFile; readonly step: StepMark } | null = null;
   /** What was broken. */
   let broken: { readonly start: LevelFile; readonly run: string } | null = null;
-  let job: Job<'mend'> | null = null;
+  let job: Running<Results['mend']> | null = null;
   const preview = createPreview(document, session);
   let forget = () => {};
 
@@ -156,7 +156,7 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
       const { terms } = proof.proof();
       const newRun = freeRunName(after, FOUND);
       store.setState({ phase: 'seeking', mending: null });
-      const mine = workers.start('mend', { before: broken.start, after, terms, run: broken.run, newRun }, (mending) => {
+      const mine = workers.start(jobs.mend, { before: broken.start, after, terms, run: broken.run, newRun }, (mending) => {
         if (job === mine) store.setState({ mending });
       });
       job = mine;

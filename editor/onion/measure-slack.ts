@@ -1,6 +1,7 @@
-import type { StoreApi } from 'zustand/vanilla';
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { EdgeSlack } from '../../solver/index.ts';
-import type { Job, Workers } from '../workers/index.ts';
+import type { Desk } from '../ask/index.ts';
+import { slackQuestion } from '../proof/index.ts';
 import type { FormerRun } from './former.ts';
 import { FAILS, MEASURING, measured, type SlackKnown } from './slack.ts';
 
@@ -29,24 +30,18 @@ export interface FormerSlack {
 }
 
 /** @param robustness of the shown run: its goal applies to former runs, too */
-export function createFormerSlack(
-  workers: Pick<Workers, 'start'>,
-  robustness: Pick<StoreApi<ShownSlack>, 'getState'>,
-): FormerSlack {
+export function createFormerSlack(desk: Desk, robustness: Pick<StoreApi<ShownSlack>, 'getState'>): FormerSlack {
   const kept = new WeakMap<FormerRun, { readonly known: SlackKnown; readonly withMinerals: boolean }>();
-  let job: Job<'slack'> | null = null;
-  let asked: FormerRun | null = null;
+  const slack = slackQuestion(
+    desk,
+    createStore(() => null),
+  );
   const keep = (run: FormerRun, known: SlackKnown) => {
     if (known.is !== 'measuring') kept.set(run, { known, withMinerals: robustness.getState().withMinerals });
   };
-  const forget = () => {
-    job?.cancel();
-    job = null;
-    asked = null;
-  };
   return {
     keep,
-    forget,
+    forget: slack.forget,
     ask(run, tell) {
       const { end, unknown, taken } = run.figures;
       if (end === null) return { is: 'unknown', why: unknown };
@@ -54,17 +49,11 @@ export function createFormerSlack(
       const { withMinerals } = robustness.getState();
       const own = kept.get(run);
       if (own !== undefined && own.withMinerals === withMinerals) return own.known;
-      if (asked === run && job !== null) return MEASURING;
-      forget();
-      asked = run;
+      const { phase, of } = slack.store.getState();
+      if (phase === 'asking' && of?.of === run) return MEASURING;
       const goal = { minerals: withMinerals ? taken : ('any' as const) };
-      const mine = workers.start('slack', { level: { ...run.level, runs: [] }, terms: run.terms, holds: run.holds, goal });
-      job = mine;
-      void mine.end.then((end) => {
-        if (job !== mine) return;
-        forget();
-        if (end.kind === 'cancelled') return;
-        const known: SlackKnown = end.kind === 'done' ? measured(end.result) : { is: 'unknown', why: end.message };
+      slack.ask({ ...run, of: run, goal }, ({ answer, message }) => {
+        const known: SlackKnown = answer === null ? { is: 'unknown', why: message ?? '' } : measured(answer);
         keep(run, known);
         tell(known);
       });

@@ -1,8 +1,8 @@
 import type { StoreApi } from 'zustand/vanilla';
+import type { Desk } from '../ask/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import type { DocumentEvent } from '../document/index.ts';
 import type { SessionStore } from '../session/index.ts';
-import type { Workers } from '../workers/index.ts';
 import { figuresOf } from './figures.ts';
 import { type FormerRun, formerOf, isShown, playsLike } from './former.ts';
 import { createFormerSlack, type ShownSlack, shownSlack } from './measure-slack.ts';
@@ -35,21 +35,19 @@ export interface OnionSession {
 interface OnionParts {
   readonly level: Pick<OpenLevel, 'document' | 'proof'>;
   readonly session: SessionStore;
-  readonly workers: Pick<Workers, 'start'>;
+  readonly desk: Desk;
   /** The robustness of the shown run, which the Solver panel shows. */
   readonly robustness: Pick<StoreApi<ShownSlack>, 'getState' | 'subscribe'>;
-  /** Calls back after `ms`. @returns cancels it */
-  readonly after: (ms: number, call: () => void) => () => void;
 }
 
 /**
  * While the layer is shown, keeps a copy of the shown run of the level at rest. During a change it is compared with the run as it
  * becomes.
  */
-export function watchOnion({ level, session, workers, robustness, after }: OnionParts): OnionSession {
+export function watchOnion({ level, session, desk, robustness }: OnionParts): OnionSession {
   const { document, proof } = level;
   const store = onionOf(level);
-  const former = createFormerSlack(workers, robustness);
+  const former = createFormerSlack(desk, robustness);
   const isOn = () => session.getState().layers.onion;
   const isInHand = () => document.settledFile() !== document.file();
   /** The shown run of the level at rest, and what it was before the last step. */
@@ -94,7 +92,7 @@ export function watchOnion({ level, session, workers, robustness, after }: Onion
       return true;
     };
     if (look()) return;
-    const forget = after(WAITS, speak);
+    const forget = desk.after(WAITS, speak);
     stop = store.subscribe(look);
     forgetSpeech = () => {
       forgetSpeech = () => {};
@@ -105,7 +103,7 @@ export function watchOnion({ level, session, workers, robustness, after }: Onion
   const end = () => {
     if (store.getState().former === null || store.getState().phase !== 'held') return;
     store.setState({ phase: 'ended' });
-    forgetTimer = after(STAYS, hide);
+    forgetTimer = desk.after(STAYS, hide);
     speakSoon();
   };
 

@@ -4,7 +4,7 @@ import type { Editor, OpenLevel } from '../context/index.ts';
 import { keptWith } from '../kept/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../shelf/index.ts';
-import type { Job } from '../workers/index.ts';
+import { jobs, type Results, type Running } from '../workers/index.ts';
 import { levelsByHash } from './find-levels.ts';
 import { groupPlays, type ReadPlay, refusedInWords } from './group-plays.ts';
 
@@ -102,8 +102,8 @@ async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: r
   }
   const tell = (done: number) => reading.setState({ what: 'plays', done, of: fresh.length, cancel: () => job.cancel() }, true);
   const { level: played, terms } = level.proof.proof();
-  const job: Job<'plays'> = workers.start(
-    'plays',
+  const job: Running<Results['plays']> = workers.start(
+    jobs.plays,
     {
       level: played,
       terms,

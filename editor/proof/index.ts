@@ -4,6 +4,6 @@ export { NEAR, type NearMiss } from './margins.ts';
 export { limitInWords, MOST_WORK } from './patience.ts';
 export { type PlayedFile, playsAlike } from './plays-alike.ts';
 export { createProver } from './prover.ts';
-export { toPlay, toProve } from './questions.ts';
+export { type SlackOf, slackQuestion, toPlay, toProve, withoutRuns } from './questions.ts';
 export type { Reach } from './reach.ts';
 export { type FoundByWorker, type Proved, toldProblems, toldVerdict } from './told.ts';

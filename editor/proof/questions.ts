@@ -1,5 +1,8 @@
 import type { Terms } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
+import type { Hold, Level } from '../../schema/index.ts';
+import type { Goal } from '../../solver/index.ts';
+import { question, type Wanted } from '../ask/index.ts';
+import { jobs } from '../workers/index.ts';
 import type { LiveProof } from './answer.ts';
 
 /** What a worker should prove about a level. */
@@ -25,3 +28,28 @@ export const toPlay = ({
   limit,
 }: Pick<LiveProof, 'level' | 'terms' | 'limit'>): { readonly level: Level; readonly terms: Terms } | null =>
   limit === null || limit === 'unchecked' ? null : { level, terms };
+
+/** The level without its runs, as workers get it. */
+export const withoutRuns = (level: Level): Level => ({ ...level, runs: [] });
+
+/** A run of a level whose slack is asked for. */
+export interface SlackOf {
+  /** The same object as long as the answer is the same. */
+  readonly of: object;
+  readonly level: Level;
+  readonly terms: Terms;
+  readonly holds: readonly Hold[];
+  readonly goal: Goal;
+}
+
+/** How far each press and release of a run may slip alone. */
+export const slackQuestion = question({
+  job: jobs.slack,
+  request: ({ level, terms, holds, goal }: SlackOf) => ({ level: withoutRuns(level), terms, holds, goal }),
+  follows: {
+    wait: { rest: 300 },
+    of: (wanted: Wanted<SlackOf>) => wanted.getState(),
+    same: (asked, now) => asked.of === now.of && asked.holds.join() === now.holds.join(),
+    on: (wanted) => [wanted.subscribe],
+  },
+});

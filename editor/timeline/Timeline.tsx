@@ -1,7 +1,8 @@
 import { useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { useInPace } from '../ask/index.ts';
 import { useComparedRows, useDifference } from '../compare/index.ts';
-import { useEditor, useLevel, useProof, useSession, useTouch, useWhenIdle } from '../context/index.ts';
+import { useEditor, useLevel, useProof, useSession, useTouch } from '../context/index.ts';
 import type { LiveProof, Reach } from '../proof/index.ts';
 import { ComparedLanes } from './ComparedLanes.tsx';
 import { EventMarks } from './EventMarks.tsx';
@@ -66,8 +67,8 @@ export function Timeline() {
   const isBroken = useProof((proof) => reachedBy(proof).isBroken);
   const reached = useMemo(() => ({ until, isBroken }), [until, isBroken]);
   const ticks = useStore(level.proof.reach, ticksOf);
-  const details = useWhenIdle(level.proof.store, detailsOf);
-  const drawnTicks = useWhenIdle(level.proof.reach, ticksOf);
+  const details = useInPace(level.proof.store, detailsOf, 'idle');
+  const drawnTicks = useInPace(level.proof.reach, ticksOf, 'idle');
   const analysis = useStore(level.analysis);
   const box = useRef<HTMLDivElement>(null);
   const graphs = useRef<HTMLDivElement>(null);

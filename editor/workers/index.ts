@@ -1,19 +1,10 @@
-export {
-  CELL_NUMBERS,
-  type CellState,
-  cornerCompletes,
-  MOST_REACH,
-  type Reach,
-  stateOfCode,
-} from './leeway/index.ts';
-export { oneAtATime } from './one-at-a-time.ts';
-export { spawnPageWorker } from './page-worker.ts';
+export type { AnswerOf, AskedOf, Job, ProgressOf } from './job.ts';
+export * as jobs from './jobs/index.ts';
 export {
   FAN_TICKS,
   type Fan,
   type FanWay,
   type Fixing,
-  type JobKind,
   type Leeway,
   type LevelFacts,
   type Losing,
@@ -23,10 +14,21 @@ export {
   type LostMoment,
   type LostState,
   type Mending,
-  type Requests,
-  type Results,
+  type Proofs,
   type Retiming,
   type Setting,
   type Solving,
-} from './protocol.ts';
-export { createWorkers, type Job, type JobEnd, type WorkerPort, type Workers } from './workers.ts';
+  type Thumbnail,
+  type Trajectory,
+} from './jobs/index.ts';
+export type { JobKind, Requests, Results } from './kinds.ts';
+export {
+  CELL_NUMBERS,
+  type CellState,
+  cornerCompletes,
+  MOST_REACH,
+  type Reach,
+  stateOfCode,
+} from './leeway/index.ts';
+export { spawnPageWorker } from './page-worker.ts';
+export { createWorkers, type JobEnd, type Running, type WorkerPort, type Workers } from './workers.ts';

@@ -1,6 +1,6 @@
-import { JOBS } from './jobs/index.ts';
-import type { FromWorker, JobKind, ToWorker } from './protocol.ts';
-import type { Start, Work } from './work.ts';
+import type { Job, Steps } from './job.ts';
+import { JOBS, type JobKind } from './kinds.ts';
+import type { FromWorker, ToWorker } from './protocol.ts';
 
 export interface RunnerOptions {
   readonly post: (message: FromWorker) => void;
@@ -16,7 +16,7 @@ const SLICE = 12;
 /** Does jobs one after the other, in slices, so that a cancel takes effect within one. @returns the handler for messages */
 export function createRunner({ post, later, now }: RunnerOptions): (message: ToWorker) => void {
   const waiting: Extract<ToWorker, { type: 'start' }>[] = [];
-  let current: { readonly job: number; readonly work: Work<JobKind> } | null = null;
+  let current: { readonly job: number; readonly work: Steps<Job> } | null = null;
 
   let isDue = false;
   const goOn = () => {
@@ -29,7 +29,7 @@ export function createRunner({ post, later, now }: RunnerOptions): (message: ToW
     if (current === null) {
       const next = waiting.shift();
       if (next === undefined) return;
-      current = { job: next.job, work: (JOBS[next.kind] as Start<JobKind>)(next.request as never, now) };
+      current = { job: next.job, work: JOBS[next.kind as JobKind](next.request as never, now) };
     }
     const { job, work } = current;
     try {

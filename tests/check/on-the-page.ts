@@ -10,8 +10,7 @@ import {
   toProve,
 } from '../../editor/proof/index.ts';
 import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
-import type { Start } from '../../editor/workers/work.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { Problem } from '../../schema/index.ts';
 
@@ -23,7 +22,7 @@ export interface Said {
 
 /** Does a job as a worker does, at once. */
 function work<K extends JobKind>(kind: K, request: Requests[K]): Results[K] {
-  const steps = (JOBS[kind] as Start<K>)(request, () => 0);
+  const steps = JOBS[kind](request, () => 0);
   for (;;) {
     const step = steps.next();
     if (step.done === true) return step.value;

@@ -19,7 +19,7 @@ import { createEditedLevel, moveObjects } from '${root}/editor/document/index.ts
 import { createJournal, openIndexedDbStore } from '${root}/editor/journal/index.ts';
 import { claimLevel } from '${root}/editor/files/writer-lock.ts';
 import { pageTimers } from '${root}/editor/files/index.ts';
-import { createWorkers, spawnPageWorker } from '${root}/editor/workers/index.ts';
+import { createWorkers, jobs, spawnPageWorker } from '${root}/editor/workers/index.ts';
 import { DEFAULT_TERMS } from '${root}/engine/index.ts';
 import { resolveLevel } from '${root}/schema/index.ts';
 
@@ -58,11 +58,11 @@ Object.assign(window, {
     // once it reports progress, the job is running
     await new Promise((resolve) => {
       const asked = { level, terms: DEFAULT_TERMS, goal: { minerals: 'any' }, known: [], seed: 1, lane: 0, budget: null };
-      job = workers.start('solve', { ...asked, objective: 'robust', count: 1 }, resolve);
+      job = workers.start(jobs.solve, { ...asked, objective: 'robust', count: 1 }, resolve);
     });
     job.cancel();
     const { kind } = await job.end;
-    const next = await workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] }).end;
+    const next = await workers.start(jobs.proofs, { level, terms: DEFAULT_TERMS, collected: [] }).end;
     return { kind, next: next.kind, proved: next.result?.impossible?.code ?? next.message };
   },
 });

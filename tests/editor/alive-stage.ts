@@ -4,7 +4,7 @@ import { createEditedLevel } from '../../editor/document/index.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 
@@ -12,7 +12,7 @@ import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 interface Waiting {
   readonly request: Requests['retime'];
   readonly tell: (progress: Results['retime']) => void;
-  readonly end: (end: JobEnd<'retime'>) => void;
+  readonly end: (end: JobEnd<Results['retime']>) => void;
 }
 
 /** A level that is kept alive, with a worker that works when a test says so. */
@@ -25,7 +25,7 @@ export function aliveStage(file: LevelFile, { isOn = true } = {}) {
   let rests: (() => void)[] = [];
   const start = (_: 'retime', request: Requests['retime'], tell: Waiting['tell']) => {
     let end: Waiting['end'] = () => {};
-    const ended = new Promise<JobEnd<'retime'>>((resolve) => {
+    const ended = new Promise<JobEnd<Results['retime']>>((resolve) => {
       end = resolve;
     });
     const mine: Waiting = { request, tell, end };

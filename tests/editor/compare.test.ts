@@ -24,7 +24,7 @@ import {
 import { createProofStore, type ProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';
@@ -88,8 +88,8 @@ function stage(file: LevelFile = FILE): Stage {
   const clock = new TurnedClock();
   const jobs: Asked[] = [];
   const start = (_: 'trajectory', request: Requests['trajectory']) => {
-    let end: (end: JobEnd<'trajectory'>) => void = () => {};
-    const ended = new Promise<JobEnd<'trajectory'>>((resolve) => {
+    let end: (end: JobEnd<Results['trajectory']>) => void = () => {};
+    const ended = new Promise<JobEnd<Results['trajectory']>>((resolve) => {
       end = resolve;
     });
     const job: Asked = {

@@ -4,8 +4,8 @@ import { createFixSession } from '../../editor/panels/solver/fix-session.ts';
 import { createSearchSettings } from '../../editor/panels/solver/search-settings.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
-import type { Fixing, JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
+import type { Fixing, JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { createRepair, proveImpossible } from '../../solver/index.ts';
@@ -29,12 +29,12 @@ function stage(file: LevelFile = ASIDE) {
   session.subscribe(({ run }) => proof.showRun(run));
   let asked: Requests['fix'] | null = null;
   let tell: (progress: Fixing) => void = () => {};
-  let end: (end: JobEnd<'fix'>) => void = () => {};
+  let end: (end: JobEnd<Results['fix']>) => void = () => {};
   const cancelled: boolean[] = [];
   const start = (_: 'fix', request: Requests['fix'], onProgress: (progress: Fixing) => void) => {
     asked = request;
     tell = onProgress;
-    const ended = new Promise<JobEnd<'fix'>>((resolve) => {
+    const ended = new Promise<JobEnd<Results['fix']>>((resolve) => {
       end = resolve;
     });
     return { end: ended, cancel: () => void cancelled.push(true) };

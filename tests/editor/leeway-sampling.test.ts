@@ -11,7 +11,7 @@ import {
   type Requests,
   stateOfCode,
 } from '../../editor/workers/index.ts';
-import { leeway } from '../../editor/workers/jobs/leeway.ts';
+import { leewayWork } from '../../editor/workers/jobs/leeway.ts';
 import { latticeFor, movedLevel, Survey } from '../../editor/workers/leeway/index.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { type LevelFile, LIMITS, resolveLevel, withIds } from '../../schema/index.ts';
@@ -21,7 +21,7 @@ import { SWING } from './swing-level.ts';
 /** Runs the job for so many steps at most; the last of them is reported. */
 function sampled(request: Requests['leeway'], steps = Number.POSITIVE_INFINITY): Leeway {
   let asked = 0;
-  const work = leeway(request, () => {
+  const work = leewayWork.steps(request, () => {
     asked++;
     return asked < steps ? 0 : 1000 * asked;
   });

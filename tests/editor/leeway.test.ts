@@ -15,7 +15,15 @@ import { watchLeeway } from '../../editor/leeway/watch-leeway.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
-import { type JobEnd, type Leeway, MOST_REACH, type Reach, type Requests, type Workers } from '../../editor/workers/index.ts';
+import {
+  type JobEnd,
+  type Leeway,
+  MOST_REACH,
+  type Reach,
+  type Requests,
+  type Results,
+  type Workers,
+} from '../../editor/workers/index.ts';
 import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { breathe } from './stage.ts';
@@ -54,13 +62,13 @@ function stage() {
   const jobs: {
     request: Requests['leeway'];
     tell: (leeway: Leeway) => void;
-    end: (end: JobEnd<'leeway'>) => void;
+    end: (end: JobEnd<Results['leeway']>) => void;
     isCancelled: boolean;
   }[] = [];
-  const start = (kind: string, request: Requests['leeway'], tell: (leeway: Leeway) => void) => {
+  const start = ({ name: kind }: { name: string }, request: Requests['leeway'], tell: (leeway: Leeway) => void) => {
     expect(kind).toBe('leeway');
-    let end: (end: JobEnd<'leeway'>) => void = () => {};
-    const ended = new Promise<JobEnd<'leeway'>>((resolve) => {
+    let end: (end: JobEnd<Results['leeway']>) => void = () => {};
+    const ended = new Promise<JobEnd<Results['leeway']>>((resolve) => {
       end = resolve;
     });
     const job = { request, tell, end, isCancelled: false };

@@ -11,7 +11,7 @@ import { watchLost } from '../../editor/lost/watch-lost.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import type { JobEnd, JobKind, Losing, Loss, Losses, LostMoment, Requests, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
@@ -124,7 +124,7 @@ interface Started {
   readonly kind: JobKind;
   readonly request: unknown;
   readonly tell: (progress: unknown) => void;
-  readonly end: (end: JobEnd<JobKind>) => void;
+  readonly end: (end: JobEnd<unknown>) => void;
   isCancelled: boolean;
 }
 
@@ -135,12 +135,18 @@ function stage(file: LevelFile = PAST) {
   session.subscribe(({ run }) => proof.showRun(run));
   const attempts = createAttempts();
   const jobs: Started[] = [];
-  const start = (kind: JobKind, request: unknown, onProgress: (progress: never) => void) => {
-    let end: (end: JobEnd<JobKind>) => void = () => {};
-    const ended = new Promise<JobEnd<JobKind>>((resolve) => {
+  const start = ({ name }: { name: string }, request: unknown, onProgress: (progress: never) => void) => {
+    let end: (end: JobEnd<unknown>) => void = () => {};
+    const ended = new Promise<JobEnd<unknown>>((resolve) => {
       end = resolve;
     });
-    const job: Started = { kind, request, tell: onProgress as (progress: unknown) => void, end, isCancelled: false };
+    const job: Started = {
+      kind: name as JobKind,
+      request,
+      tell: onProgress as (progress: unknown) => void,
+      end,
+      isCancelled: false,
+    };
     jobs.push(job);
     return {
       end: ended,

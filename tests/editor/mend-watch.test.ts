@@ -7,7 +7,7 @@ import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { outcomeOf } from './alive-stage.ts';
@@ -31,11 +31,11 @@ function stage(file: LevelFile = FALL) {
   const settings = createSettings(null);
   const alive = createStore<AliveState>(() => ({ kind: 'idle' }));
   let rests: (() => void)[] = [];
-  let job: { request: Requests['mend']; end: (end: JobEnd<'mend'>) => void } | null = null;
+  let job: { request: Requests['mend']; end: (end: JobEnd<Results['mend']>) => void } | null = null;
   const workers = {
     start: ((_: 'mend', request: Requests['mend']) => {
-      let end: (end: JobEnd<'mend'>) => void = () => {};
-      const ended = new Promise<JobEnd<'mend'>>((resolve) => {
+      let end: (end: JobEnd<Results['mend']>) => void = () => {};
+      const ended = new Promise<JobEnd<Results['mend']>>((resolve) => {
         end = resolve;
       });
       job = { request, end };

@@ -22,12 +22,13 @@ import { STAYS, WAITS, watchOnion } from '../../editor/onion/watch-onion.ts';
 import { tightestOf } from '../../editor/panels/figures/index.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
-import type { JobEnd, Requests, Workers } from '../../editor/workers/index.ts';
+import type { Requests } from '../../editor/workers/index.ts';
 import { compile, DEFAULT_TERMS, type Run, simulate, TICK, termsOf } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { findSlack } from '../../solver/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
-import { breathe, TurnedClock } from './stage.ts';
+import { type FakeJob, fakeDesk } from './fake-desk.ts';
+import { breathe } from './stage.ts';
 import { SWING } from './swing-level.ts';
 
 const NOVA = { id: 'nova', x: 400, y: 700, radius: 16 };
@@ -38,31 +39,15 @@ const slackOf = (file: LevelFile) => findSlack(compile(resolveLevel(file)), file
 
 /** A page at a clock that a test advances. `robustness` says what the Solver panel would show. */
 function stage(file: LevelFile = FILE) {
-  const clock = new TurnedClock();
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
   const session = createSession();
   const robustness = createStore<ShownSlack>(() => ({ phase: 'waiting', message: null, slack: null, withMinerals: false }));
   // as the watch of the robustness does, before anything else hears of the new run
   proof.store.subscribe(() => robustness.setState({ phase: 'waiting', slack: null }));
-  const jobs: { request: Requests['slack']; end: (end: JobEnd<'slack'>) => void; isCancelled: boolean }[] = [];
-  const workers = {
-    start(kind: string, request: Requests['slack']) {
-      expect(kind).toBe('slack');
-      let end: (end: JobEnd<'slack'>) => void = () => {};
-      const ended = new Promise<JobEnd<'slack'>>((resolve) => {
-        end = resolve;
-      });
-      const job = { request, end, isCancelled: false };
-      jobs.push(job);
-      const cancel = () => {
-        job.isCancelled = true;
-      };
-      return { end: ended, cancel };
-    },
-  } as unknown as Pick<Workers, 'start'>;
+  const { desk, workers, clock } = fakeDesk();
   const level = { document, proof };
-  const onion = watchOnion({ level, session, workers, robustness, after: (ms, call) => clock.after(ms, call) });
+  const onion = watchOnion({ level, session, desk, robustness });
   const measure = () => robustness.setState({ phase: 'measured', slack: slackOf(document.file()) });
   return {
     clock,
@@ -70,7 +55,7 @@ function stage(file: LevelFile = FILE) {
     proof,
     session,
     robustness,
-    jobs,
+    jobs: workers.jobs as (FakeJob & { readonly request: Requests['slack'] })[],
     onion,
     measure,
     shown: () => onionOf(level).getState(),

@@ -15,7 +15,7 @@ import { effectsOf, isFiltered, NO_FILTER, passes } from '../../editor/panels/pa
 import { spotAfter } from '../../editor/panels/pack/focus-step.ts';
 import { type Card, modelOf, type ShownGrade } from '../../editor/panels/pack/pack-model.ts';
 import type { LevelFacts } from '../../editor/workers/index.ts';
-import { thumbnail } from '../../editor/workers/jobs/thumbnail.ts';
+import { thumbnailWork } from '../../editor/workers/jobs/thumbnail.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatPack, type LevelEntry, type ListResponse, type PackFile, readLevel } from '../../schema/index.ts';
 import { makeFolder } from '../server/running.ts';
@@ -36,7 +36,7 @@ const LEVELS: Readonly<Record<string, string>> = {
 
 /** Runs a job to its end. */
 function factsOf(text: string): LevelFacts | null {
-  const job = thumbnail({ text, terms: DEFAULT_TERMS, width: 144, theme: 'dark' }, () => 0);
+  const job = thumbnailWork.steps({ text, terms: DEFAULT_TERMS, width: 144, theme: 'dark' }, () => 0);
   let step = job.next();
   while (!step.done) step = job.next();
   return step.value.facts;

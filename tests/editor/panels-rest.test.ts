@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { afterRest } from '../../editor/panels/parts/after-rest.ts';
+import { afterRest } from '../../editor/ask/index.ts';
 
 /** Requested frames, which the test runs. */
 function stageFrames() {

@@ -15,11 +15,12 @@ import { aimOf, createSearchSettings, goalOf } from '../../editor/panels/solver/
 import { everyTick, wayOf } from '../../editor/panels/solver/ways.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
-import type { JobEnd, JobKind, Requests, Solving, Workers } from '../../editor/workers/index.ts';
+import type { JobEnd, Solving } from '../../editor/workers/index.ts';
 import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 import { measureRobustness, proveImpossible, proveMineralsUnreachable, type Solution, verifyRun } from '../../solver/index.ts';
-import { breathe, TurnedClock } from './stage.ts';
+import { fakeDesk } from './fake-desk.ts';
+import { breathe } from './stage.ts';
 
 const levels = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'levels');
 const ANY = { minerals: 'any' } as const;
@@ -28,45 +29,6 @@ function readShipped(name: string) {
   const reading = readLevel(readFileSync(join(levels, `${name}.level.json`), 'utf8'));
   if (!reading.ok) throw new Error(`${name} can not be read`);
   return reading.document.file;
-}
-
-/** Workers that do nothing by themselves: tests send their messages. */
-class StagedWorkers implements Pick<Workers, 'start'> {
-  readonly jobs: {
-    readonly kind: JobKind;
-    readonly request: unknown;
-    readonly tell: (progress: unknown) => void;
-    readonly end: (end: JobEnd<JobKind>) => void;
-    isCancelled: boolean;
-  }[] = [];
-
-  start: Workers['start'] = (kind, request, onProgress = () => {}) => {
-    let resolve: (end: JobEnd<typeof kind>) => void = () => {};
-    const end = new Promise<JobEnd<typeof kind>>((done) => {
-      resolve = done;
-    });
-    const job = {
-      kind: kind as JobKind,
-      request: request as unknown,
-      tell: onProgress as (progress: unknown) => void,
-      end: resolve as (end: JobEnd<JobKind>) => void,
-      isCancelled: false,
-    };
-    this.jobs.push(job);
-    return {
-      end,
-      cancel() {
-        job.isCancelled = true;
-        resolve({ kind: 'cancelled' });
-      },
-    };
-  };
-
-  last<K extends JobKind>(kind: K) {
-    const job = this.jobs.filter((other) => other.kind === kind).at(-1);
-    if (job === undefined) throw new Error(`no job of the kind ${kind} was started`);
-    return { ...job, request: job.request as Requests[K], isCancelled: () => job.isCancelled };
-  }
 }
 
 const OTHER: Ghost = { id: 'attempt-1', label: 'attempt 1', points: new Float32Array(4), look: 'attempt' };
@@ -85,10 +47,9 @@ function stage(name = '04-slingshot', withRuns = true) {
       () => null,
     ),
   };
-  const workers = new StagedWorkers();
+  const { desk, workers, clock } = fakeDesk();
   const settings = createSearchSettings();
   const overlay = createOverlay();
-  const clock = new TurnedClock();
   const search = createSearchSession({ level, session, workers, settings, overlay, now: clock.now });
   const holds = (runs ?? [])[0].holds;
   const scene = compile(proof.proof().level);
@@ -105,7 +66,7 @@ function stage(name = '04-slingshot', withRuns = true) {
     finished: false,
   });
   const looks = () => level.ghosts.getState().map(({ id }) => id);
-  return { level, document, proof, session, workers, settings, overlay, clock, search, holds, scene, solving, looks };
+  return { level, document, proof, session, desk, workers, settings, overlay, clock, search, holds, scene, solving, looks };
 }
 
 beforeEach(() => {
@@ -355,19 +316,18 @@ describe('paths of ghosts', () => {
 describe('the watch over the robustness of the shown run', () => {
   const watched = () => {
     const on = stage();
-    const after = (ms: number, call: () => void) => on.clock.after(ms, call);
-    const watch = watchRobustness({ level: on.level, workers: on.workers, after, afterRest: after });
+    const watch = watchRobustness({ level: on.level, desk: on.desk });
     return { ...on, watch };
   };
   const NO_FAN = { kind: 'done', result: { slack: [], ways: [] } } as const;
   /** Waits until the level rests, and answers with the fan. */
   const settle = async (
     { clock, workers }: Pick<ReturnType<typeof stage>, 'clock' | 'workers'>,
-    fan: JobEnd<JobKind> = NO_FAN,
+    fan: JobEnd<unknown> = NO_FAN,
   ) => {
     await clock.pass(1000);
     for (const job of workers.jobs) if (job.kind === 'fan' && !job.isCancelled) job.end(fan);
-    await breathe();
+    await clock.pass(0);
   };
 
   it('measures after a pause in the changes, and informs timeline and canvas', async () => {
@@ -388,12 +348,11 @@ describe('the watch over the robustness of the shown run', () => {
   });
 
   it('measures a run that was cut off at first, as soon as all of it is simulated', async () => {
-    const { workers, clock, level } = stage();
+    const { desk, workers, clock, level } = stage();
     const whole = level.proof.proof();
     const store = createStore<typeof whole>(() => ({ ...whole, limit: 'run', run: { ...whole.run, outcome: 'timeout' } }));
-    const after = (ms: number, call: () => void) => clock.after(ms, call);
     const proof = { ...level.proof, store, proof: () => store.getState() };
-    const watch = watchRobustness({ level: { ...level, proof }, workers, after, afterRest: after });
+    const watch = watchRobustness({ level: { ...level, proof }, desk });
     await settle({ clock, workers });
     expect(watch.store.getState().phase).toBe('failed');
     expect(workers.jobs).toHaveLength(0);
@@ -440,7 +399,7 @@ describe('the watch over the robustness of the shown run', () => {
       });
       await clock.pass(16);
     }
-    expect(workers.jobs.slice(0, 2).every(({ isCancelled }) => isCancelled)).toBe(true);
+    expect(workers.jobs[1]).toMatchObject({ kind: 'robustness', isCancelled: true });
     expect(asked()).toEqual([]);
     drag.commit();
     await clock.pass(0);
@@ -473,8 +432,8 @@ describe('the watch over the robustness of the shown run', () => {
 
 describe('the watch over proofs', () => {
   it('requests proofs for a level that no run completes, and forgets the answer when the level changes', async () => {
-    const { level, workers, clock, document, proof } = stage();
-    const watch = watchProofs({ level, workers, afterRest: (ms, call) => clock.after(ms, call) });
+    const { desk, workers, clock, document, proof } = stage();
+    const watch = watchProofs({ proof, desk });
     await clock.pass(2000);
     // a run collects all minerals: nothing is left to prove
     expect(proof.proof().run.minerals).toHaveLength(proof.proof().level.minerals.length);

@@ -15,8 +15,8 @@ import { playFileName } from '../../editor/plays/share-play.ts';
 import { deathMapOf, deathsNear } from '../../editor/shelf/death-map.ts';
 import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/shelf/given.ts';
 import { createShelf, type OpenedPlay, type Shelf } from '../../editor/shelf/shelf.ts';
-import { path } from '../../editor/workers/jobs/path.ts';
-import { plays as verifyPlays } from '../../editor/workers/jobs/plays.ts';
+import { pathWork } from '../../editor/workers/jobs/path.ts';
+import { playsWork } from '../../editor/workers/jobs/plays.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { decodePlay, levelHash, PLAY_LIMITS, playToText } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
@@ -46,7 +46,7 @@ function finish<T, R>(job: Generator<T, R>, all: T[] = []): R {
 }
 
 const verify = (plays: readonly Uint8Array[], known: readonly Replayed[] = [], first = 0) =>
-  finish(verifyPlays({ level: LEVEL, terms: DEFAULT_TERMS, plays, known, first }, () => 0));
+  finish(playsWork.steps({ level: LEVEL, terms: DEFAULT_TERMS, plays, known, first }, () => 0));
 type Replayed = NonNullable<OpenedPlay['replayed']>;
 
 function opened(named: Readonly<Record<string, Uint8Array>>): OpenedPlay[] {
@@ -149,7 +149,10 @@ describe('verifying plays', () => {
       now += 60;
       return now;
     };
-    finish(verifyPlays({ level: LEVEL, terms: DEFAULT_TERMS, plays: [HIT, LOST, LEFT, HIT], known: [], first: 0 }, clock), told);
+    finish(
+      playsWork.steps({ level: LEVEL, terms: DEFAULT_TERMS, plays: [HIT, LOST, LEFT, HIT], known: [], first: 0 }, clock),
+      told,
+    );
     expect(told.length).toBeGreaterThan(0);
     expect(told).toContainEqual({ done: 2 });
   });
@@ -157,10 +160,10 @@ describe('verifying plays', () => {
   it('follows a path to its last tick', () => {
     const holds: Hold[] = [[20, 200]];
     const run = simulate(compile(LEVEL, 'precise'), holds);
-    const { points } = finish(path({ level: LEVEL, terms: DEFAULT_TERMS, holds, until: 10_000 }, () => 0));
+    const { points } = finish(pathWork.steps({ level: LEVEL, terms: DEFAULT_TERMS, holds, until: 10_000 }, () => 0));
     expect(points.length / 2).toBe(run.tick + 2);
     expect([points[0], points[1]]).toEqual([200, 304]);
-    const short = finish(path({ level: LEVEL, terms: DEFAULT_TERMS, holds, until: 33 }, () => 0)).points;
+    const short = finish(pathWork.steps({ level: LEVEL, terms: DEFAULT_TERMS, holds, until: 33 }, () => 0)).points;
     expect(short).toEqual(points.subarray(0, 2 * 34));
   });
 });

@@ -3,8 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { brief, proveGoalImpossible } from '../../check/index.ts';
 import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/jobs/index.ts';
-import type { Start } from '../../editor/workers/work.ts';
+import { JOBS } from '../../editor/workers/kinds.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate, type Terms } from '../../engine/index.ts';
 import { formatLevel, type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { GRAZE, SLOW } from './terms-levels.ts';
@@ -165,7 +164,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
 /** Does a job as a worker does, with a clock that goes on by a millisecond with each look. */
 function answer<K extends JobKind>(kind: K, { ask, steps = 100_000 }: Asked<K>, file: LevelFile, terms: Terms): Results[K] {
   let clock = 0;
-  const work = (JOBS[kind] as Start<K>)(structuredClone(ask(file, terms)), () => clock++);
+  const work = JOBS[kind](structuredClone(ask(file, terms)), () => clock++);
   let last: Results[K] | null = null;
   for (let i = 0; i < steps; i++) {
     const step = work.next();

@@ -6,13 +6,14 @@ import {
   createWorkers,
   type Fan,
   type JobKind,
+  jobs,
   type Requests,
   type Results,
   type WorkerPort,
 } from '../../editor/workers/index.ts';
+import { createPacer } from '../../editor/workers/job.ts';
 import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
 import { createRunner } from '../../editor/workers/runner.ts';
-import { createPacer } from '../../editor/workers/work.ts';
 import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { assessLevel, effectsInWords, standingInWords } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
@@ -311,12 +312,14 @@ describe('workers', () => {
     });
     return { ports, clock, workers };
   }
+  const played = { level, terms: DEFAULT_TERMS };
+  const asked = { ...played, holds, goal: ANY };
   const thumb = { text: '{', terms: DEFAULT_TERMS, width: 1, theme: 'dark' } as const;
 
   it('report the progress of a job and how it ends', async () => {
     const { ports, workers } = crew();
     const told: unknown[] = [];
-    const job = workers.start('fan', { level, terms: DEFAULT_TERMS, holds, goal: ANY }, (progress) => told.push(progress));
+    const job = workers.start(jobs.fan, { level, terms: DEFAULT_TERMS, holds, goal: ANY }, (progress) => told.push(progress));
     ports[0].answer({ type: 'progress', job: 1, progress: 'half' });
     ports[0].answer({ type: 'done', job: 1, result: 'all' });
     expect(await job.end).toEqual({ kind: 'done', result: 'all' });
@@ -326,10 +329,7 @@ describe('workers', () => {
   it('cancel at once; a worker that does not answer is ended, and its other jobs restart elsewhere', async () => {
     const { ports, clock, workers } = crew();
     const told: unknown[] = [];
-    const [stuck, next] = [
-      workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] }, (p) => told.push(p)),
-      workers.start('thumbnail', thumb),
-    ];
+    const [stuck, next] = [workers.start(jobs.check, played, (p) => told.push(p)), workers.start(jobs.slack, asked)];
     stuck.cancel();
     expect(await stuck.end).toEqual({ kind: 'cancelled' });
     ports[0].answer({ type: 'progress', job: 1, progress: 'late' });
@@ -337,11 +337,11 @@ describe('workers', () => {
     // it sent a message, so it was not stuck
     await clock.pass(100);
     expect(ports).toHaveLength(1);
-    const again = workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] });
+    const again = workers.start(jobs.check, played);
     again.cancel();
     await clock.pass(49);
     expect(ports[0].isOver).toBe(true);
-    expect(ports[1].sent).toMatchObject([{ type: 'start', job: 2, kind: 'thumbnail' }]);
+    expect(ports[1].sent).toMatchObject([{ type: 'start', job: 2, kind: 'slack' }]);
     ports[0].answer({ type: 'done', job: 2, result: 'from the dead' });
     ports[1].answer({ type: 'done', job: 2, result: 'new' });
     expect(await next.end).toEqual({ kind: 'done', result: 'new' });
@@ -349,20 +349,20 @@ describe('workers', () => {
 
   it('stop a job at its time limit, counted from its start, and continue with the next', async () => {
     const { ports, clock, workers } = crew();
-    const first = workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] });
-    const second = workers.start('proofs', { level, terms: DEFAULT_TERMS, collected: [] });
-    const search = workers.start('solve', SEARCH);
+    const first = workers.start(jobs.check, played);
+    const second = workers.start(jobs.check, played);
+    const search = workers.start(jobs.solve, SEARCH);
     await clock.pass(19_000);
     expect(ports[0].isOver).toBe(false);
     await clock.pass(2000);
     expect(await first.end).toEqual({ kind: 'gaveUp', message: expect.stringContaining('work limit') });
     expect(ports[0].isOver).toBe(true);
     const next = ports[2];
-    expect(next.sent).toMatchObject([{ type: 'start', job: 2, kind: 'proofs' }]);
+    expect(next.sent).toMatchObject([{ type: 'start', job: 2, kind: 'check' }]);
     // its own time limit has just started
     await clock.pass(15_000);
-    next.answer({ type: 'done', job: 2, result: 'proved' });
-    expect(await second.end).toEqual({ kind: 'done', result: 'proved' });
+    next.answer({ type: 'done', job: 2, result: 'checked' });
+    expect(await second.end).toEqual({ kind: 'done', result: 'checked' });
     await clock.pass(600_000);
     expect([next.isOver, ports[1].isOver]).toEqual([false, false]);
     search.cancel();
@@ -370,19 +370,41 @@ describe('workers', () => {
 
   it('are reported when they die, and replaced at the next job', async () => {
     const { ports, workers } = crew();
-    const job = workers.start('thumbnail', thumb);
+    const job = workers.start(jobs.thumbnail, thumb);
     ports[0].die('out of memory');
     expect(await job.end).toEqual({ kind: 'failed', message: 'out of memory' });
-    workers.start('thumbnail', thumb);
+    workers.start(jobs.thumbnail, thumb);
     expect(ports).toHaveLength(2);
   });
 
-  it('separate short jobs, searches and jobs that follow every change; closing ends all', async () => {
+  it('take only the job along that they die of: what has waited behind it goes on elsewhere', async () => {
     const { ports, workers } = crew();
-    const job = workers.start('solve', SEARCH);
-    workers.start('thumbnail', thumb);
-    workers.start('fan', { level, terms: DEFAULT_TERMS, holds, goal: ANY });
-    expect(ports.map(({ sent }) => sent.length)).toEqual([1, 1, 1]);
+    const [deadly, next] = [workers.start(jobs.check, played), workers.start(jobs.slack, asked)];
+    ports[0].die('out of memory');
+    expect(await deadly.end).toEqual({ kind: 'failed', message: 'out of memory' });
+    expect(ports[1].sent).toMatchObject([{ type: 'start', job: 2, kind: 'slack' }]);
+    // here it is a job that was cancelled and goes on
+    const slow = workers.start(jobs.fan, asked);
+    next.cancel();
+    ports[1].die('out of memory');
+    expect(ports[2].sent).toMatchObject([{ type: 'start', job: 3, kind: 'fan' }]);
+    ports[2].answer({ type: 'done', job: 3, result: 'all' });
+    expect(await slow.end).toEqual({ kind: 'done', result: 'all' });
+  });
+
+  it('share one for quick jobs; each long one has its own, which is used again; closing ends all', async () => {
+    const { ports, workers } = crew();
+    const job = workers.start(jobs.solve, SEARCH);
+    const picture = workers.start(jobs.thumbnail, thumb);
+    workers.start(jobs.fan, asked);
+    workers.start(jobs.slack, asked);
+    expect(ports.map(({ sent }) => sent.length)).toEqual([1, 1, 2]);
+    ports[1].answer({ type: 'done', job: 2, result: 'drawn' });
+    await picture.end;
+    workers.start(jobs.proofs, { ...played, collected: [] });
+    expect(ports.map(({ sent }) => sent.length)).toEqual([1, 2, 2]);
+    workers.start(jobs.thumbnail, thumb);
+    expect(ports.map(({ sent }) => sent.length)).toEqual([1, 2, 2, 1]);
     workers.close();
     expect(await job.end).toEqual({ kind: 'cancelled' });
     await breathe();

@@ -2,7 +2,8 @@ import { type PointerEvent, useEffect, useMemo, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
 import { STATE_SIZE } from '../../../engine/index.ts';
 import { appearanceOfObject } from '../../../schema/index.ts';
-import { useEditor, useLevel, usePageTheme, useSession, useWhenIdle } from '../../context/index.ts';
+import { useInPace } from '../../ask/index.ts';
+import { useEditor, useLevel, usePageTheme, useSession } from '../../context/index.ts';
 import { type DocumentState, placesOf, radiusOf, visibleIn } from '../../document/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
@@ -40,7 +41,7 @@ export function Minimap({ canvas }: MinimapProps) {
 function RoomyMap({ canvas }: MinimapProps) {
   const level = useLevel();
   // the canvas has priority during a drag
-  const file = useWhenIdle(level.document.store, fileOf);
+  const file = useInPace(level.document.store, fileOf, 'idle');
   const box = useMemo(() => extentOf(file, level.proof.proof().scene.box), [file, level]);
   const isNeeded = useStore(canvas, ({ view }) => box !== null && !isAllInView(box, view));
   return box === null || !isNeeded ? null : <MapOfLevel canvas={canvas} box={box} />;
@@ -49,8 +50,8 @@ function RoomyMap({ canvas }: MinimapProps) {
 /** Draws objects and run once per change of the level, not per move of the view. */
 function useLevelPicture(map: MapView) {
   const level = useLevel();
-  const file = useWhenIdle(level.document.store, fileOf);
-  const way = useWhenIdle(level.proof.store, wayOf);
+  const file = useInPace(level.document.store, fileOf, 'idle');
+  const way = useInPace(level.proof.store, wayOf, 'idle');
   const theme = usePageTheme();
   const element = useRef<HTMLCanvasElement>(null);
   useEffect(() => {

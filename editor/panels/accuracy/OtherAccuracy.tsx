@@ -1,5 +1,5 @@
+import { useProofAtRest } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
-import { useDebouncedProof } from '../parts/index.ts';
 import { otherEndOf } from './other-accuracy.ts';
 
 /** ms without a change before the comparison, which simulates two whole runs */
@@ -11,7 +11,7 @@ const px = (distance: number): string => (distance >= 0.05 ? distance.toFixed(1)
 
 /** Whether another accuracy would give the same outcome for the shown run, in a few words. */
 export function OtherAccuracy() {
-  const other = useDebouncedProof(compared, REST);
+  const other = useProofAtRest(compared, REST);
   if (other === null) return null;
   const { name, distance, isSame } = other;
   return (

@@ -1,7 +1,7 @@
 import { useCallback, useEffect, useRef, useState } from 'react';
 import { useEditor, useLevel } from '../../context/index.ts';
 import type { PlayedFile } from '../../proof/index.ts';
-import type { Job, Setting } from '../../workers/index.ts';
+import { jobs, type Results, type Running, type Setting } from '../../workers/index.ts';
 
 /** The measured cost of all settings for one level and run. */
 export interface MeasuredSettings {
@@ -29,7 +29,7 @@ export function useMeasured(): Measuring {
     message: null,
     measured: null,
   });
-  const job = useRef<Job<'accuracy'> | null>(null);
+  const job = useRef<Running<Results['accuracy']> | null>(null);
   const drop = useCallback(() => {
     job.current?.cancel();
     job.current = null;
@@ -39,7 +39,7 @@ export function useMeasured(): Measuring {
     drop();
     const { level, terms, run, file } = proof.proof();
     const about = { level: level.name, run: run.name, played: { file, level }, holds: run.holds.join() };
-    const mine = workers.start('accuracy', { level: { ...level, runs: [] }, terms, holds: run.holds });
+    const mine = workers.start(jobs.accuracy, { level: { ...level, runs: [] }, terms, holds: run.holds });
     job.current = mine;
     setState(({ measured }) => ({ phase: 'measuring', message: null, measured }));
     void mine.end.then((end) => {

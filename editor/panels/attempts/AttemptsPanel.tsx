@@ -2,14 +2,14 @@ import { FolderOpen, X } from 'lucide-react';
 import { type KeyboardEvent, useCallback, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { joinHolds } from '../../../engine/index.ts';
-import { useEditor, useLevel, useProof } from '../../context/index.ts';
+import { useEditor, useLevel, useProof, useProofInPace } from '../../context/index.ts';
 import { type LostFindings, lossKey, lostFromInWords, lostOf } from '../../lost/index.ts';
 import { type Reading, readingOf } from '../../plays/index.ts';
 import { hashNow, shelfOf } from '../../shelf/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { Loss } from '../../workers/index.ts';
 import { plural } from '../figures/index.ts';
-import { PlayButton, Progress, useThrottledProof } from '../parts/index.ts';
+import { PlayButton, Progress } from '../parts/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
 import { AttemptLine } from './AttemptLine.tsx';
 import { type AttemptRow, attemptRows, type ListOptions, type Shown, type Sort } from './attempt-rows.ts';
@@ -139,7 +139,7 @@ function Changed() {
   const level = useLevel();
   const of = useStore(shelfOf(level).store, (state) => state.of);
   // the hash is computed anew only if the level has changed
-  useThrottledProof((proof) => proof.level);
+  useProofInPace((proof) => proof.level);
   if (of === null || hashNow(level) === of.hash) return null;
   return (
     <p className="attempts-panel__note" role="note">

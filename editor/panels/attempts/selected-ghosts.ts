@@ -5,7 +5,7 @@ import { attemptGhosts } from '../../play/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import type { OpenedPlay } from '../../shelf/index.ts';
 import { termsAt } from '../../terms/index.ts';
-import type { Workers } from '../../workers/index.ts';
+import { jobs, type Workers } from '../../workers/index.ts';
 
 /** Paths that are shown at once: more of them are a tangle. */
 const MOST = 40;
@@ -26,10 +26,10 @@ interface Parts {
 
 export function createSelectedGhosts({ ghosts, workers }: Parts): SelectedGhosts {
   const paths = new Map<string, Float32Array>();
-  let jobs: (() => void)[] = [];
+  let started: (() => void)[] = [];
   const cancel = () => {
-    for (const stop of jobs) stop();
-    jobs = [];
+    for (const stop of started) stop();
+    started = [];
   };
   const put = (wanted: readonly Ghost[]) => {
     const now = ghosts.getState();
@@ -52,8 +52,8 @@ export function createSelectedGhosts({ ghosts, workers }: Parts): SelectedGhosts
       for (const { key, play } of wanted) {
         if (paths.has(key)) continue;
         const { accuracy, holds, claim } = play;
-        const job = workers.start('path', { level, terms: termsAt(terms, accuracy), holds, until: claim.tick });
-        jobs.push(job.cancel);
+        const job = workers.start(jobs.path, { level, terms: termsAt(terms, accuracy), holds, until: claim.tick });
+        started.push(job.cancel);
         void job.end.then((end) => {
           if (end.kind !== 'done') return;
           if (paths.size >= KEPT) paths.delete(paths.keys().next().value ?? '');

@@ -1,11 +1,11 @@
 import { Timer } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { useLevel, useProof } from '../../context/index.ts';
+import { useLevel, useProof, useProofInPace } from '../../context/index.ts';
 import { limitInWords } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, nextTurn, percent } from '../figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../parts/index.ts';
+import { Facts, Section } from '../parts/index.ts';
 import './effects.css';
 import { type SimulatedEffect, type Survey, surveyOf } from './survey.ts';
 import { type EffectTime, timeEffects } from './time-effects.ts';
@@ -85,7 +85,7 @@ function workFacts({ work, time }: Survey): Fact[] {
 
 /** The effects that the level calls for and those it does not, and what each costs in the shown run. */
 export function Effects() {
-  const survey = useThrottledProof(surveyOf, WAIT);
+  const survey = useProofInPace(surveyOf, WAIT);
   const limit = useProof((proof) => proof.limit);
   if (survey !== null) return <Surveyed survey={survey} />;
   return <p className="panel__body part__note">{limit === null ? 'Loading…' : limitInWords(limit)}</p>;

@@ -4,7 +4,7 @@ import { useDocument, useEditor, useLevel, usePageTerms, usePageTheme } from '..
 import { levelText } from '../../document/index.ts';
 import { readText } from '../../files/index.ts';
 import type { Version } from '../../versions/index.ts';
-import type { Results } from '../../workers/index.ts';
+import { jobs, type Results } from '../../workers/index.ts';
 import { type Difference, differencesBetween } from './differences.ts';
 
 /** A version that is compared: loading, damaged, or there. */
@@ -66,7 +66,7 @@ export function useComparison(version: Version, previous: Version | null, compar
   useEffect(() => {
     if (before === null || after === null) return;
     const texts = { before: levelText(before), after: levelText(after) };
-    const job = editor.workers.start('compare', { ...texts, terms, theme, width: 960 });
+    const job = editor.workers.start(jobs.compare, { ...texts, terms, theme, width: 960 });
     void job.end.then((end) => {
       if (end.kind === 'done') setMade({ before, after, drawn: end.result });
       else if (end.kind !== 'cancelled') setMade({ before, after, drawn: end.message });

@@ -1,10 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
+import { oneAtATime } from '../../ask/index.ts';
 import type { Editor, OpenLevel } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
 import { termsKey } from '../../terms/index.ts';
 import type { LevelVersions, Version } from '../../versions/index.ts';
-import { oneAtATime, type Results, type Workers } from '../../workers/index.ts';
+import { jobs, type Results, type Workers } from '../../workers/index.ts';
 
 /** How a version is drawn and judged. */
 export interface DrawnBy {
@@ -46,7 +47,7 @@ function createPictures(workers: Workers, versions: LevelVersions): VersionPictu
   const make = async (key: string, { version, by: { theme, terms } }: Wanted) => {
     const text = await versions.text(version);
     if (text === null) return;
-    const end = await workers.start('thumbnail', { text, terms, width: WIDTH, theme }).end;
+    const end = await workers.start(jobs.thumbnail, { text, terms, width: WIDTH, theme }).end;
     if (end.kind !== 'done') return;
     const { svg, verdict } = end.result;
     const url = svg === '' ? null : `data:image/svg+xml,${encodeURIComponent(svg)}`;

@@ -1,11 +1,11 @@
 import { CircleDot, UserRound } from 'lucide-react';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
+import { useEditor, useLevel, useProofInPace } from '../../context/index.ts';
 import { ASTRONAUT, BLACK_HOLE, type LevelProperty, type ObjectKey, setLevelProperty } from '../../document/index.ts';
 import { endInWords, isWhole, type LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import type { Fact } from '../figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../parts/index.ts';
+import { Facts, Section } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfLevel } from './field-values.ts';
 import { type Field, fieldsOf } from './fields.ts';
@@ -38,7 +38,7 @@ const setProperty = (key: string, value: Field['fallback']) => setLevelProperty(
 export function LevelFields({ file }: { readonly file: LevelFile }) {
   const { commands } = useEditor();
   const { selection } = useLevel();
-  const run = useThrottledProof(summaryOf);
+  const run = useProofInPace(summaryOf);
   const place = ({ x, y }: { readonly x: number; readonly y: number }) => `${Math.round(x)}, ${Math.round(y)}`;
   const links: readonly (readonly [key: ObjectKey, name: string, where: string, icon: React.ReactNode])[] = [
     [ASTRONAUT, 'Astronaut', place(file.astronaut), <UserRound key="icon" size={14} />],

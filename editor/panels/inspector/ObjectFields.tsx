@@ -13,7 +13,7 @@ import {
 } from 'lucide-react';
 import { memo, useCallback } from 'react';
 import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
-import { useEditor, useLevel } from '../../context/index.ts';
+import { useEditor, useLevel, useProofInPace } from '../../context/index.ts';
 import {
   type FoundObject,
   marksOf,
@@ -28,7 +28,7 @@ import {
 import type { LiveProof } from '../../proof/index.ts';
 import { Button } from '../../ui/index.ts';
 import { type Fact, plural } from '../figures/index.ts';
-import { Facts, Section, useThrottledProof } from '../parts/index.ts';
+import { Facts, Section } from '../parts/index.ts';
 import { FieldRow } from './FieldRow.tsx';
 import { valueOfObjects } from './field-values.ts';
 import { aboutObject, type Field, sharedFields } from './fields.ts';
@@ -115,7 +115,7 @@ function RunFacts({ objectKey }: { readonly objectKey: string }) {
   );
   return (
     <Section title="In the shown run">
-      <Facts facts={useThrottledProof(pick)} />
+      <Facts facts={useProofInPace(pick)} />
     </Section>
   );
 }

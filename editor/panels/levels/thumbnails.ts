@@ -1,10 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
+import { oneAtATime } from '../../ask/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
 import { termsKey } from '../../terms/index.ts';
-import { type LevelFacts, oneAtATime, type Results } from '../../workers/index.ts';
+import { jobs, type LevelFacts, type Results } from '../../workers/index.ts';
 
 const THEMES = ['dark', 'light'] as const;
 type Theme = (typeof THEMES)[number];
@@ -98,7 +99,7 @@ function createThumbnails({ workspace, workers }: Editor): Thumbnails {
     const answer = await workspace.storage.read(id);
     // a file that has changed in the meantime is requested again under its new key
     if (!answer.ok || answer.value.text === null || !key.startsWith(`${answer.value.etag} `)) return;
-    const end = await workers.start('thumbnail', { text: answer.value.text, terms, width: WIDTH, theme }).end;
+    const end = await workers.start(jobs.thumbnail, { text: answer.value.text, terms, width: WIDTH, theme }).end;
     if (end.kind === 'gaveUp') keep(key, wanted, { url: null, verdict: 'unproven' }, null);
     if (end.kind !== 'done') return;
     const { svg, verdict, facts } = end.result;

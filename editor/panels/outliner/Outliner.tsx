@@ -1,7 +1,8 @@
 import { memo, useDeferredValue, useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelFile } from '../../../schema/index.ts';
-import { useEditor, useLevel, useSelectedKeys, useSession, useWhenIdle } from '../../context/index.ts';
+import { useInPace } from '../../ask/index.ts';
+import { useEditor, useLevel, useSelectedKeys, useSession } from '../../context/index.ts';
 import { type DocumentState, groupsIn, type ObjectKey, objectsOf, reorderObject } from '../../document/index.ts';
 import { orderActions } from '../../order/index.ts';
 import { leavesBetween, type Modifiers, Tree } from '../tree/index.ts';
@@ -20,7 +21,7 @@ const fileOf = ({ file }: DocumentState): LevelFile => file;
 /** All objects of the level by group and kind; the selection is shared with the canvas. */
 export function Outliner() {
   // The canvas has priority during a drag.
-  const file = useWhenIdle(useLevel().document.store, fileOf);
+  const file = useInPace(useLevel().document.store, fileOf, 'idle');
   const keys = useDeferredValue(useSelectedKeys());
   return <Outline file={file} keys={keys} />;
 }

@@ -1,34 +1,22 @@
-import { useEffect, useState } from 'react';
+import { useAtRest } from '../../ask/index.ts';
 import { useLevel } from '../../context/index.ts';
 import { keyAt, type ObjectKey } from '../../document/index.ts';
-import { afterRest } from '../parts/index.ts';
+import type { LiveProof } from '../../proof/index.ts';
 
 /** ms without a change before problems are looked for, which simulates every run */
 const PAUSE = 300;
 
-/** The problems of objects of the open level, by their keys; updated a moment after the last change. */
-export function useProblems(): ReadonlyMap<ObjectKey, readonly string[]> {
-  const { proof } = useLevel();
-  const [found, setFound] = useState<ReadonlyMap<ObjectKey, readonly string[]>>(new Map());
-  useEffect(() => {
-    const look = () => {
-      const { file, problems } = proof.proof();
-      const byKey = new Map<ObjectKey, string[]>();
-      for (const { pointer, message } of problems) {
-        const key = keyAt(file, pointer);
-        if (key !== null) byKey.set(key, [...(byKey.get(key) ?? []), message]);
-      }
-      setFound(byKey);
-    };
-    let forget = afterRest(PAUSE, look);
-    const stop = proof.store.subscribe(() => {
-      forget();
-      forget = afterRest(PAUSE, look);
-    });
-    return () => {
-      stop();
-      forget();
-    };
-  }, [proof]);
-  return found;
+const NONE: ReadonlyMap<ObjectKey, readonly string[]> = new Map();
+
+function byObject({ file, problems }: LiveProof): ReadonlyMap<ObjectKey, readonly string[]> {
+  const byKey = new Map<ObjectKey, string[]>();
+  for (const { pointer, message } of problems) {
+    const key = keyAt(file, pointer);
+    if (key !== null) byKey.set(key, [...(byKey.get(key) ?? []), message]);
+  }
+  return byKey;
 }
+
+/** The problems of objects of the open level, by their keys; updated a moment after the last change. */
+export const useProblems = (): ReadonlyMap<ObjectKey, readonly string[]> =>
+  useAtRest(useLevel().proof.store, byObject, PAUSE, NONE);

@@ -4,7 +4,7 @@ import { ENGINE_ID } from '../../../game/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
-import type { Job } from '../../workers/index.ts';
+import { jobs, type Results, type Running } from '../../workers/index.ts';
 import { factsKey } from '../levels/index.ts';
 import type { ShownGrade } from './pack-model.ts';
 
@@ -79,7 +79,7 @@ function createGrades({ workspace, workers }: Editor): Grades {
   const lasts = workspace.storage.kind === 'server';
   const store = createStore<GradesState>(() => ({ ...(lasts ? load() : NOTHING), running: null }));
   let waiting: LevelEntry[] = [];
-  let job: Job<'grade'> | null = null;
+  let job: Running<Results['grade']> | null = null;
   /** Grows with every start and stop, so that what was begun before knows that it is over. */
   let turn = 0;
 
@@ -94,7 +94,7 @@ function createGrades({ workspace, workers }: Editor): Grades {
     const answer = await workspace.storage.read(entry.id);
     // a file that has changed in the meantime has another grade
     if (mine !== turn || key === null || !answer.ok || answer.value.text === null || answer.value.etag !== entry.etag) return;
-    const started = workers.start('grade', { text: answer.value.text, terms });
+    const started = workers.start(jobs.grade, { text: answer.value.text, terms });
     job = started;
     const end = await started.end;
     if (mine !== turn) return;

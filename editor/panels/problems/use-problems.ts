@@ -1,10 +1,9 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import { conflictProblems, type LevelFile, type Problem } from '../../../schema/index.ts';
-import { useDocument, useLevel } from '../../context/index.ts';
+import { useDocument, useLevel, useProofAtRest } from '../../context/index.ts';
 import { problemsInWords, type SaveState } from '../../files/index.ts';
 import { type LiveProof, toldProblems } from '../../proof/index.ts';
-import { useDebouncedProof } from '../parts/index.ts';
 import { checkedOf, useSolverSession } from '../solver/index.ts';
 import { keepSame } from './kept.ts';
 
@@ -37,7 +36,7 @@ const problemsOfMerge = (file: LevelFile): Problem[] =>
 
 /** The errors and warnings of the level, including what a worker has proved about it; updated once the level rests. */
 export function useProblems(): readonly Problem[] {
-  const known = useDebouncedProof(knownOf, REST);
+  const known = useProofAtRest(knownOf, REST);
   const { proofs, checks } = useSolverSession();
   const proved = useStore(proofs.store);
   const checked = useStore(checks.store);

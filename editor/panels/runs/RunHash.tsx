@@ -1,9 +1,8 @@
 import { Copy } from 'lucide-react';
-import { useEditor, useProof } from '../../context/index.ts';
+import { useEditor, useProof, useProofInPace } from '../../context/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import { copyText } from '../../share/index.ts';
 import { Button } from '../../ui/index.ts';
-import { useThrottledProof } from '../parts/index.ts';
 
 /** ms between two updates: a hash covers every tick of the run */
 const WAIT = 300;
@@ -16,7 +15,7 @@ const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
  */
 export function RunHash() {
   const { notices } = useEditor();
-  const hash = useThrottledProof(hashOf, WAIT);
+  const hash = useProofInPace(hashOf, WAIT);
   const accuracy = useProof(({ terms }) => terms.accuracy.name);
   return (
     <p className="runs__hash">

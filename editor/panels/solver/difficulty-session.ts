@@ -2,10 +2,10 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
-import type { Job, Workers } from '../../workers/index.ts';
+import { withoutRuns } from '../../proof/index.ts';
+import { jobs, type Results, type Running, type Workers } from '../../workers/index.ts';
 import { goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { askedInWords } from './standing.ts';
-import { withoutRuns } from './without-runs.ts';
 
 export interface DifficultyState {
   /** `none`: there is no run to measure */
@@ -43,7 +43,7 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
     asked: '',
     isOld: false,
   }));
-  let job: Job<'difficulty'> | null = null;
+  let job: Running<Results['difficulty']> | null = null;
   let measured: { scene: Scene; holds: string } | null = null;
   const stop = proof.store.subscribe(({ scene, run }) => {
     if (measured === null || store.getState().isOld) return;
@@ -68,7 +68,7 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
       measured = { scene, holds: run.holds.join() };
       store.setState({ phase: 'measuring', message: null, isOld: false, run: completes ? run.name : null, asked });
       const budget = 1000 * settings.getState().budget;
-      const mine = workers.start('difficulty', {
+      const mine = workers.start(jobs.difficulty, {
         level: withoutRuns(level),
         terms,
         holds: completes ? run.holds : null,

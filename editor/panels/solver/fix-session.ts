@@ -6,7 +6,7 @@ import type { Proposal } from '../../../solver/index.ts';
 import { type EditedLevel, freeRunName } from '../../document/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
 import { createPreview, type SessionStore } from '../../session/index.ts';
-import type { Fixing, Job, Workers } from '../../workers/index.ts';
+import { type Fixing, jobs, type Results, type Running, type Workers } from '../../workers/index.ts';
 import { SOLUTION } from './keep-found-run.ts';
 import type { SearchSettingsStore } from './search-settings.ts';
 
@@ -49,7 +49,7 @@ const IDLE: FixState = { phase: 'idle', message: null, fixing: null, level: null
 /** Seeks proposals for one level. A preview is a change in progress, as while an object is dragged. */
 export function createFixSession({ level: { document, proof }, session, workers, settings }: FixParts): FixSession {
   const store = createStore<FixState>(() => IDLE);
-  let job: Job<'fix'> | null = null;
+  let job: Running<Results['fix']> | null = null;
   const preview = createPreview(document, session);
 
   const stopJob = () => {
@@ -76,7 +76,7 @@ export function createFixSession({ level: { document, proof }, session, workers,
       const { level, terms } = proof.proof();
       store.setState({ ...IDLE, phase: 'seeking', level });
       const { seed, budget } = settings.getState();
-      const mine = workers.start('fix', { level, terms, seed, budget: 1000 * budget }, (fixing) => {
+      const mine = workers.start(jobs.fix, { level, terms, seed, budget: 1000 * budget }, (fixing) => {
         // the list does not move while one of it is previewed
         if (job === mine && store.getState().previewed === null) store.setState({ fixing });
       });

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { type ProofStore, type Proved, toProve } from '../../proof/index.ts';
-import type { Job, Workers } from '../../workers/index.ts';
+import { type Asked, type Desk, question } from '../../ask/index.ts';
+import { type LiveProof, type ProofStore, type Proved, toProve } from '../../proof/index.ts';
+import { jobs, type Proofs } from '../../workers/index.ts';
 
 export interface ProofWatch {
   /** What is proved about the current level; empty while not known. */
@@ -8,69 +9,39 @@ export interface ProofWatch {
   close(): void;
 }
 
-/** What the watchers of the open level need. */
-export interface WatchParts {
-  readonly level: { readonly proof: ProofStore };
-  readonly workers: Pick<Workers, 'start'>;
-  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
-}
-
-/** ms without a change before proofs are searched: after robustness, which matters to the user more often */
-const SETTLE = 500;
-
 const NOTHING: Proved = { impossible: null, minerals: [], gaveUp: null };
 
 /**
- * Follows the level: once it has settled, tries to prove that the black hole or a mineral is out of reach. What a run reaches
- * is not searched for a proof.
+ * What no run reaches, the black hole or a mineral. What a run of the level reaches is not searched for a proof. It waits for the
+ * robustness, which matters to the user more often.
  */
-export function watchProofs({ level: { proof }, workers, afterRest }: WatchParts): ProofWatch {
-  const store = createStore<Proved>(() => NOTHING);
-  let job: Job<'proofs'> | null = null;
-  let forget: (() => void) | null = null;
-  let last: object | null = null;
+export const proofQuestion = question({
+  job: jobs.proofs,
+  request: toProve,
+  follows: {
+    wait: { rest: 500 },
+    of: (proof: ProofStore): LiveProof => proof.proof(),
+    // runs may come and go: a proof holds for all of them
+    same: (asked, now) => asked.scene === now.scene,
+    on: (proof) => [proof.store.subscribe],
+  },
+});
 
-  const drop = () => {
-    job?.cancel();
-    job = null;
-    forget?.();
-    forget = null;
-  };
-  const prove = () => {
-    forget = null;
-    const question = toProve(proof.proof());
-    if (question === null) {
-      // everything is reached, so there is nothing to prove
-      store.setState({ ...NOTHING, isWhole: true }, true);
-      return;
-    }
-    const mine = workers.start('proofs', question, (proved) => {
-      if (job === mine) store.setState({ ...proved, gaveUp: null }, true);
-    });
-    job = mine;
-    void mine.end.then((end) => {
-      if (job !== mine) return;
-      if (end.kind === 'done') store.setState({ ...end.result, gaveUp: null, isWhole: true }, true);
-      else if (end.kind === 'gaveUp') store.setState({ gaveUp: end.message });
-    });
-  };
-  const look = () => {
-    const { scene } = proof.proof();
-    // Runs may come and go: a proof holds for all of them.
-    if (scene === last) return;
-    last = scene;
-    drop();
-    if (store.getState() !== NOTHING) store.setState(NOTHING, true);
-    forget = afterRest(SETTLE, prove);
-  };
-  look();
-  const stop = proof.store.subscribe(look);
-  return {
-    store,
-    close() {
-      stop();
-      drop();
-    },
-  };
+function provedBy({ phase, progress, answer, message, gaveUp }: Asked<LiveProof, Proofs, Proofs>): Proved {
+  // everything is reached, so there is nothing to prove
+  if (phase === 'nothing') return { ...NOTHING, isWhole: true };
+  if (answer !== null) return { ...answer, gaveUp: null, isWhole: true };
+  const soFar = progress === null ? NOTHING : { ...progress, gaveUp: null };
+  return gaveUp ? { ...soFar, gaveUp: message } : soFar;
+}
+
+/** Follows the level: once it has settled, tries to prove that the black hole or a mineral is out of reach. */
+export function watchProofs({ proof, desk }: { readonly proof: ProofStore; readonly desk: Desk }): ProofWatch {
+  const proofs = proofQuestion(desk, proof);
+  const store = createStore<Proved>(() => provedBy(proofs.store.getState()));
+  proofs.store.subscribe((now) => {
+    const proved = provedBy(now);
+    if (proved !== store.getState()) store.setState(proved, true);
+  });
+  return { store, close: proofs.close };
 }

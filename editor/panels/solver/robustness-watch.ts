@@ -1,14 +1,13 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { Scene } from '../../../engine/index.ts';
-import type { EdgeSlack, Goal, Robustness, Success } from '../../../solver/index.ts';
+import type { EdgeSlack, Robustness, Success } from '../../../solver/index.ts';
+import { type Desk, type Question, question } from '../../ask/index.ts';
 import type { Ghost } from '../../context/index.ts';
 import type { EditedLevel } from '../../document/index.ts';
-import { endInWords, isWhole, type ProofStore } from '../../proof/index.ts';
-import { FAN_TICKS, type FanWay, type Job, type Workers } from '../../workers/index.ts';
+import { endInWords, isWhole, type LiveProof, type ProofStore, withoutRuns } from '../../proof/index.ts';
+import { type AskedOf, FAN_TICKS, type Fan, type FanWay, jobs, type ProgressOf } from '../../workers/index.ts';
 import { plural } from '../figures/index.ts';
 import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
 import { everyTick } from './ways.ts';
-import { withoutRuns } from './without-runs.ts';
 
 /** The robustness of the shown run, as far as it is known. */
 export interface RobustnessState {
@@ -36,6 +35,59 @@ interface Analysed {
   readonly p40: number;
 }
 
+/** A run of which the robustness is measured. */
+interface Measured {
+  readonly known: LiveProof;
+  /** Whether the minerals that it collects are part of the goal. */
+  readonly withMinerals: boolean;
+}
+
+/** The run as a worker gets it; null: it does not complete the level. */
+function requestOf({ known, withMinerals }: Measured): AskedOf<typeof jobs.fan> | null {
+  const { level, terms, run } = known;
+  if (run.name === null || run.outcome !== 'completed' || !isWhole(known)) return null;
+  return { level: withoutRuns(level), terms, holds: run.holds, goal: { minerals: withMinerals ? run.minerals.length : 'any' } };
+}
+
+interface ShownRun {
+  readonly proof: ProofStore;
+  readonly withMinerals: Pick<StoreApi<boolean>, 'getState' | 'subscribe'>;
+}
+
+/** The ways of the shown run when an edge slips. */
+export const fanQuestion = question({
+  job: jobs.fan,
+  request: requestOf,
+  follows: {
+    wait: { rest: 120 },
+    of: ({ proof, withMinerals }: ShownRun): Measured => ({ known: proof.proof(), withMinerals: withMinerals.getState() }),
+    // a run that was cut off is simulated to its end once the page is at rest
+    same: ({ known: a, ...one }, { known: b, ...other }) =>
+      a.scene === b.scene &&
+      isWhole(a) === isWhole(b) &&
+      a.run.holds.join() === b.run.holds.join() &&
+      one.withMinerals === other.withMinerals,
+    on: ({ proof, withMinerals }) => [proof.store.subscribe, withMinerals.subscribe],
+  },
+});
+
+type FanQuestion = Question<Measured, Fan, ProgressOf<typeof jobs.fan>>;
+
+/** The robustness of a run whose fan is known. The fan is what the user looks at: the longer measurement must not slow it down. */
+export const robustnessQuestion = question({
+  job: jobs.robustness,
+  request: requestOf,
+  follows: {
+    wait: { rest: 0 },
+    of(fan: FanQuestion) {
+      const { phase, of, gaveUp } = fan.store.getState();
+      return phase === 'done' || (phase === 'failed' && !gaveUp) ? of : null;
+    },
+    same: (asked, now) => asked === now,
+    on: (fan) => [fan.store.subscribe],
+  },
+});
+
 export interface RobustnessWatch {
   readonly store: StoreApi<RobustnessState>;
   setWithMinerals(on: boolean): void;
@@ -48,15 +100,8 @@ interface WatchParts {
     readonly proof: ProofStore;
     readonly analysis: StoreApi<Analysed | null>;
   };
-  readonly workers: Pick<Workers, 'start'>;
-  /** Calls back after `ms`. @returns cancels it */
-  readonly after: (ms: number, call: () => void) => () => void;
-  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
+  readonly desk: Desk;
 }
-
-/** ms without a change before everything is measured; the fan comes as soon as a gesture ends */
-const SETTLE = 120;
 
 const UNKNOWN = { message: null, slack: null, p40: null, full: null } as const;
 
@@ -71,118 +116,68 @@ const toGhost = ({ edge, shift, points }: FanWay): Ghost => ({
  * Measures the robustness of the shown run again whenever the run or the level has settled, for the timeline, the canvas and
  * the panel.
  */
-export function watchRobustness({ level, workers, after, afterRest }: WatchParts): RobustnessWatch {
-  const { proof, analysis } = level;
-  const store = createStore<RobustnessState>(() => ({ phase: 'waiting', ...UNKNOWN, withMinerals: false }));
-  let jobs: readonly Job<'fan' | 'robustness'>[] = [];
-  let last: { scene: Scene; holds: string; whole: boolean } | null = null;
-  let waiting: (() => void)[] = [];
+export function watchRobustness({ level, desk }: WatchParts): RobustnessWatch {
+  const { proof, analysis, document } = level;
+  const goal = createStore<boolean>(() => false);
+  const fan = fanQuestion(desk, { proof, withMinerals: goal });
+  const robustness = robustnessQuestion(desk, fan);
 
-  const put = (analysed: Analysed | null) => {
+  const stateNow = (): RobustnessState => {
+    const [spread, measured, withMinerals] = [fan.store.getState(), robustness.store.getState(), goal.getState()];
+    const { phase, of, message, gaveUp } = spread;
+    const slack = measured.progress?.slack ?? spread.progress?.slack ?? null;
+    const sofar = { ...UNKNOWN, slack, p40: measured.progress?.p40 ?? null, withMinerals };
+    if (phase === 'nothing' && of !== null && !isWhole(of.known))
+      return { ...sofar, phase: 'failed', message: endInWords(of.known) };
+    if (phase === 'nothing') return { ...sofar, phase: 'fails' };
+    if (phase === 'failed' && gaveUp) return { ...sofar, phase: 'failed', message };
+    if (measured.phase === 'failed') return { ...sofar, phase: 'failed', message: measured.message };
+    if (measured.answer === null) return { ...sofar, phase: phase === 'waiting' ? 'waiting' : 'measuring' };
+    const { answer } = measured;
+    return { ...sofar, phase: 'measured', slack: answer.slack, p40: answer.p40, full: answer };
+  };
+  /** For the timeline; its certification is not known before the end. */
+  const analysisNow = (): Analysed | null => {
+    const { of, progress, answer } = robustness.store.getState();
+    const known = answer ?? progress;
+    if (of === null || known === null) return null;
+    const { certifiedTicks = null, decided = false } = answer ?? {};
+    return { holds: of.known.run.holds.join(), slack: known.slack, certifiedTicks, decided, p40: known.p40.p };
+  };
+
+  const store = createStore<RobustnessState>(stateNow);
+  let ways: readonly FanWay[] = [];
+  const show = () => {
+    store.setState(stateNow(), true);
+    const analysed = analysisNow();
     if (analysed !== null || analysis.getState() !== null) analysis.setState(analysed, true);
+    const fresh = fan.store.getState().answer?.ways ?? [];
+    if (fresh === ways || fresh.length + ways.length === 0) return;
+    ways = fresh;
+    putGhosts(level, 'slack', ways.map(toGhost));
   };
-  const drop = () => {
-    for (const job of jobs) job.cancel();
-    jobs = [];
-    for (const forget of waiting) forget();
-    waiting = [];
-  };
-  const isCurrent = (job: Job<'fan' | 'robustness'>) => jobs.includes(job);
-  /** The request to the workers; null if there is nothing to measure. */
-  const request = () => {
-    const { level: played, terms, run } = proof.proof();
-    if (run.name === null || run.outcome !== 'completed') return null;
-    const goal: Goal = { minerals: store.getState().withMinerals ? run.minerals.length : 'any' };
-    return { level: withoutRuns(played), terms, holds: run.holds, goal };
-  };
-
-  let fan: Job<'fan'> | null = null;
-  const spread = () => {
-    const asked = request();
-    if (asked === null || jobs.length > 0) return;
-    store.setState({ phase: 'measuring' });
-    const mine = workers.start('fan', asked, ({ slack }) => {
-      if (isCurrent(mine)) store.setState({ slack });
-    });
-    fan = mine;
-    jobs = [mine];
-    void mine.end.then((end) => {
-      if (isCurrent(mine) && end.kind === 'done') putGhosts(level, 'slack', end.result.ways.map(toGhost));
-    });
-  };
-  const measure = () => {
-    const known = proof.proof();
-    if (!isWhole(known)) {
-      store.setState({ phase: 'failed', ...UNKNOWN, message: endInWords(known) });
-      return;
-    }
-    const asked = request();
-    if (asked === null) {
-      store.setState({ phase: 'fails', ...UNKNOWN });
-      return;
-    }
-    spread();
-    const first = fan;
-    const key = asked.holds.join();
-    // The fan is what the user looks at: the longer measurement must not slow it down.
-    void first?.end.then((end) => {
-      if (!isCurrent(first)) return;
-      if (end.kind === 'gaveUp') {
-        store.setState({ phase: 'failed', message: end.message });
-        return;
-      }
-      const robustness = workers.start('robustness', asked, ({ slack, p40 }) => {
-        if (!isCurrent(robustness)) return;
-        store.setState({ slack, p40 });
-        put({ holds: key, slack, certifiedTicks: null, decided: false, p40: p40.p });
-      });
-      jobs = [first, robustness];
-      void robustness.end.then((end) => {
-        if (!isCurrent(robustness)) return;
-        if (end.kind === 'failed' || end.kind === 'gaveUp') store.setState({ phase: 'failed', message: end.message });
-        if (end.kind !== 'done') return;
-        const { slack, p40, certifiedTicks, decided } = end.result;
-        store.setState({ phase: 'measured', slack, p40, full: end.result });
-        put({ holds: key, slack, certifiedTicks, decided, p40: p40.p });
-      });
-    });
-  };
-
-  const settle = () => {
-    drop();
-    put(null);
-    putGhosts(level, 'slack', []);
-    store.setState({ phase: 'waiting', ...UNKNOWN });
-    waiting = [afterRest(SETTLE, measure)];
-  };
-  const look = () => {
-    const known = proof.proof();
-    const { scene, run } = known;
-    const holds = run.holds.join();
-    // a run that was cut off is simulated to its end once the page is at rest
-    const whole = isWhole(known);
-    if (last !== null && last.scene === scene && last.holds === holds && last.whole === whole) return;
-    last = { scene, holds, whole };
-    settle();
-  };
-  look();
+  show();
+  let forget = () => {};
   const stops = [
-    proof.store.subscribe(look),
-    level.document.onStep(() => {
+    fan.store.subscribe(show),
+    robustness.store.subscribe(show),
+    document.onStep(() => {
       // Not within the event itself: the frame that shows the change comes first.
-      if (jobs.length === 0) waiting.push(after(0, spread));
+      forget();
+      forget = desk.after(0, () => {
+        const { phase, of } = fan.store.getState();
+        if (phase === 'waiting' && of !== null && requestOf(of) !== null) fan.ask(of);
+      });
     }),
   ];
   return {
     store,
-    setWithMinerals(withMinerals) {
-      if (store.getState().withMinerals === withMinerals) return;
-      store.setState({ withMinerals });
-      settle();
-    },
+    setWithMinerals: (on) => goal.setState(on, true),
     close() {
       for (const stop of stops) stop();
-      drop();
+      forget();
+      robustness.close();
+      fan.close();
     },
   };
 }

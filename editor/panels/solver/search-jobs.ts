@@ -1,9 +1,9 @@
 import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import type { JobEnd, Results, Solving, Workers } from '../../workers/index.ts';
+import { withoutRuns } from '../../proof/index.ts';
+import { type JobEnd, jobs, type Results, type Solving, type Workers } from '../../workers/index.ts';
 import type { SearchSettings } from './search-settings.ts';
-import { withoutRuns } from './without-runs.ts';
 
 /** the number of different runs that a search looks for */
 export const RUNS_WANTED = 5;
@@ -21,7 +21,7 @@ interface SearchListener {
   /** Called with what has been proved so far. */
   readonly onProved: (proved: Results['proofs']) => void;
   /** Called when the search for runs has ended, after the last `onFound`. */
-  readonly onEnd: (end: JobEnd<'solve'>) => void;
+  readonly onEnd: (end: JobEnd<Solving>) => void;
 }
 
 /** The workers of a search: one looks for runs, the other for proofs that there are none. */
@@ -44,7 +44,7 @@ export function startSearchJobs(
   // with the objective `first`, runs that the level already has count as well
   const known = objective === 'first' ? [] : level.runs.map(({ holds }) => holds);
   const solve = workers.start(
-    'solve',
+    jobs.solve,
     { ...played, goal, objective, count: RUNS_WANTED, known, seed, lane: 0, budget: 1000 * budget },
     (solving) => {
       if (isOver) return;
@@ -54,7 +54,7 @@ export function startSearchJobs(
     },
   );
   let told = 0;
-  const prove = workers.start('proofs', { ...played, collected: [], finer: 1000 * budget }, (proved) => {
+  const prove = workers.start(jobs.proofs, { ...played, collected: [], finer: 1000 * budget }, (proved) => {
     if (isOver) return;
     onProved(proved);
     // first the black hole is reported, then the minerals

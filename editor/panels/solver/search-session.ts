@@ -91,7 +91,7 @@ export function createSearchSession({ level, session, workers, settings, overlay
     store.setState({ phase: 'done', ms: now() - began });
     drawGhosts();
   };
-  const showEnd = (end: JobEnd<'solve'>) => {
+  const showEnd = (end: JobEnd<Solving>) => {
     if (end.kind === 'failed' || end.kind === 'gaveUp') store.setState({ phase: 'failed', message: end.message });
     else if (store.getState().phase === 'running') store.setState({ phase: end.kind, ms: now() - began });
   };

@@ -1,8 +1,6 @@
 import type { Editor, OpenLevel } from '../../context/index.ts';
-import { pageTimers } from '../../files/index.ts';
 import { type LostSession, watchLost } from '../../lost/index.ts';
 import { type OnionSession, watchOnion } from '../../onion/index.ts';
-import { afterRest } from '../parts/index.ts';
 import { type CheckWatch, watchChecks } from './check-watch.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
 import { createFixSession, type FixSession } from './fix-session.ts';
@@ -30,17 +28,19 @@ export interface SolverSession {
 const sessions = new WeakMap<OpenLevel, SolverSession>();
 
 /** The solver session of an open level, created on first use; it ends when another level is opened. */
-export function solverSessionOf({ workers, session, open }: Editor, level: OpenLevel): SolverSession {
+export function solverSessionOf({ desk, session, open }: Editor, level: OpenLevel): SolverSession {
   const known = sessions.get(level);
   if (known !== undefined) return known;
+  const { workers, afterRest } = desk;
+  const { proof } = level;
   const settings = createSearchSettings();
   const overlay = createOverlay();
   const search = createSearchSession({ level, session, workers, settings, overlay, now: () => performance.now() });
-  const robustness = watchRobustness({ level, workers, after: pageTimers.after, afterRest });
-  const proofs = watchProofs({ level, workers, afterRest });
-  const checks = watchChecks({ level, workers, afterRest });
+  const robustness = watchRobustness({ level, desk });
+  const proofs = watchProofs({ proof, desk });
+  const checks = watchChecks({ proof, desk });
   const lost = watchLost({ level, session, workers, afterRest });
-  const onion = watchOnion({ level, session, workers, robustness: robustness.store, after: pageTimers.after });
+  const onion = watchOnion({ level, session, desk, robustness: robustness.store });
   const difficulty = createDifficultySession({ level, workers, settings });
   const fixes = createFixSession({ level, session, workers, settings });
   const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, onion, overlay };

@@ -1,8 +1,33 @@
 import { compile, createSimulation, joinHolds, maxTicksOf, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { findSlackInSteps } from '../../../solver/index.ts';
-import { FAN_TICKS, type FanWay } from '../protocol.ts';
-import type { Start } from '../work.ts';
+import { type EdgeSlack, findSlackInSteps, type Goal } from '../../../solver/index.ts';
+import { job, type Played, type Work } from '../job.ts';
+
+/** ticks between two points of a fan's path */
+export const FAN_TICKS = 3;
+
+/** Her path when an edge comes earlier or later by its slack. */
+export interface FanWay {
+  /** 2 i for the press of hold i, 2 i + 1 for its release */
+  readonly edge: number;
+  /** ticks, negative for earlier */
+  readonly shift: number;
+  /** x, y in px, every `FAN_TICKS` ticks from the first that differs */
+  readonly points: Float32Array;
+}
+
+/** Her paths when one edge slips, and by how much each may. */
+export interface Fan {
+  readonly slack: readonly EdgeSlack[];
+  readonly ways: readonly FanWay[];
+}
+
+/** Her path when one edge slips by its slack. */
+export const fan = job<
+  Played & { readonly holds: readonly Hold[]; readonly goal: Goal },
+  Fan,
+  { readonly slack: readonly EdgeSlack[] }
+>({ name: 'fan', lane: 'quick', most: 20_000 });
 
 /** The holds with one edge moved by `shift` ticks. */
 function shifted(holds: readonly Hold[], edge: number, shift: number): Hold[] {
@@ -35,21 +60,24 @@ function wayFrom(simulation: Simulation, holds: readonly Hold[], from: number, m
 }
 
 /** Her path when one edge slips by its slack, for every edge, earlier and later. */
-export const fan: Start<'fan'> = function* ({ level, terms, holds, goal }) {
-  const scene = compile(level, terms);
-  const joined = joinHolds(holds);
-  const slack = yield* findSlackInSteps(scene, joined, goal);
-  yield { slack };
-  const simulation = createSimulation(scene);
-  const edges = joined.flat();
-  const ways: FanWay[] = [];
-  for (const [edge, { earlier, later }] of slack.entries()) {
-    for (const shift of [-earlier, later]) {
-      if (shift === 0) continue;
-      const from = Math.max(0, Math.min(edges[edge], edges[edge] + shift));
-      ways.push({ edge, shift, points: wayFrom(simulation, shifted(joined, edge, shift), from, maxTicksOf(terms)) });
-      yield null;
+export const fanWork: Work<typeof fan> = {
+  of: fan,
+  *steps({ level, terms, holds, goal }) {
+    const scene = compile(level, terms);
+    const joined = joinHolds(holds);
+    const slack = yield* findSlackInSteps(scene, joined, goal);
+    yield { slack };
+    const simulation = createSimulation(scene);
+    const edges = joined.flat();
+    const ways: FanWay[] = [];
+    for (const [edge, { earlier, later }] of slack.entries()) {
+      for (const shift of [-earlier, later]) {
+        if (shift === 0) continue;
+        const from = Math.max(0, Math.min(edges[edge], edges[edge] + shift));
+        ways.push({ edge, shift, points: wayFrom(simulation, shifted(joined, edge, shift), from, maxTicksOf(terms)) });
+        yield null;
+      }
     }
-  }
-  return { slack, ways };
+    return { slack, ways };
+  },
 };

@@ -1,8 +1,70 @@
-import { softlocksOf } from '../../../check/index.ts';
+import { type Softlocks, softlocksOf } from '../../../check/index.ts';
 import { compile } from '../../../engine/index.ts';
+import type { Hold } from '../../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON, type RunLoss, type SoftlockSurvey, type SurveyedState } from '../../../solver/index.ts';
-import type { Losing, Loss, Losses, LostMoment } from '../protocol.ts';
-import { createPacer, type Start, type Work } from '../work.ts';
+import { createPacer, job, type Played, type Work } from '../job.ts';
+
+/** How it is known that a state is lost: by a proof, or only because no run was found. */
+export type LostKnown = 'proved' | 'not found';
+
+/** A state from which the black hole can't be reached any more, as far as is known. */
+export interface LostMoment {
+  /** px */
+  readonly x: number;
+  readonly y: number;
+  readonly tick: number;
+  readonly known: LostKnown;
+  /** The reason of the proof; null without one. */
+  readonly reason: string | null;
+  /** How long the search was that found no run, ticks; null with a proof. */
+  readonly searched: number | null;
+}
+
+/** A lost state, and the longest that she was seen alive after it, ticks. */
+export interface LostState extends LostMoment {
+  readonly alive: number;
+}
+
+/** Where a level is already lost, as far as it has been examined. */
+export interface Losing {
+  readonly counts: Softlocks['states'];
+  /** Lost states after which she lives on for a second or more. */
+  readonly states: readonly LostState[];
+  /** Where such states begin, the longest life first. */
+  readonly places: readonly LostState[];
+  readonly ticks: number;
+  readonly finished: boolean;
+}
+
+/** Where the level is already lost although she lives on, examined with so much effort, ticks. */
+export const lost = job<Played & { readonly effort: number }, Losing, Losing>({ name: 'lost', lane: 'long', most: null });
+
+/** Since when a run was lost, as far as is known. */
+export interface Loss {
+  /** The last tick at which she is alive. */
+  readonly last: number;
+  readonly completes: boolean;
+  /** The last tick at which the black hole is known to be in reach; null if none is known. */
+  readonly open: number | null;
+  /** The first moment from which no run was found; null if none is known. */
+  readonly lost: LostMoment | null;
+  /** The first moment that is proved lost; null if none is. */
+  readonly proved: LostMoment | null;
+}
+
+/** The losses of runs, in the order in which they were asked for. */
+export interface Losses {
+  readonly losses: readonly Loss[];
+  readonly ticks: number;
+  readonly finished: boolean;
+}
+
+/** Since when runs were lost that do not complete the level, with so much effort for all of them, ticks. */
+export const losses = job<Played & { readonly traced: readonly (readonly Hold[])[]; readonly effort: number }, Losses, Losses>({
+  name: 'losses',
+  lane: 'long',
+  most: null,
+});
 
 /** ms between two reports */
 const TELL = 400;
@@ -68,9 +130,14 @@ function* examine<T>(
 }
 
 /** Examines where a level is already lost. */
-export const lost: Start<'lost'> = ({ level, terms, effort }, now): Work<'lost'> =>
-  examine(createSoftlockSurvey(compile(level, terms)), effort, now, toLosing);
+export const lostWork: Work<typeof lost> = {
+  of: lost,
+  steps: ({ level, terms, effort }, now) => examine(createSoftlockSurvey(compile(level, terms)), effort, now, toLosing),
+};
 
 /** Finds out since when runs were lost. */
-export const losses: Start<'losses'> = ({ level, terms, traced, effort }, now): Work<'losses'> =>
-  examine(createSoftlockSurvey(compile(level, terms), { traced, explores: false }), effort, now, toLosses);
+export const lossesWork: Work<typeof losses> = {
+  of: losses,
+  steps: ({ level, terms, traced, effort }, now) =>
+    examine(createSoftlockSurvey(compile(level, terms), { traced, explores: false }), effort, now, toLosses),
+};

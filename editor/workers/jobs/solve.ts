@@ -1,7 +1,43 @@
 import { compile } from '../../../engine/index.ts';
-import { createSolver, type SolveOptions, type Solver } from '../../../solver/index.ts';
-import type { Solving } from '../protocol.ts';
-import { createPacer, type Start } from '../work.ts';
+import type { Hold } from '../../../schema/index.ts';
+import {
+  type Closest,
+  createSolver,
+  type Effort,
+  type Explored,
+  type Goal,
+  type Objective,
+  type Solution,
+  type SolveOptions,
+  type Solver,
+} from '../../../solver/index.ts';
+import { createPacer, job, type Played, type Work } from '../job.ts';
+
+/** How far a search has come. */
+export interface Solving {
+  readonly effort: Effort;
+  readonly closest: Closest | null;
+  /** best first */
+  readonly solutions: readonly Solution[];
+  readonly explored: Explored;
+  readonly finished: boolean;
+}
+
+/** Searches for runs within a budget, ms; null: until cancelled or nothing can improve. */
+export const solve = job<
+  Played & {
+    readonly goal: Goal;
+    readonly objective: Objective;
+    readonly count: number;
+    /** Runs to start from; those that don't meet the goal are skipped. */
+    readonly known: readonly (readonly Hold[])[];
+    readonly seed: number;
+    readonly lane: number;
+    readonly budget: number | null;
+  },
+  Solving,
+  Solving
+>({ name: 'solve', lane: 'long', most: null });
 
 /** ms between two reports of a search that has found nothing new */
 const TELL = 250;
@@ -31,5 +67,8 @@ export function* search(solver: Solver, budget: number | null, now: () => number
 }
 
 /** Searches for runs. */
-export const solve: Start<'solve'> = ({ level, terms, budget, ...options }, now) =>
-  search(createSolver(compile(level, terms), options satisfies SolveOptions), budget, now);
+export const solveWork: Work<typeof solve> = {
+  of: solve,
+  steps: ({ level, terms, budget, ...options }, now) =>
+    search(createSolver(compile(level, terms), options satisfies SolveOptions), budget, now),
+};

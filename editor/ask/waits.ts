@@ -1,3 +1,5 @@
+// The two ways in which the page waits: until the user rests, and in pace with what goes on.
+
 /**
  * Frames to wait for: when the first begins, the pending changes are rendered; when the second begins, they have been handed to
  * the painter.
@@ -54,3 +56,26 @@ export function afterRest(ms: number, call: () => void): () => void {
     if (one.timer !== null) clearTimeout(one.timer);
   };
 }
+
+/** ms after which the page is taken as idle even if it never is */
+const LONGEST = 150;
+
+/** Calls back once the page is idle. @returns cancels it */
+function whenIdle(call: () => void): () => void {
+  // Safari has no requestIdleCallback
+  if (typeof requestIdleCallback === 'undefined') return after(30, call);
+  const handle = requestIdleCallback(call, { timeout: LONGEST });
+  return () => cancelIdleCallback(handle);
+}
+
+/** Calls back after `ms`. @returns cancels it */
+export function after(ms: number, call: () => void): () => void {
+  const timer = setTimeout(call, ms);
+  return () => clearTimeout(timer);
+}
+
+/** How often something follows a store at most: every so many ms, or whenever the page has nothing else to do. */
+export type Pace = number | 'idle';
+
+/** Calls back when the next turn is due. @returns cancels it */
+export const inPace = (pace: Pace, call: () => void): (() => void) => (pace === 'idle' ? whenIdle(call) : after(pace, call));
