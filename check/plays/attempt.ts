@@ -7,7 +7,7 @@ import type { PlayOutcome, PlayVerdict } from '../../game/index.ts';
  */
 export type FailureCause =
   | {
-      /** The kind of the object; `asteroid` means a hot asteroid. */
+      /** The kind of the object; `asteroid` means a deadly one. */
       readonly kind: Exclude<BodyKind, 'blackHole'>;
       /** Index within the level's list of that kind, from 0. */
       readonly index: number;
