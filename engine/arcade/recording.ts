@@ -2,8 +2,7 @@ import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
-import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE } from '../simulation.ts';
-import type { Trajectory } from '../trajectory.ts';
+import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Trajectory } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { SEEN_HELD, SEEN_TARGET } from './layout.ts';
 

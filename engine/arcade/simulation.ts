@@ -1,5 +1,5 @@
+import { hazardCount } from '../clearance.ts';
 import { TICK } from '../constants.ts';
-import { hazardCount } from '../hazards.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';

@@ -1,7 +1,5 @@
-import type { Circles } from '../circles.ts';
-import type { IndexedCircles } from '../indexed-circles.ts';
+import type { Circles, IndexedCircles, SpatialIndex } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import type { SpatialIndex } from '../spatial-index.ts';
 
 /** A square's half diagonal divided by half its side, rounded up. */
 export const DIAGONAL = 1.4143;

@@ -2,7 +2,7 @@ import type { Box } from '../contact/index.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
 import type { FrameRule } from '../frames/index.ts';
 import type { Scene } from '../scene.ts';
-import { expectSnapshot } from '../snapshot.ts';
+import { expectSnapshot } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { Chasers } from './chasers.ts';
 import { COS, HEAD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';

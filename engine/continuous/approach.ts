@@ -1,6 +1,5 @@
-import type { ClearanceTracker } from '../clearance.ts';
+import type { ClearanceTracker, HazardList } from '../clearance.ts';
 import { chaserTravel, gapAt, ownTravel, rockTravel, sweptTime } from '../events/index.ts';
-import type { HazardList } from '../hazards.ts';
 import {
   ALERTNESS,
   type Motion,

@@ -2,8 +2,7 @@ import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
-import type { RunEvent } from '../simulation.ts';
-import type { Trajectory } from '../trajectory.ts';
+import type { RunEvent, Trajectory } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
 import { ContinuousSimulation } from './simulation.ts';
@@ -143,5 +142,19 @@ export class PieceRecorder implements Recorder, Trajectory {
     // rounding must not contradict the run: it ended with the contact, or there was none
     const touched = events.at(-1)?.type === 'collided';
     return { ...best, distance: touched ? Math.min(0, best.distance) : Math.max(0, best.distance) };
+  }
+}
+
+/** Gives the events of a simulation to a list, and keeps nothing else. */
+export class EventRecorder implements Recorder {
+  readonly keeps = false;
+
+  /** @param events - receives the events */
+  constructor(private readonly events: RunEvent[]) {}
+
+  piece(): void {}
+
+  event(event: RunEvent): void {
+    this.events.push(event);
   }
 }

@@ -16,8 +16,7 @@ import {
 } from '../motion/index.ts';
 import { objectLists } from '../object-lists.ts';
 import type { Scene } from '../scene.ts';
-import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
-import { expectSnapshot } from '../snapshot.ts';
+import { type Ending, expectSnapshot, type Mode, type Simulation, type Work } from '../simulation.ts';
 import { type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { begin, setFlow } from './begin.ts';
 import { button } from './button.ts';

@@ -1,9 +1,9 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { layOutRules } from '../events/index.ts';
 import type { FrameRule } from '../frames/index.ts';
+import type { Indexing } from '../indexed-circles.ts';
 import type { Chase, EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
-import type { Indexing } from '../spatial-index.ts';
 import type { Effect, EngineEffect } from './effect.ts';
 import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, LISTED_FIRST } from './order.ts';
 

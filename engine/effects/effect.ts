@@ -1,9 +1,8 @@
 import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { FrameRule } from '../frames/index.ts';
-import type { IndexedCircles } from '../indexed-circles.ts';
+import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
 import type { CentralForce, Chase, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
-import type { Indexing } from '../spatial-index.ts';
 
 /**
  * A part of the game that is simulated only where a level calls for it. All members that take a `Motion` belong to the

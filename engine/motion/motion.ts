@@ -1,10 +1,9 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { TICK_RATE } from '../constants.ts';
 import type { Box } from '../contact/index.ts';
-import type { IndexedCircles } from '../indexed-circles.ts';
+import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
-import type { Indexing } from '../spatial-index.ts';
 import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COAST, Flow, STEADY } from './flow.ts';

@@ -1,4 +1,4 @@
-import { covers, distance, px } from './geometry.ts';
+import { covers, distance, px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 
 /** The black hole lies inside a hazard, so touching it means touching the hazard. */

@@ -1,7 +1,6 @@
-import { listOf } from '../../schema/basics/index.ts';
+import { entryName, type Level, listOf, OBJECT_LISTS, type ObjectList } from '../../schema/basics/index.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
-import { pointerOf } from './bodies.ts';
-import { covers, distance, px } from './geometry.ts';
+import { covers, distance, type Place, pointerOf, px } from './bodies.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
@@ -29,3 +28,51 @@ export const overlapping: Rule = {
     }
   },
 };
+
+/** A copy that was never moved from its original. */
+export const samePlace: Rule = {
+  explanation: {
+    code: 'same-place',
+    severity: 'warning',
+    title: 'two objects of one kind have the same centre',
+    why: 'Most likely one of them is a copy that was pasted and not moved. The player sees one object, the gun targets the first of two asteroids, and two minerals are collected together.',
+    fix: 'Move the second one, or delete it.',
+  },
+  *find({ copies }) {
+    for (const list of OBJECT_LISTS) {
+      for (const [i, first] of copies[list]) {
+        yield {
+          message: `${entryName(list, i)} has the same centre as ${entryName(list, first)}`,
+          hint: `move or delete ${entryName(list, i)}`,
+          pointer: `/${list}/${i}`,
+        };
+      }
+    }
+  },
+};
+
+/**
+ * For each list of a level: the indices of objects at exactly the place of an earlier one in the list, each with that one's
+ * index.
+ */
+export type Copies = Readonly<Record<ObjectList, ReadonlyMap<number, number>>>;
+
+const NONE: ReadonlyMap<number, number> = new Map();
+
+export const copiesOf = (level: Level): Copies =>
+  Object.fromEntries(OBJECT_LISTS.map((list) => [list, copiesIn(level[list])])) as Record<
+    ObjectList,
+    ReadonlyMap<number, number>
+  >;
+
+function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
+  if (list.length < 2) return NONE;
+  const order = [...list.keys()].sort((a, b) => list[a].x - list[b].x || list[a].y - list[b].y || a - b);
+  const copies: [number, number][] = [];
+  let first = order[0];
+  for (const i of order.slice(1)) {
+    if (list[i].x === list[first].x && list[i].y === list[first].y) copies.push([i, first]);
+    else first = i;
+  }
+  return copies.length === 0 ? NONE : new Map(copies.sort((a, b) => a[0] - b[0]));
+}

@@ -1,7 +1,6 @@
 import type { Circle } from '../../schema/index.ts';
-import { radial } from '../radial-gradient.ts';
 import type { Theme } from '../theme.ts';
-import { num, polyline } from '../xml.ts';
+import { num, polyline, radial } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
 /** Core, middle and edge. */

@@ -1,7 +1,6 @@
 import type { Circle } from '../../schema/index.ts';
-import { radial } from '../radial-gradient.ts';
 import type { Theme } from '../theme.ts';
-import { num } from '../xml.ts';
+import { num, radial } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
 const INK = { dark: '#4fd8d0', light: '#0f8f89' } as const;
