@@ -1,5 +1,3 @@
-import { CODES } from './codes.ts';
-
 /** How far a configuration, and `allow` in a level, can change the problems of a code. */
 export interface Adjustment {
   /**
@@ -76,17 +74,3 @@ export const ADJUSTABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].severit
 
 /** The codes that a level can allow. */
 export const ALLOWABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].allow) as readonly AllowableCode[];
-
-/**
- * What can be changed about the problems of a code.
- *
- * @param code - any text
- * @returns the adjustment; of the code of a file that is no level, that it is fixed; null if there is no such code
- */
-export function adjustmentOf(code: string): Adjustment | null {
-  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof typeof ADJUSTMENTS];
-  return CODES.some((known) => known.code === code) ? FIXED : null;
-}
-
-/** Every code that there is. */
-export const allCodes = (): string[] => [...codes, ...CODES.map(({ code }) => code)];

@@ -1,9 +1,13 @@
-import { ADJUSTABLE_CODES, adjustmentOf, allCodes } from './adjustable.ts';
+import * as z from 'zod';
+import { ADJUSTABLE_CODES } from './adjustable.ts';
 import { closestName } from './closest-name.ts';
+import { adjustmentOf, allCodes } from './codes.ts';
 import { configSchema, SEVERITIES, schemaOf } from './config.ts';
+import { type Fault, findFaults, isObject } from './faults.ts';
 import { formatValue } from './format-value.ts';
-import { type Finding, MAX_FINDINGS } from './problem.ts';
-import { checkPart, codeFinding, found, isObject, unknownKey, unknownValue, wrongType } from './shape-findings.ts';
+import { RULES_SHAPE, type Shape } from './level-shape.ts';
+import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
+import { codeFinding, found, tellFaults, unknownKey, unknownValue, wrongType } from './shape-findings.ts';
 
 const KEYS = Object.keys(configSchema.shape) as (keyof typeof configSchema.shape)[];
 
@@ -30,6 +34,40 @@ function checkSeverity(severity: unknown, into: Finding[]): void {
   }
 }
 
+/** What zod finds wrong with the value of a key, as a fault like those of levels. */
+function toFault(issue: z.core.$ZodIssue, key: string, whole: unknown): Fault {
+  const path: Path = [key, ...(issue.path as Path)];
+  const value = issue.path.length === 0 ? whole : (whole as readonly unknown[])[Number(issue.path[0])];
+  switch (issue.code) {
+    case 'invalid_type': {
+      const type = (issue.expected === 'int' ? 'integer' : issue.expected) as Shape['type'];
+      return { what: 'wrong-type', path, value, shape: { type } };
+    }
+    case 'too_big':
+      return { what: 'too-big', path, value, shape: { most: Number(issue.maximum) } };
+    case 'too_small':
+      return { what: 'too-small', path, value, shape: { least: Number(issue.minimum) } };
+    default:
+      return { what: issue.code === 'invalid_format' ? 'wrong-form' : 'other-value', path, value, shape: {} };
+  }
+}
+
+function faultsOf(key: keyof typeof configSchema.shape, value: unknown): Fault[] {
+  const faults: Fault[] = [];
+  if (key === 'rules') {
+    findFaults(value, RULES_SHAPE, [key], (fault) => faults.push(fault));
+    return faults;
+  }
+  const seen = new Set<string>();
+  for (const issue of z.safeParse(schemaOf(key, value), value).error?.issues ?? []) {
+    // one problem per value is enough: the first is the most basic one
+    const at = issue.path.join('/');
+    if (!seen.has(at)) faults.push(toFault(issue, key, value));
+    seen.add(at);
+  }
+  return faults;
+}
+
 /** Checks a JSON value without x- keys against `configSchema`: keys, types, limits, codes and names. */
 export function checkConfig(value: unknown): Finding[] {
   if (!isObject(value)) {
@@ -48,7 +86,7 @@ export function checkConfig(value: unknown): Finding[] {
       const words = ONE_OR_LIST[known];
       const fits = typeof inner === 'string' || (known === 'cache' ? typeof inner === 'boolean' : Array.isArray(inner));
       if (words !== undefined && !fits) findings.push(wrongType([known], words, inner, `${known}: `));
-      else checkPart(schemaOf(known, inner), inner, [known], value, findings);
+      else tellFaults(faultsOf(known, inner), value, findings);
     }
   }
   return findings;

@@ -1,8 +1,9 @@
 import { closestName } from './closest-name.ts';
+import { isObject } from './faults.ts';
 import { formatValue, quote } from './format-value.ts';
 import { PACK_LIMITS, PACK_VERSION, packSchema } from './pack.ts';
 import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
-import { found, isObject, unknownKey } from './shape-findings.ts';
+import { found, unknownKey } from './shape-findings.ts';
 
 const KEYS = Object.keys(packSchema.shape);
 const LEVEL_KEYS = ['level', 'introduces'];

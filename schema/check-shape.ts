@@ -1,98 +1,72 @@
-import * as z from 'zod';
-import { KINDS, LISTED_KINDS, OBJECT_LISTS } from './kinds.ts';
-import { levelSchema, OBJECT_SCHEMAS } from './level.ts';
-import { LIMITS } from './limits.ts';
-import { fitsLevel } from './plain/index.ts';
+import { type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
+import { OBJECT_LISTS } from './kinds.ts';
+import { LEVEL_SHAPE, type Shape } from './level-shape.ts';
 import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
-import { checkPart, found, isObject, named, wrongType } from './shape-findings.ts';
+import { found, named, tellFaults, wrongType } from './shape-findings.ts';
 
-const { shape } = levelSchema;
-const runSchema = shape.runs.unwrap().element;
-const conflictSchema = shape.conflicts.unwrap().element;
+const { keys } = LEVEL_SHAPE;
+const RUN = keys.runs.each;
 
-type Parts = { readonly [list: string]: z.core.$ZodType };
+/** The lists of a level, by the order in which they are checked. */
+const LISTS = ['conflicts', ...OBJECT_LISTS] as const;
 
-interface Compiled {
-  readonly root: z.core.$ZodType;
-  readonly elements: Parts;
-  readonly run: z.core.$ZodType;
-  readonly hold: z.core.$ZodType;
-  readonly note: z.core.$ZodType;
-  readonly conflict: z.core.$ZodType;
+/** The lists of a run. */
+const LISTS_OF_RUN = ['holds', 'notes'] as const;
+
+/** Checks one part of a level. @param part has empty lists in place of those that are checked entry by entry */
+function checkPart(part: unknown, shape: Shape, path: Path, level: unknown, into: Finding[]): void {
+  const faults: Fault[] = [];
+  findFaults(part, shape, path, (fault) => {
+    // only keys can be so many, and those that are unknown come first
+    if (faults.length <= MAX_FINDINGS) faults.push(fault);
+  });
+  if (faults.length > 0) tellFaults(faults, level, into);
 }
 
-let compiled: Compiled | null = null;
-
-/**
- * The schemas of a level's parts. zod compiles them on first use: that takes a few ms once, and makes them five times faster.
- */
-function parts(): Compiled {
-  compiled ??= {
-    root: z.compile(levelSchema),
-    elements: Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, z.compile(OBJECT_SCHEMAS[kind])])),
-    run: z.compile(runSchema),
-    hold: z.compile(runSchema.shape.holds.element),
-    note: z.compile(runSchema.shape.notes.unwrap().element),
-    conflict: z.compile(conflictSchema),
-  };
-  return compiled;
-}
-
-function checkLength(list: readonly unknown[], most: number, path: Path, level: unknown, into: Finding[]): boolean {
+/** Checks a list as a whole. @returns whether its entries are to be checked, too */
+function checkLength(list: readonly unknown[], { most = 0 }: Shape, path: Path, level: unknown, into: Finding[]): boolean {
   if (list.length <= most) return true;
   const message = `expected at most ${most} entries, found ${list.length}`;
   into.push(named(found(path, 'too-many', message, 'Remove entries, or split the level.'), level));
   return false;
 }
 
-/** The lists of a run, with the part that each entry is. */
-const LISTS_OF_RUN = [
-  { key: 'holds', part: 'hold', most: LIMITS.holds },
-  { key: 'notes', part: 'note', most: LIMITS.notes },
-] as const;
+function checkEntries(list: unknown, shape: Shape, path: Path, level: unknown, into: Finding[]): void {
+  if (!Array.isArray(list) || !checkLength(list, shape, path, level, into)) return;
+  for (let i = 0; i < list.length && into.length < MAX_FINDINGS; i++) {
+    checkPart(list[i], shape.each ?? {}, [...path, i], level, into);
+  }
+}
+
+/** An object with empty lists in place of some of its lists; another value as it is. */
+function hollow(value: unknown, lists: readonly string[]): unknown {
+  if (!isObject(value)) return value;
+  const emptied = lists.filter((key) => Object.hasOwn(value, key) && Array.isArray(value[key])).map((key) => [key, []]);
+  return { ...value, ...Object.fromEntries(emptied) };
+}
 
 function checkRuns(runs: readonly unknown[], level: unknown, into: Finding[]): void {
   for (let r = 0; r < runs.length && into.length < MAX_FINDINGS; r++) {
     const run = runs[r];
-    const hollow = isObject(run) ? { ...run } : run;
-    const lists = LISTS_OF_RUN.flatMap(({ key, part, most }) => {
-      const entries = isObject(run) ? run[key] : null;
-      if (!Array.isArray(entries)) return [];
-      (hollow as Record<string, unknown>)[key] = [];
-      return [{ key, part, most, entries }];
-    });
-    checkPart(parts().run, hollow, ['runs', r], level, into);
-    for (const { key, part, most, entries } of lists) {
-      if (!checkLength(entries, most, ['runs', r, key], level, into)) continue;
-      for (let i = 0; i < entries.length && into.length < MAX_FINDINGS; i++) {
-        checkPart(parts()[part], entries[i], ['runs', r, key, i], level, into);
-      }
-    }
+    checkPart(hollow(run, LISTS_OF_RUN), RUN, ['runs', r], level, into);
+    if (!isObject(run)) continue;
+    for (const key of LISTS_OF_RUN) checkEntries(run[key], RUN.keys[key], ['runs', r, key], level, into);
   }
 }
 
 /**
- * Checks a JSON value without x- keys against `levelSchema`: keys, types, limits. It checks part by part, so that a file with
- * millions of wrong entries costs no more than one with `MAX_FINDINGS`.
+ * Checks the shape of a level: keys, types, limits. It checks part by part, so that a file with millions of wrong entries costs
+ * no more than one with `MAX_FINDINGS`.
+ *
+ * @param value - any JSON value
  */
 export function checkShape(value: unknown): Finding[] {
-  // nearly every file fits: zod, which takes several times as long, is needed only to say what is wrong
   if (fitsLevel(value)) return [];
   const findings: Finding[] = [];
   if (!isObject(value)) return [wrongType([], 'object', value)];
-  const hollow = { ...value };
-  for (const list of [...OBJECT_LISTS, 'runs', 'conflicts']) if (Array.isArray(hollow[list])) hollow[list] = [];
-  checkPart(parts().root, hollow, [], value, findings);
-  const checkEach = (list: string, schema: z.core.$ZodType, most: number) => {
-    const entries = value[list];
-    if (!Array.isArray(entries) || !checkLength(entries, most, [list], value, findings)) return;
-    for (let i = 0; i < entries.length && findings.length < MAX_FINDINGS; i++) {
-      checkPart(schema, entries[i], [list, i], value, findings);
-    }
-  };
-  checkEach('conflicts', parts().conflict, LIMITS.conflicts);
-  for (const list of OBJECT_LISTS) checkEach(list, parts().elements[list], LIMITS.objects);
-  if (Array.isArray(value.runs) && checkLength(value.runs, LIMITS.runs, ['runs'], value, findings))
+  checkPart(hollow(value, [...LISTS, 'runs']), LEVEL_SHAPE, [], value, findings);
+  for (const list of LISTS) checkEntries(value[list], (keys as { readonly [key: string]: Shape })[list], [list], value, findings);
+  if (Array.isArray(value.runs) && checkLength(value.runs, keys.runs, ['runs'], value, findings))
     checkRuns(value.runs, value, findings);
   return findings;
 }

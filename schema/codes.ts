@@ -1,3 +1,4 @@
+import { ADJUSTMENTS, type Adjustment } from './adjustable.ts';
 import { OBJECT_KINDS } from './kinds.ts';
 
 /** The explanation of a code, as `gq explain CODE` prints it. */
@@ -274,3 +275,17 @@ export const CODES: readonly CodeExplanation[] = Object.entries(EXPLANATIONS).ma
   severity: 'error',
   ...explanation,
 }));
+
+/**
+ * What can be changed about the problems of a code.
+ *
+ * @param code - any text
+ * @returns the adjustment; of the code of a file that is no level, that it is fixed; null if there is no such code
+ */
+export function adjustmentOf(code: string): Adjustment | null {
+  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof typeof ADJUSTMENTS];
+  return CODES.some((known) => known.code === code) ? { severity: 'fixed', allow: false } : null;
+}
+
+/** Every code that there is. */
+export const allCodes = (): string[] => [...Object.keys(ADJUSTMENTS), ...CODES.map(({ code }) => code)];

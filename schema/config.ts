@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { ADJUSTABLE_CODES, type AdjustableCode } from './adjustable.ts';
-import { rulesSchema } from './rules-schema.ts';
+import { rulesSchema } from './level.ts';
 import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from './terms-limits.ts';
 
 /** The accuracies that a configuration can name. */

@@ -5,11 +5,10 @@ export {
   type Adjustment,
   ALLOWABLE_CODES,
   type AllowableCode,
-  adjustmentOf,
 } from './adjustable.ts';
 export { closestName } from './closest-name.ts';
 export { codeFrame } from './code-frame.ts';
-export { CODES, type CodeExplanation } from './codes.ts';
+export { adjustmentOf, CODES, type CodeExplanation } from './codes.ts';
 export {
   ACCURACY_NAMES,
   type ConfigFile,
@@ -40,6 +39,7 @@ export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJ
 export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './kind.ts';
 export * from './kinds.ts';
 export * from './level.ts';
+export { formatLevelShape } from './level-shape.ts';
 export { LIMITS } from './limits.ts';
 export {
   formatLock,
@@ -70,7 +70,6 @@ export {
   packSchema,
 } from './pack.ts';
 export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
-export { formatLevelShape } from './plain-shape.ts';
 export type { Problem } from './problem.ts';
 export { type ConfigReading, readConfig } from './read-config.ts';
 export { MAX_FILE_SIZE } from './read-json.ts';
@@ -82,7 +81,6 @@ export { type TermsReport, termsReportSchema } from './report-parts.ts';
 export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
 export { resolveLevel } from './resolve.ts';
 export { type GameRule, RULES } from './rules.ts';
-export { rulesSchema } from './rules-schema.ts';
 export * from './run-text/index.ts';
 export { isSame } from './same-json.ts';
 export type { TextPlace } from './text-place.ts';

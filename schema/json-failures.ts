@@ -1,13 +1,54 @@
 import { closestName } from './closest-name.ts';
 import { quote } from './format-value.ts';
-import { isDigit, isSpace, LITERALS, wordAt } from './json-characters.ts';
 import type { Finding } from './problem.ts';
+import { type Expected, isDigit, isSpace, LITERALS, MAX_DEPTH, type Mistake, wordAt } from './scan-json.ts';
 
-/** What may come next in a JSON text. */
-export type Expected = 'value' | 'value or ]' | 'key' | 'key or }' | 'colon' | 'after' | 'end';
+/** What is wrong with a text that is not JSON, or says something twice, and what to do about it. */
+export function explainMistake(text: string, mistake: Mistake): Finding {
+  const { what, offset, expected } = mistake;
+  const at = (message: string, hint: string) => failureAt('invalid-json', offset, message, hint);
+  switch (what) {
+    case 'unexpected':
+      return unexpected({ text, ...mistake });
+    case 'missing-digit':
+      return missingDigit(text, offset, expected);
+    case 'leading-zero':
+      return at("a number can't begin with 0 before other digits", 'Remove the zeros at its beginning.');
+    case 'hexadecimal':
+      return at('JSON has no hexadecimal numbers', 'Write the number in decimal.');
+    case 'too-large': {
+      const message = `the number ${quote(numberAt(text, offset)).slice(1, -1)} is too large for a double`;
+      return failureAt('number-too-large', offset, message, 'Write a number of at most 1.79e308.');
+    }
+    case 'escape':
+      return at(`JSON has no escape \\${quote(text[offset + 1]).slice(1, -1)}`, 'Write \\\\ for a backslash.');
+    case 'code-unit': {
+      const found = quote(text.slice(offset + 2, offset + 6));
+      return at(`expected 4 hexadecimal digits after \\u, found ${found}`, 'Write the character itself.');
+    }
+    case 'control-character': {
+      const c = text[offset];
+      const message = `a text can't contain the control character ${quote(c)}`;
+      return at(message, c === '\t' ? 'Write \\t.' : 'Remove it.');
+    }
+    case 'open-line':
+      return at('the text has no closing " on its line', 'Close it, or write \\n for a new line in it.');
+    case 'open-text':
+      return truncated(text, 'the closing " of the text');
+    case 'too-deep': {
+      const hint = 'A level needs 4 levels of brackets: remove the others.';
+      return failureAt('too-deep', offset, `brackets are nested more than ${MAX_DEPTH} deep`, hint);
+    }
+    case 'repeated-key': {
+      const { path } = mistake;
+      const message = `this object has the key ${quote(String(path[path.length - 1]))} more than once`;
+      return { code: 'duplicate-key', message, hint: 'Keep one of them.', path, part: 'key', offset };
+    }
+  }
+}
 
 /** A finding about an offset of a text that is not JSON. */
-export const failureAt = (code: Finding['code'], offset: number, message: string, hint: string): Finding => ({
+const failureAt = (code: Finding['code'], offset: number, message: string, hint: string): Finding => ({
   code,
   message,
   hint,
@@ -17,13 +58,28 @@ export const failureAt = (code: Finding['code'], offset: number, message: string
 });
 
 /** What is wrong with a text that ends where `expected` should be. */
-export function truncated(text: string, expected: string): Finding {
+function truncated(text: string, expected: string): Finding {
   // the end as a reader sees it, without trailing white space
   let end = text.length;
   while (end > 0 && isSpace(text.charCodeAt(end - 1))) end--;
   const message = `expected ${expected}, found the end of the file`;
   return failureAt('truncated-json', end, message, 'Add what is missing, or take the file from git again.');
 }
+
+/** What to do where a number lacks a digit, by what is expected there. */
+const DIGITS: Readonly<Record<string, string>> = {
+  'a digit after the minus': 'Write the digits of the number.',
+  'a digit after the point': 'Remove the point, or write 0 after it.',
+  'the digits of an exponent': 'Write digits after the e, or remove it.',
+};
+
+function missingDigit(text: string, offset: number, expected: string): Finding {
+  if (offset >= text.length) return truncated(text, expected === 'a digit after the minus' ? 'the digits of a number' : expected);
+  return failureAt('invalid-json', offset, `expected ${expected}, found ${quote(text[offset])}`, DIGITS[expected]);
+}
+
+/** The number at an offset, which is complete. */
+const numberAt = (text: string, start: number): string => /-?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?/.exec(text.slice(start))?.[0] ?? '';
 
 /** A character that is not what was expected. */
 interface Unexpected {
@@ -36,14 +92,9 @@ interface Unexpected {
   readonly isInList: boolean;
 }
 
-/**
- * Describes what is wrong with the character at an offset, and what to do about it.
- * @param expected - what should be there, in words
- * @param isInList - whether the innermost open bracket is that of a list
- */
-export function unexpected(text: string, offset: number, expected: string, mode: Expected, isInList: boolean): Finding {
-  if (offset >= text.length) return truncated(text, expected);
-  const what: Unexpected = { text, offset, mode, expected, isInList };
+/** Describes what is wrong with the character at an offset, and what to do about it. */
+function unexpected(what: Unexpected): Finding {
+  if (what.offset >= what.text.length) return truncated(what.text, what.expected);
   return (
     asComment(what) ??
     asQuote(what) ??

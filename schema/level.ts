@@ -1,6 +1,6 @@
 import * as z from 'zod';
-import { ALLOWABLE_CODES, type AllowableCode } from './adjustable.ts';
-import type { Field } from './kind.ts';
+import { ALLOWABLE_CODES } from './adjustable.ts';
+import { RULE_NAMES } from './default-rules.ts';
 import {
   type FieldsOf,
   fieldsOf,
@@ -10,13 +10,11 @@ import {
   type ListOf,
   OBJECT_KINDS,
   type ObjectKind,
-  SINGLE_KINDS,
   type SingleKind,
 } from './kinds.ts';
 import { DEFAULT_RANGE, LEVEL_VERSION } from './level-constants.ts';
-import { LIMITS } from './limits.ts';
-import { NOTE_TEXT } from './notes.ts';
-import { rulesSchema } from './rules-schema.ts';
+import { LEVEL_SHAPE, type Shape as LevelShape } from './level-shape.ts';
+import { RULES } from './rules.ts';
 
 export * from './level-types.ts';
 export { DEFAULT_RANGE, LEVEL_VERSION };
@@ -29,118 +27,150 @@ type Shape<K extends ObjectKind> = (K extends ListedKind ? Id : unknown) & {
 };
 type ObjectSchema<K extends ObjectKind> = z.ZodObject<{ [F in keyof Shape<K>]: Shape<K>[F] & z.core.$ZodType }, z.core.$strict>;
 
-const id = z
-  .string()
-  .regex(/^[a-z0-9]{2,16}$/)
-  .optional()
-  .describe(
-    'Short random name of this object: it stays while the object is moved and edited. Unique in the level; `gq fmt` adds missing ones.',
-  );
+type Words = Readonly<Record<string, string>>;
 
-function fieldSchema(field: Field): z.core.$ZodType {
-  const plain = field.type === 'number' ? z.number().min(field.least).max(field.most) : z.boolean();
-  return (field.default === undefined ? plain : plain.optional()).describe(field.about);
-}
+/** What the keys of an object of a kind mean, by their path in the object; of the object itself under ''. */
+const wordsOfKind = (kind: ObjectKind): Words => ({
+  '': KINDS[kind].about,
+  id: 'Short random name of this object: it stays while the object is moved and edited. Unique in the level; `gq fmt` adds missing ones.',
+  ...Object.fromEntries(fieldsOf(kind).map(([name, { about }]) => [name, about])),
+});
 
-function objectSchema<K extends ObjectKind>(kind: K): ObjectSchema<K> {
-  const { list, about } = KINDS[kind];
-  const fields = fieldsOf(kind).map(([name, field]) => [name, fieldSchema(field)]);
-  return z.strictObject({ ...(list === null ? {} : { id }), ...Object.fromEntries(fields) }).describe(about) as never;
-}
-
-/** The zod schema of each kind of object in a file. */
-export const OBJECT_SCHEMAS = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, objectSchema(kind)])) as {
-  readonly [K in ObjectKind]: ObjectSchema<K>;
+const RULE_WORDS: Words = {
+  '': 'Numbers of the game that are another here; the game’s own when left out.',
+  ...Object.fromEntries(
+    RULE_NAMES.map((name) => [name, `${RULES[name].about} In ${RULES[name].unit}; ${RULES[name].default} when left out.`]),
+  ),
 };
 
-const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, OBJECT_SCHEMAS[kind]])) as {
-  [K in SingleKind]: ObjectSchema<K>;
+/** The words of a part of a level, by their path in the level. */
+const below = (path: string, words: Words): Words =>
+  Object.fromEntries(Object.entries(words).map(([key, about]) => [key === '' ? path : `${path}/${key}`, about]));
+
+/** What the values in a level file mean, by their path; every entry of a list is `*`. */
+const WORDS: Words = {
+  '': 'A level of Gravity Quest. Keys that begin with x- are yours: they are kept and not checked.',
+  $schema: 'Where the JSON Schema of this format is, for editors.',
+  version: 'Version of this format.',
+  ...below('conflicts', {
+    '': 'What a merge left undecided: `gq check` refuses the level until the list is gone.',
+    '*': 'A property that two merged versions changed in different ways.',
+    '*/what': 'What it is about, in words.',
+    '*/key': 'The property it is about, such as asteroids/k3x9qa/radius.',
+    '*/base': 'The value before both changes; left out when there was none.',
+    '*/ours': 'The value of our version, which stands in the level; left out when it is deleted there.',
+    '*/theirs': 'The value of their version; left out when it is deleted there.',
+  }),
+  name: 'What players and reports call the level.',
+  description: 'What the level teaches or asks for.',
+  range: `Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`,
+  recoil: 'Whether the target of the gun is pulled towards her, too; false when left out.',
+  ...below('rules', RULE_WORDS),
+  ...below('allow', {
+    '': 'Problems that are meant in this level, each with the reason: `gq check` does not report them.',
+    ...Object.fromEntries(ALLOWABLE_CODES.map((code) => [code, `Why ${code} is meant in this level.`])),
+  }),
+  ...Object.assign(
+    {},
+    ...OBJECT_KINDS.map((kind) => below(KINDS[kind].list === null ? kind : `${KINDS[kind].list}/*`, wordsOfKind(kind))),
+  ),
+  ...Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, KINDS[kind].aboutList])),
+  ...below('runs', {
+    '': 'Scripted runs; the first is the one that is shown.',
+    '*': 'What a player does: proof that the level can be completed, or that it fails as it should.',
+    '*/name': 'Unique in the level.',
+    '*/holds': 'When the gun is held.',
+    '*/holds/*': '[press, release): ticks of 1/60 s; the gun is held from press up to, not including, release.',
+    '*/notes': 'Notes at ticks; `gq fmt` sorts them by tick.',
+    '*/notes/*': 'What somebody wrote at a tick of a run. It changes nothing in play.',
+    '*/notes/*/tick': 'The tick that it is about.',
+    '*/notes/*/text': 'What it says, on one line, without white space at its ends.',
+  }),
 };
 
-const listSchema = (kind: ListedKind) =>
-  z.array(OBJECT_SCHEMAS[kind]).max(LIMITS.objects).optional().describe(KINDS[kind].aboutList);
+/** The zod schema of a value, by the type of its shape. */
+type BareSchemaOf<S> = S extends { readonly only: infer V extends z.core.util.Literal }
+  ? z.ZodLiteral<V>
+  : S extends { readonly type: 'number' }
+    ? z.ZodNumber
+    : S extends { readonly type: 'integer' }
+      ? z.ZodInt
+      : S extends { readonly type: 'boolean' }
+        ? z.ZodBoolean
+        : S extends { readonly type: 'string' }
+          ? z.ZodString
+          : S extends { readonly least: 2; readonly each: infer E }
+            ? z.ZodTuple<[SchemaOf<E>, SchemaOf<E>], null>
+            : S extends { readonly each: infer E }
+              ? z.ZodArray<SchemaOf<E>>
+              : S extends { readonly keys: infer K }
+                ? z.ZodObject<{ -readonly [key in keyof K]: SchemaOf<K[key]> }, z.core.$strict>
+                : z.ZodUnknown;
+type Type<S> = S & z.core.$ZodType;
+type SchemaOf<S> = Type<S extends { readonly optional: true } ? z.ZodOptional<Type<BareSchemaOf<S>>> : BareSchemaOf<S>>;
 
-const lists = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, listSchema(kind)])) as {
+type ObjectSchemas = { [K in SingleKind]: ObjectSchema<K> } & {
   [K in ListedKind as ListOf<K>]: z.ZodOptional<z.ZodArray<ObjectSchema<K>>>;
 };
+type Keys = typeof LEVEL_SHAPE.keys;
+type LevelKeys = {
+  -readonly [key in keyof Keys]: key extends keyof ObjectSchemas ? ObjectSchemas[key] : SchemaOf<Keys[key]>;
+};
 
-const tick = z.int().min(0).max(LIMITS.tick);
+function bareSchema(
+  { type, least = Number.NEGATIVE_INFINITY, most = Number.POSITIVE_INFINITY, only, pattern, each, keys }: LevelShape,
+  path: string,
+): z.ZodType {
+  const inner = (shape: LevelShape, step: string) => schemaOf(shape, path === '' ? step : `${path}/${step}`);
+  if (only !== undefined) return z.literal(only as number);
+  switch (type) {
+    case undefined:
+      return z.unknown();
+    case 'boolean':
+      return z.boolean();
+    case 'number':
+      return z.number().min(least).max(most);
+    case 'integer':
+      return z.int().min(least).max(most);
+    case 'string': {
+      let text = z.string();
+      if (least > 0) text = text.min(least);
+      if (most < Number.POSITIVE_INFINITY) text = text.max(most);
+      return pattern === undefined ? text : text.regex(new RegExp(pattern));
+    }
+    case 'array': {
+      const entry = inner(each ?? {}, '*');
+      return least === most ? z.tuple([entry, entry]) : z.array(entry).max(most);
+    }
+    case 'object':
+      return z.strictObject(Object.fromEntries(Object.entries(keys ?? {}).map(([key, its]) => [key, inner(its, key)])));
+  }
+}
 
-/** A hold, as a pair of ticks. */
-const hold = z
-  .tuple([tick, tick])
-  .describe('[press, release): ticks of 1/60 s; the gun is held from press up to, not including, release.');
-
-const note = z
-  .strictObject({
-    tick: tick.describe('The tick that it is about.'),
-    text: z
-      .string()
-      .min(1)
-      .max(LIMITS.note)
-      .regex(NOTE_TEXT)
-      .describe('What it says, on one line, without white space at its ends.'),
-  })
-  .describe('What somebody wrote at a tick of a run. It changes nothing in play.');
-
-const run = z
-  .strictObject({
-    name: z.string().min(1).max(80).describe('Unique in the level.'),
-    holds: z.array(hold).max(LIMITS.holds).describe('When the gun is held.'),
-    notes: z.array(note).max(LIMITS.notes).optional().describe('Notes at ticks; `gq fmt` sorts them by tick.'),
-  })
-  .describe('What a player does: proof that the level can be completed, or that it fails as it should.');
-
-const conflict = z
-  .strictObject({
-    what: z.string().describe('What it is about, in words.'),
-    key: z.string().min(1).describe('The property it is about, such as asteroids/k3x9qa/radius.'),
-    base: z.unknown().optional().describe('The value before both changes; left out when there was none.'),
-    ours: z
-      .unknown()
-      .optional()
-      .describe('The value of our version, which stands in the level; left out when it is deleted there.'),
-    theirs: z.unknown().optional().describe('The value of their version; left out when it is deleted there.'),
-  })
-  .describe('A property that two merged versions changed in different ways.');
-
-const allow = z
-  .strictObject(
-    Object.fromEntries(
-      ALLOWABLE_CODES.map((code) => [
-        code,
-        z.string().min(1).regex(/\S/).max(LIMITS.reason).optional().describe(`Why ${code} is meant in this level.`),
-      ]),
-    ) as { [code in AllowableCode]: z.ZodOptional<z.ZodString> },
-  )
-  .describe('Problems that are meant in this level, each with the reason: `gq check` does not report them.');
+/** The zod schema of a shape. @param path leads to the value, in the table of words */
+function schemaOf(shape: LevelShape, path: string): z.ZodType {
+  const about = WORDS[path];
+  const described = (schema: z.ZodType) => (about === undefined ? schema : schema.describe(about));
+  const bare = bareSchema(shape, path);
+  // an object is described itself, as it is used elsewhere, too; of other values the whole is
+  if (shape.keys !== undefined) return shape.optional === true ? described(bare).optional() : described(bare);
+  return described(shape.optional === true ? bare.optional() : bare);
+}
 
 /** The zod schema of a level file. Lists that are left out are empty. */
-export const levelSchema = z
-  .strictObject({
-    $schema: z.string().optional().describe('Where the JSON Schema of this format is, for editors.'),
-    version: z.literal(LEVEL_VERSION).describe('Version of this format.'),
-    conflicts: z
-      .array(conflict)
-      .max(LIMITS.conflicts)
-      .optional()
-      .describe('What a merge left undecided: `gq check` refuses the level until the list is gone.'),
-    name: z.string().min(1).max(120).describe('What players and reports call the level.'),
-    description: z.string().max(2000).optional().describe('What the level teaches or asks for.'),
-    ...singles,
-    range: z
-      .number()
-      .min(LIMITS.leastRadius)
-      .max(LIMITS.radius)
-      .optional()
-      .describe(`Farther than this from the centre of every asteroid she is lost, px; ${DEFAULT_RANGE} when left out.`),
-    recoil: z.boolean().optional().describe('Whether the target of the gun is pulled towards her, too; false when left out.'),
-    rules: rulesSchema.optional(),
-    allow: allow.optional(),
-    ...lists,
-    runs: z.array(run).max(LIMITS.runs).optional().describe('Scripted runs; the first is the one that is shown.'),
-  })
-  .describe('A level of Gravity Quest. Keys that begin with x- are yours: they are kept and not checked.');
+export const levelSchema = schemaOf(LEVEL_SHAPE, '') as z.ZodObject<LevelKeys, z.core.$strict>;
+
+/** The zod schema of each kind of object in a file. */
+export const OBJECT_SCHEMAS = Object.fromEntries(
+  OBJECT_KINDS.map((kind) => {
+    const { list } = KINDS[kind];
+    const schema = levelSchema.shape[(list ?? kind) as 'asteroids'];
+    return [kind, list === null ? schema : schema.unwrap().element];
+  }),
+) as unknown as { readonly [K in ObjectKind]: ObjectSchema<K> };
+
+/** The zod schema of `rules` in a level file or in the configuration of a folder. */
+export const rulesSchema = levelSchema.shape.rules.unwrap();
 
 /** The content of a level file: what may be left out may be missing. */
 export type LevelFile = z.infer<typeof levelSchema>;

@@ -1,6 +1,6 @@
 import * as z from 'zod';
+import { rulesSchema } from './level.ts';
 import { VERDICTS } from './report.ts';
-import { rulesSchema } from './rules-schema.ts';
 import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from './terms-limits.ts';
 
 /** The version of the lock file that this toolkit reads and writes. */

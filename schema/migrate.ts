@@ -1,3 +1,5 @@
+import { LEVEL_VERSION } from './level-constants.ts';
+
 /** A JSON object. */
 export type JsonObject = {
   /** The value of a key. */
@@ -41,4 +43,29 @@ export function migrate(file: JsonObject, from: number, to: number, migrations: 
     current = { ...step.apply(current), version: version + 1 };
   }
   return current;
+}
+
+/** What the version of a file says: that it is the present one, or which older one, or why it cannot be read. */
+export type VersionReading =
+  | { readonly kind: 'present' }
+  | { readonly kind: 'older'; readonly from: number }
+  | { readonly kind: 'newer' | 'unknown' | 'no version'; readonly version: unknown };
+
+/**
+ * Reads the version of a file.
+ *
+ * @param value - any JSON value; one without a version counts as present: its shape is wrong
+ * @param migrations - those that there are
+ */
+export function readVersion(value: unknown, migrations: readonly Migration[]): VersionReading {
+  const hasVersion = typeof value === 'object' && value !== null && !Array.isArray(value) && Object.hasOwn(value, 'version');
+  if (!hasVersion) return { kind: 'present' };
+  const { version } = value as JsonObject;
+  if (version === LEVEL_VERSION) return { kind: 'present' };
+  if (typeof version !== 'number' || !Number.isInteger(version) || version < 0) return { kind: 'no version', version };
+  if (version > LEVEL_VERSION) return { kind: 'newer', version };
+  for (let v = version; v < LEVEL_VERSION; v++) {
+    if (!migrations.some((migration) => migration.from === v)) return { kind: 'unknown', version: v };
+  }
+  return { kind: 'older', from: version };
 }

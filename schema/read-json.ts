@@ -1,4 +1,5 @@
 import { foreignKind, hintForKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
+import { explainMistake } from './json-failures.ts';
 import { createLocator, type Locator } from './locate.ts';
 import { mergeMarkers } from './merge-markers.ts';
 import { pointerFile } from './pointer-file.ts';
@@ -171,7 +172,7 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
     );
   }
   const { failure, repeated, hasExtensions } = scanJson(text);
-  const findings = [...marks, ...repeated];
-  if (failure !== null) return toPlacedProblems([...findings, failureOf(text, failure)], text);
+  const findings = [...marks, ...repeated.map((mistake) => explainMistake(text, mistake))];
+  if (failure !== null) return toPlacedProblems([...findings, failureOf(text, explainMistake(text, failure))], text);
   return { ok: true, text, value: JSON.parse(text), locator: createLocator(text), hasExtensions, findings };
 }

@@ -1,10 +1,9 @@
 import { checkMeaning } from './check-meaning.ts';
 import { checkShape } from './check-shape.ts';
 import type { OwnRules } from './default-rules.ts';
-import { withoutExtensions } from './extensions.ts';
 import { formatValue } from './format-value.ts';
 import { LEVEL_VERSION, type Level, type LevelFile } from './level.ts';
-import { type JsonObject, MIGRATIONS, type Migration, migrate } from './migrate.ts';
+import { type JsonObject, MIGRATIONS, type Migration, migrate, readVersion, type VersionReading } from './migrate.ts';
 import type { Finding, Problem } from './problem.ts';
 import { readJson, toProblems } from './read-json.ts';
 import { resolveLevel } from './resolve.ts';
@@ -56,26 +55,18 @@ export interface ReadLevelOptions {
   readonly rules?: OwnRules;
 }
 
-/** The version of a file if it is older and can be migrated; a finding if it cannot be read; null for the current version. */
-function olderVersion(value: unknown, migrations: readonly Migration[]): { from: number } | Finding | null {
-  if (typeof value !== 'object' || value === null || Array.isArray(value) || !Object.hasOwn(value, 'version')) return null;
-  const { version } = value as JsonObject;
-  if (version === LEVEL_VERSION) return null;
+/** What is wrong with the version of a file, in words; null for one that can be read. */
+function versionFinding(read: VersionReading): Finding | null {
+  if (read.kind === 'present' || read.kind === 'older') return null;
+  const { kind, version } = read;
   const place = { path: ['version'], part: 'value' } as const;
-  if (typeof version !== 'number' || !Number.isInteger(version) || version < 0) {
-    const message = `version: expected ${LEVEL_VERSION}, the version of the format, found ${formatValue(version)}`;
-    return { code: 'unsupported-version', message, hint: `Write "version": ${LEVEL_VERSION}.`, ...place };
-  }
-  if (version > LEVEL_VERSION) {
+  if (kind === 'newer') {
     const message = `version: this file uses version ${version} of the format; this toolkit reads versions up to ${LEVEL_VERSION}`;
     return { code: 'newer-version', message, hint: 'Update the toolkit (gravity-quest-toolkit).', ...place };
   }
-  for (let v = version; v < LEVEL_VERSION; v++) {
-    if (migrations.some((migration) => migration.from === v)) continue;
-    const message = `version: the format has no version ${v}`;
-    return { code: 'unsupported-version', message, hint: `Write "version": ${LEVEL_VERSION}.`, ...place };
-  }
-  return { from: version };
+  const expected = `version: expected ${LEVEL_VERSION}, the version of the format, found ${formatValue(version)}`;
+  const message = kind === 'unknown' ? `version: the format has no version ${version}` : expected;
+  return { code: 'unsupported-version', message, hint: `Write "version": ${LEVEL_VERSION}.`, ...place };
 }
 
 /**
@@ -101,13 +92,13 @@ export function readLevel(source: Uint8Array | string, options: ReadLevelOptions
   const { text, locator } = json;
   const migrations = options.migrations ?? MIGRATIONS;
 
-  const older = olderVersion(json.value, migrations);
-  if (older !== null && 'code' in older) return { ok: false, problems: toProblems([older], locator), text };
-  const migratedFrom = older?.from ?? null;
+  const version = readVersion(json.value, migrations);
+  const unreadable = versionFinding(version);
+  if (unreadable !== null) return { ok: false, problems: toProblems([unreadable], locator), text };
+  const migratedFrom = version.kind === 'older' ? version.from : null;
   const value = migratedFrom === null ? json.value : migrate(json.value as JsonObject, migratedFrom, LEVEL_VERSION, migrations);
 
-  const checked = json.hasExtensions ? withoutExtensions(value) : value;
-  const findings = [...json.findings, ...checkShape(checked), ...checkMeaning(checked)];
+  const findings = [...json.findings, ...checkShape(value), ...checkMeaning(value)];
   if (findings.length > 0) return { ok: false, problems: toProblems(findings, locator), text };
 
   const file = value as LevelFile;

@@ -1,5 +1,5 @@
 import * as z from 'zod';
-import { rulesSchema } from './rules-schema.ts';
+import { rulesSchema } from './level.ts';
 
 /** The first key of every report. */
 export const version = z.literal(1).describe('Of the shape of this report. New keys may be added to it without a new version.');

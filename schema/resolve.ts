@@ -1,19 +1,28 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
 import { type OwnRules, ownRules } from './default-rules.ts';
-import { fieldsOf, KINDS, LISTED_KINDS, type ObjectKind, SINGLE_KINDS } from './kinds.ts';
-import { type Allowed, DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
+import type { LevelFile } from './level.ts';
+import { LEVEL_SHAPE, type Shape, type ShapesByKey } from './level-shape.ts';
+import type { Allowed, Level } from './level-types.ts';
 
 type Written = Readonly<Record<string, unknown>>;
 
-/** Fills in what an object leaves out. */
-function resolveObject(kind: ObjectKind, object: Written): Written {
-  const resolved: Record<string, unknown> = KINDS[kind].list === null ? {} : { id: object.id ?? null };
-  for (const [name, field] of fieldsOf(kind)) {
-    const value = object[name] ?? field.default;
-    // + 0 turns -0 into 0: formatLevel writes it as 0, and it must not give another start than 0
-    resolved[name] = typeof value === 'number' ? value + 0 : value;
+/** Fills in what a value of a shape leaves out. What the shape does not know is left away. */
+function filled(value: unknown, { each, keys = {} }: Shape): unknown {
+  // + 0 turns -0 into 0: formatLevel writes it as 0, and it must not give another start than 0
+  if (typeof value === 'number') return value + 0;
+  if (typeof value !== 'object' || value === null) return value;
+  if (each === undefined) return filledObject(value as Written, Object.entries(keys));
+  const entries = Object.entries(each.keys ?? {});
+  return (value as readonly Written[]).map((object) => filledObject(object, entries));
+}
+
+function filledObject(object: Written, keys: readonly (readonly [string, Shape])[]): Written {
+  const whole: Record<string, unknown> = {};
+  for (const [key, { usual }] of keys) {
+    const value = object[key] ?? usual;
+    whole[key] = typeof value === 'number' ? value + 0 : value;
   }
-  return resolved;
+  return whole;
 }
 
 /** What a level allows, without x- keys. */
@@ -28,23 +37,35 @@ const allowed = (allow: Allowed): Allowed =>
  * @returns the complete level
  */
 export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
-  const written = file as Readonly<Record<string, unknown>>;
   // key by key, in the order of a level: spreads and lists of entries take three times as long
-  const level: Record<string, unknown> = { name: file.name, description: file.description ?? '' };
-  for (const kind of SINGLE_KINDS) level[kind] = resolveObject(kind, file[kind]);
-  level.range = file.range ?? DEFAULT_RANGE;
-  level.recoil = file.recoil ?? false;
-  const { rules } = ownRules(file.rules ?? {}, folder);
-  if (rules !== undefined) level.rules = rules;
-  const { allow } = file;
-  if (allow !== undefined && Object.keys(allow).some((code) => !code.startsWith('x-'))) level.allow = allowed(allow);
-  for (const kind of LISTED_KINDS) {
-    const list = KINDS[kind].list as string;
-    level[list] = ((written[list] ?? []) as readonly Written[]).map((object) => resolveObject(kind, object));
+  const level: Record<string, unknown> = {};
+  const shapes: ShapesByKey = LEVEL_SHAPE.keys;
+  for (const key in shapes) {
+    switch (key) {
+      case '$schema':
+      case 'version':
+      case 'conflicts':
+        break;
+      case 'rules': {
+        const { rules } = ownRules(file.rules ?? {}, folder);
+        if (rules !== undefined) level.rules = rules;
+        break;
+      }
+      case 'allow': {
+        const { allow } = file;
+        if (allow !== undefined && Object.keys(allow).some((code) => !code.startsWith('x-'))) level.allow = allowed(allow);
+        break;
+      }
+      case 'runs':
+        // without notes, which change nothing in play
+        level.runs = (file.runs ?? []).map(({ name, holds }) => ({
+          name,
+          holds: holds.map(([press, release]) => [press + 0, release] as const),
+        }));
+        break;
+      default:
+        level[key] = filled((file as Written)[key] ?? shapes[key].usual, shapes[key]);
+    }
   }
-  level.runs = (file.runs ?? []).map((run) => ({
-    name: run.name,
-    holds: run.holds.map(([press, release]) => [press + 0, release] as const),
-  }));
   return level as unknown as Level;
 }

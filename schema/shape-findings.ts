@@ -1,10 +1,11 @@
-import * as z from 'zod';
-import { ALLOWABLE_CODES, adjustmentOf, allCodes } from './adjustable.ts';
+import { ALLOWABLE_CODES } from './adjustable.ts';
 import { closestName } from './closest-name.ts';
+import { adjustmentOf, allCodes } from './codes.ts';
 import { ACCURACY_NAMES, REPORTER_NAMES } from './config.ts';
+import type { Fault } from './faults.ts';
 import { formatValue, quote } from './format-value.ts';
 import { KINDS, OBJECT_KINDS, SINGLE_KINDS } from './kinds.ts';
-import { LEVEL_VERSION, levelSchema } from './level.ts';
+import { LEVEL_VERSION } from './level-constants.ts';
 import { toWords } from './names.ts';
 import { type Finding, MAX_FINDINGS, type Path, toPointer } from './problem.ts';
 
@@ -31,32 +32,6 @@ const EXPECTED: Readonly<Record<string, string>> = {
   object: 'an object in { }',
 };
 
-export const isObject = (value: unknown): value is Record<string, unknown> =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
-
-function valueAt(value: unknown, path: Path): unknown {
-  let current = value;
-  for (const step of path) {
-    if (typeof current !== 'object' || current === null || !Object.hasOwn(current, step)) return undefined;
-    current = (current as Record<string | number, unknown>)[step];
-  }
-  return current;
-}
-
-/** The keys that the object at a path may have. */
-function keysAt(path: Path): string[] {
-  let schema: z.core.$ZodType = levelSchema;
-  const unwrap = () => {
-    if (schema instanceof z.ZodOptional) schema = schema.unwrap();
-  };
-  for (const step of path) {
-    if (schema instanceof z.ZodArray) schema = schema.element;
-    else if (schema instanceof z.ZodObject) schema = schema.shape[step];
-    unwrap();
-  }
-  return schema instanceof z.ZodObject ? Object.keys(schema.shape) : [];
-}
-
 export const found = (path: Path, code: Finding['code'], message: string, hint: string): Finding => ({
   code,
   message,
@@ -69,12 +44,12 @@ export const found = (path: Path, code: Finding['code'], message: string, hint: 
 export const named = (finding: Finding, level: unknown): Finding =>
   finding.path.length === 0 ? finding : { ...finding, message: `${toWords(finding.path, level)}: ${finding.message}` };
 
-/** @param known the keys that there are; those of a level when left out */
+/** @param known the keys that there are */
 export function unknownKey(
   path: Path,
   key: string,
   level: unknown,
-  known: readonly string[] = keysAt(path),
+  known: readonly string[],
 ): { finding: Finding; meant: string | null } {
   if (path[0] === 'allow') {
     const meant = adjustmentOf(key) === null ? closestName(key, allCodes()) : null;
@@ -198,26 +173,35 @@ function wrongLength(path: Path, isBig: boolean, limit: number, count: number): 
   return found(path, 'too-many', `expected at most ${limit} entries, found ${count}`, 'Remove entries.');
 }
 
-function outOfLimits(path: Path, issue: z.core.$ZodIssueTooBig | z.core.$ZodIssueTooSmall, value: unknown): Finding {
-  const isBig = issue.code === 'too_big';
-  const limit = Number(isBig ? issue.maximum : issue.minimum);
+function outOfLimits({ what, path, value, shape }: Fault): Finding {
+  const isBig = what === 'too-big';
+  let limit = Number(isBig ? shape.most : shape.least);
   if (typeof value === 'string') {
-    if (!isBig) return emptyText(path, value);
+    if (!isBig || (path[0] === 'allow' && !/\S/.test(value))) return emptyText(path, value);
     const message = `expected at most ${limit} characters, found ${value.length}`;
     return found(path, 'text-too-long', message, 'Shorten it.');
   }
   if (Array.isArray(value)) {
     return path.length === 1 ? wrongLength(path, isBig, limit, value.length) : wrongType(path, 'tuple', value);
   }
+  // a number that is whole only because it is so large
+  if (shape.type === 'integer' && !Number.isSafeInteger(value)) limit = Math.sign(Number(value)) * Number.MAX_SAFE_INTEGER;
   const words = isBig ? `at most ${limit}` : `at least ${limit}`;
   return found(path, 'out-of-limits', `expected a number of ${words}, found ${String(value)}`, `Write a number of ${words}.`);
 }
 
-function toFinding(issue: z.core.$ZodIssue, path: Path, value: unknown): Finding {
-  if (issue.code === 'invalid_type') return wrongType(path, issue.expected, value);
-  if (issue.code === 'too_big' || issue.code === 'too_small') return outOfLimits(path, issue, value);
-  if (issue.code === 'invalid_format' && path[0] === 'allow') return emptyText(path, String(value));
-  if (issue.code === 'invalid_format' && path[0] !== 'reporters') {
+/** What a value must be, as a key of the table of types. */
+function typeOf({ shape: { type, least }, value }: Fault): string {
+  if (type === 'integer') return typeof value === 'number' ? 'int' : 'number';
+  return type === 'array' && least !== undefined ? 'tuple' : String(type);
+}
+
+function toFinding(fault: Fault): Finding {
+  const { what, path, value } = fault;
+  if (what === 'wrong-type') return wrongType(path, typeOf(fault), value);
+  if (what === 'too-big' || what === 'too-small') return outOfLimits(fault);
+  if (what === 'wrong-form' && path[0] === 'allow') return emptyText(path, String(value));
+  if (what === 'wrong-form' && path[0] !== 'reporters') {
     const message = `expected 2 to 16 of the characters a-z and 0-9, found ${formatValue(value)}`;
     return found(path, 'bad-id', message, 'Correct it, or remove it: gq fmt writes a new one.');
   }
@@ -243,36 +227,25 @@ function choice(path: Path, value: unknown): Finding {
 }
 
 /**
- * Checks one part of a level or a configuration and puts what zod finds into words.
- * @param level the whole of it, for the names of runs
+ * Puts into words what is wrong with the shape of one part of a level or a configuration.
+ *
+ * @param level - the whole of it, for the names of runs
  */
-export function checkPart(schema: z.core.$ZodType, part: unknown, base: Path, level: unknown, into: Finding[]): void {
-  const parsed = z.safeParse(schema, part);
-  if (parsed.success) return;
+export function tellFaults(faults: readonly Fault[], level: unknown, into: Finding[]): void {
   const meant = new Set<string>();
-  const seen = new Set<string>();
-  for (const issue of parsed.error.issues) {
-    if (issue.code !== 'unrecognized_keys') continue;
-    const path = [...base, ...(issue.path as Path)];
-    for (const key of issue.keys) {
-      if (into.length >= MAX_FINDINGS) return;
-      const unknown = unknownKey(path, key, level);
-      into.push(unknown.finding);
-      if (unknown.meant !== null) meant.add(toPointer([...path, unknown.meant]));
-    }
-  }
-  for (const issue of parsed.error.issues) {
-    if (issue.code === 'unrecognized_keys') continue;
+  const [unknown, others] = [true, false].map((is) => faults.filter(({ what }) => (what === 'unknown-key') === is));
+  for (const { path, shape } of unknown) {
     if (into.length >= MAX_FINDINGS) return;
-    const inner = issue.path as Path;
-    const path = [...base, ...inner];
-    const pointer = toPointer(path);
-    // one problem per value is enough: the first is the most basic one
-    if (seen.has(pointer)) continue;
-    seen.add(pointer);
-    const value = valueAt(part, inner);
-    if (value !== undefined) into.push(isChoice(path) ? choice(path, value) : named(toFinding(issue, path, value), level));
+    const object = path.slice(0, -1);
+    const told = unknownKey(object, String(path[path.length - 1]), level, Object.keys(shape.keys ?? {}));
+    into.push(told.finding);
+    if (told.meant !== null) meant.add(toPointer([...object, told.meant]));
+  }
+  for (const fault of others) {
+    if (into.length >= MAX_FINDINGS) return;
+    const { what, path, value } = fault;
+    if (what !== 'missing-key') into.push(isChoice(path) ? choice(path, value) : named(toFinding(fault), level));
     // a misspelt key is one problem, not two
-    else if (!meant.has(pointer)) into.push(missingKey(path, level));
+    else if (!meant.has(toPointer(path))) into.push(missingKey(path, level));
   }
 }

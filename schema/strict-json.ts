@@ -1,3 +1,4 @@
+import { explainMistake } from './json-failures.ts';
 import { scanJson } from './scan-json.ts';
 import { createPlaceFinder } from './text-place.ts';
 
@@ -14,5 +15,6 @@ export function strictJson(text: string): StrictJson {
   const { failure, repeated } = scanJson(text);
   const first = failure ?? repeated[0];
   if (first === undefined) return { ok: true, value: JSON.parse(text) };
-  return { ok: false, message: first.message, ...createPlaceFinder(text)(first.offset ?? 0) };
+  const { message, offset = 0 } = explainMistake(text, first);
+  return { ok: false, message, ...createPlaceFinder(text)(offset) };
 }

@@ -36,7 +36,6 @@ const mayName = (kind: string): string[] => [
   'picture/kinds/index.ts',
   'schema/kinds.ts',
   'schema/level.schema.json',
-  'schema/plain/level-shape.ts',
   'solver/generate/placed/index.ts',
   `solver/generate/placed/${kind}.ts`,
 ];

@@ -15,29 +15,29 @@ const PARTS = ['aliens', 'recoil', 'repulsors', 'winds', 'wormholes'];
 const LIMITS = [
   // 67 and 49 bytes
   { what: 'one constant', source: "export { TICK } from './engine/index.ts';", most: 1000 },
-  // 4.3 and 4.2 kB
-  { what: '`readLevel`', source: "export { readLevel } from './game/index.ts';", most: 4400 },
-  // 39.5 and 38.6 kB
+  // 8.2 and 8.0 kB: with the scan, the shape and the tables that the reader of the schema has, too
+  { what: '`readLevel`', source: "export { readLevel } from './game/index.ts';", most: 8400 },
+  // 43.4 and 42.4 kB
   {
     what: '`readLevel` and a player of no other part',
     source: `import { composePlayer } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer();`,
-    most: 40_000,
+    most: 44_000,
   },
-  // 47.5 and 46.5 kB
+  // 51.4 and 50.3 kB
   {
     what: '`readLevel` and a player of every part that the shipped levels call for',
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 48_000,
+    most: 52_000,
   },
-  // 63.6 and 62.0 kB
+  // 67.6 and 65.9 kB
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 64_000,
+    most: 68_000,
   },
 ];
 

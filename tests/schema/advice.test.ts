@@ -2,9 +2,15 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { quote } from '../../schema/format-value.ts';
 import { OBJECT_LISTS, readLevel } from '../../schema/index.ts';
+import { explainMistake } from '../../schema/json-failures.ts';
 import { scanJson } from '../../schema/scan-json.ts';
 
 // The hint for each problem, and its place.
+
+function failureIn(text: string) {
+  const { failure } = scanJson(text);
+  return failure === null ? null : explainMistake(text, failure);
+}
 
 const END = 'found the end of the file';
 const VALUE = 'expected a value';
@@ -177,14 +183,14 @@ describe('a text that is not JSON', () => {
   for (const [hint, cases] of Object.entries(FAILURES)) {
     test(hint, () => {
       for (const [source, offset, message] of cases)
-        expect(scanJson(source).failure).toMatchObject({ offset, message, hint, path: [], part: 'value' });
+        expect(failureIn(source)).toMatchObject({ offset, message, hint, path: [], part: 'value' });
     });
   }
 
   test('is reported to end before its trailing space', () => {
     fc.assert(
       fc.property(fc.array(fc.constantFrom(' ', '\n', '\r', '\t')), (space) => {
-        expect(scanJson(`[1,${space.join('')}`).failure).toMatchObject({ code: 'truncated-json', offset: 3 });
+        expect(failureIn(`[1,${space.join('')}`)).toMatchObject({ code: 'truncated-json', offset: 3 });
       }),
     );
   });
@@ -198,7 +204,7 @@ describe('a text that is not JSON', () => {
         fc.constantFrom('', ' ', '-', '@', ']'),
         (first, more, then) => {
           const word = `q${first}${more.join('')}`;
-          expect(scanJson(`{${word}${then}`).failure).toMatchObject({
+          expect(failureIn(`{${word}${then}`)).toMatchObject({
             message: `${FIRST_KEY}, found ${quote(word)} without quotes`,
             hint: `Put the key in double quotes: ${quote(word)}.`,
           });
@@ -219,7 +225,7 @@ describe('a text that is not JSON', () => {
 
   test('may have numbers of any length that fit into a double', () => {
     for (const number of ['1e308', '-1.7976931348623157e308', '1E-999', '9'.repeat(308), `0.${'0'.repeat(400)}1`])
-      expect(scanJson(`[${number}]`).failure).toBeNull();
+      expect(failureIn(`[${number}]`)).toBeNull();
   });
 });
 
