@@ -1,12 +1,16 @@
 import {
   appearanceOfObject,
+  type Disc,
   KINDS,
   type Level,
   LISTED_KINDS,
   type ListedKind,
   listOf,
+  OBJECT_LISTS,
+  type ObjectList,
   objectName,
   objectsIn,
+  type Place,
 } from '../../schema/basics/index.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
 
@@ -53,15 +57,6 @@ export const pointerOf = ({ kind, index }: Body): string => (kind === 'blackHole
 /** A length in words: px with at most three decimals. */
 export const px = (length: number): string => `${Math.round(length * 1000) / 1000} px`;
 
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
-export interface Disc extends Place {
-  readonly radius: number;
-}
-
 /** Distance between two places, px. */
 export function distance(a: Place, b: Place): number {
   const dx = a.x - b.x;
@@ -71,3 +66,29 @@ export function distance(a: Place, b: Place): number {
 
 /** Whether the whole of `disc` lies inside `by`, so that touching the one means touching the other. */
 export const covers = (by: Disc, disc: Disc): boolean => distance(by, disc) + disc.radius <= by.radius;
+
+/**
+ * For each list of a level: the indices of objects at exactly the place of an earlier one in the list, each with that one's
+ * index.
+ */
+export type Copies = Readonly<Record<ObjectList, ReadonlyMap<number, number>>>;
+
+const NONE: ReadonlyMap<number, number> = new Map();
+
+export const copiesOf = (level: Level): Copies =>
+  Object.fromEntries(OBJECT_LISTS.map((list) => [list, copiesIn(level[list])])) as Record<
+    ObjectList,
+    ReadonlyMap<number, number>
+  >;
+
+function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
+  if (list.length < 2) return NONE;
+  const order = [...list.keys()].sort((a, b) => list[a].x - list[b].x || list[a].y - list[b].y || a - b);
+  const copies: [number, number][] = [];
+  let first = order[0];
+  for (const i of order.slice(1)) {
+    if (list[i].x === list[first].x && list[i].y === list[first].y) copies.push([i, first]);
+    else first = i;
+  }
+  return copies.length === 0 ? NONE : new Map(copies.sort((a, b) => a[0] - b[0]));
+}

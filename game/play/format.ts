@@ -1,7 +1,7 @@
-import { type ACCURACIES, type AccuracyName, joinHolds } from '../../engine/index.ts';
-import { type Hold, type Level, LIMITS } from '../../schema/basics/index.ts';
+import type { ACCURACIES, AccuracyName } from '../../engine/index.ts';
+import { LIMITS } from '../../schema/basics/index.ts';
 import { CHECKPOINT_TICKS } from '../player/index.ts';
-import type { Play, PlayOutcome } from './play.ts';
+import type { PlayOutcome } from './play.ts';
 
 /** The first bytes of every play: 0x89, which no text begins with, and `GQR`. */
 export const MAGIC = [0x89, 0x47, 0x51, 0x52] as const;
@@ -42,32 +42,3 @@ export const isOpen = (outcome: PlayOutcome): boolean => outcome === 'left' || o
 /** How many checkpoints a play has. The state in which it ended is covered by its hash and is no checkpoint. */
 export const checkpointCount = (tick: number, outcome: PlayOutcome): number =>
   Math.floor((isOpen(outcome) ? tick : Math.max(0, tick - 1)) / CHECKPOINT_TICKS);
-
-/** A person does not press and release within fewer ticks than this. */
-const FASTEST = 2;
-
-/** What may mean that a play is no person's. None of it proves anything, and none of it rejects a play. */
-export interface PlaySigns {
-  /** How many presses and releases come less than 2 ticks after the one before. */
-  readonly fastEdges: number;
-  /** The name of the level's own run that the play repeats to the tick; null if it repeats none. */
-  readonly publishedRun: string | null;
-}
-
-const isSame = (a: readonly Hold[], b: readonly Hold[]): boolean =>
-  a.length === b.length && a.every(([press, release], i) => press === b[i][0] && release === b[i][1]);
-
-/** The holds as a play of this length has them. */
-const upTo = (holds: readonly Hold[], end: number): Hold[] =>
-  joinHolds(holds.map(([press, release]) => [press, Math.min(release, end)]));
-
-/** Looks for signs in a play. */
-export function signsOf(level: Level, { holds, claim }: Play): PlaySigns {
-  let fastEdges = 0;
-  for (const [i, [press, release]] of holds.entries()) {
-    if (release - press < FASTEST && release < claim.tick) fastEdges++;
-    if (i > 0 && press - holds[i - 1][1] < FASTEST) fastEdges++;
-  }
-  const published = holds.length === 0 ? undefined : level.runs.find((run) => isSame(upTo(run.holds, claim.tick), holds));
-  return { fastEdges, publishedRun: published?.name ?? null };
-}

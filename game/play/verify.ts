@@ -15,9 +15,10 @@ import type { Level } from '../../schema/basics/index.ts';
 import { CHECKPOINT_TICKS, countCollected, PlayHash } from '../player/index.ts';
 import { type ChallengeState, challengeState, expectSecret } from './challenge.ts';
 import { decodePlay } from './decode.ts';
-import { isOpen, PLAY_LIMITS, type PlaySigns, signsOf } from './format.ts';
+import { isOpen, PLAY_LIMITS } from './format.ts';
 import { levelHash } from './level-hash.ts';
 import type { Play, PlayClaim } from './play.ts';
+import { type PlaySigns, signsOf } from './signs.ts';
 import { type AcceptedAccuracy, claimInWords, whyNotReplayed } from './why-not-replayed.ts';
 
 /** What a play is found to be. */
