@@ -1,7 +1,7 @@
-import { compile, createSimulation, playScript, type Simulation, STATE_SIZE } from '../../engine/index.ts';
-import { type Asteroid, type Circle, type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
-import { type Goal, verifyRun } from '../../solver/index.ts';
-import { seeded } from '../../tests/scenes/seeded.ts';
+import { compile, createSimulation, playScript, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
+import { type Asteroid, type Circle, type Hold, type Level, NO_OBJECTS } from '../../../schema/index.ts';
+import { type Goal, verifyRun } from '../../../solver/index.ts';
+import { seeded } from '../seeded.ts';
 
 /** The kinds of chains, see {@link makeChain}. */
 export const FAMILIES = ['straight', 'alternating', 'recoil', 'aliens', 'fields', 'minerals', 'turns', 'sharp turns'] as const;

@@ -1,4 +1,4 @@
-import { KINDS, type LevelFile, LISTED_KINDS, listOf, type ObjectKind, SINGLE_KINDS } from '../schema/index.ts';
+import { KINDS, type LevelFile, LISTED_KINDS, listOf, type ObjectKind, SINGLE_KINDS } from '../../schema/index.ts';
 
 /** The level with everything moved by (dx, dy) px: a different file with the same verdict. */
 export function movedLevel(file: LevelFile, dx: number, dy: number): LevelFile {

@@ -1,5 +1,5 @@
 import { createHash } from 'node:crypto';
-import { formatLevel } from '../../schema/index.ts';
+import { formatLevel } from '../../../schema/index.ts';
 import { STYLED_SET_SIZE, styledLevel } from './styled-level.ts';
 
 /** SHA-256 of the whole set: the canonical text of every level, in the order of the seeds. */

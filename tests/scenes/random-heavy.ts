@@ -1,8 +1,8 @@
 import type { LevelFile } from '../../schema/index.ts';
-import { degenerateScene } from '../../tests/scenes/degenerate-scene.ts';
-import { HEAVY_LEVELS, taps } from '../../tests/scenes/heavy-levels.ts';
-import { seeded } from '../../tests/scenes/seeded.ts';
 import { crowded } from './crowded.ts';
+import { degenerateScene } from './degenerate-scene.ts';
+import { HEAVY_LEVELS, taps } from './heavy-levels.ts';
+import { seeded } from './seeded.ts';
 
 /** Bytes that a level file may have, less a margin. */
 const MOST_BYTES = 8 * 1024 * 1024 - 4096;

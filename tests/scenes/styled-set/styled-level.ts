@@ -1,5 +1,5 @@
-import { LEVEL_VERSION, type LevelFile } from '../../schema/index.ts';
-import { seeded } from '../../tests/scenes/seeded.ts';
+import { LEVEL_VERSION, type LevelFile } from '../../../schema/index.ts';
+import { seeded } from '../seeded.ts';
 
 /** Number of levels in the set; their seeds are 0, 1, 2, ... */
 export const STYLED_SET_SIZE = 300;

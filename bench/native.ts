@@ -3,7 +3,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
-import type { Circle, Hold, Level } from '../../schema/index.ts';
+import type { Circle, Hold, Level } from '../schema/index.ts';
 
 /** A level with the scripts that are played on it; holds are sorted and disjoint. */
 export interface NativeScene {

@@ -1,6 +1,6 @@
 import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
-import { seeded } from '../../tests/scenes/seeded.ts';
+import { seeded } from './seeded.ts';
 
 /** The slips of a designer, each by what it does to a level. */
 export const SLIPS = [

@@ -1,7 +1,7 @@
-import { compile, createSimulation, playScript, STATE_SIZE } from '../../engine/index.ts';
-import { type Hold, type Level, NO_OBJECTS } from '../../schema/index.ts';
-import { verifyRun } from '../../solver/index.ts';
-import { seeded } from '../../tests/scenes/seeded.ts';
+import { compile, createSimulation, playScript, STATE_SIZE } from '../../../engine/index.ts';
+import { type Hold, type Level, NO_OBJECTS } from '../../../schema/index.ts';
+import { verifyRun } from '../../../solver/index.ts';
+import { seeded } from '../seeded.ts';
 import type { Chain } from './chain.ts';
 
 const RANGE = 250;
