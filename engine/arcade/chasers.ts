@@ -1,5 +1,7 @@
 import { EXPLOSION_FRAMES, TICK, TICK_RATE } from '../constants.ts';
 import { type Box, boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
+import type { ChaserCircles } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COS, FRAME, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
@@ -7,43 +9,53 @@ import { limitSpeed } from './limit-speed.ts';
 import { liesWithin, type Neighbourhood } from './neighbourhoods.ts';
 import type { FrameRecorder } from './recording.ts';
 
-/** Doubles per alien: place, velocity, acceleration, and what it is doing. */
-const ALIEN = 7;
+/** Doubles per chaser: place, velocity, acceleration, and what it is doing. */
+const CHASER = 7;
 const ASLEEP = 0;
 const AWAKE = 1;
-// the last double of an exploded alien is FUSE + the frame in which it stops chasing
+// the last double of an exploded chaser is FUSE + the frame in which it stops chasing
 const FUSE = 2;
 
 /** The lookahead covers at most this many frames. */
 export const AHEAD = 16;
 /** Whether two of them can touch is examined for this many frames ahead. */
 const APART_FRAMES = 60;
-/** Resting aliens that are farther than this from mattering are ignored, px. */
+/** Resting chasers that are farther than this from mattering are ignored, px. */
 const NEAR = 8;
+
+const NO_NUMBERS = new Float64Array(0);
+const NO_INDICES = new Int32Array(0);
+
+const NOBODY: ChaserCircles = {
+  ...{ count: 0, x: NO_NUMBERS, y: NO_NUMBERS, r: NO_NUMBERS, index: NO_INDICES },
+  ...{ spatial: null, explosions: NO_INDICES },
+};
 
 const DT = TICK; // V8 folds constants of the same module
 
-/** The aliens of a simulation, in its state from `offset` on. */
-export class Aliens {
-  /** Doubles of state for this many aliens. */
+/** The chasers of a simulation, in its state from `offset` on. */
+export class Chasers {
+  /** Doubles of state for this many chasers. */
   static length(count: number): number {
-    return ALIEN * count;
+    return CHASER * count;
   }
 
   readonly end: number;
+  /** As the level places them. */
+  readonly circles: ChaserCircles;
   readonly count: number;
-  /** How many aliens the last lookahead examined. */
+  /** How many chasers the last lookahead examined. */
   looked = 0;
   private readonly r: Float64Array;
   private readonly box: Box;
   private readonly pull: number;
-  private readonly sight: number;
+  readonly sight: number;
   private readonly speedLimit: number;
   // after k frames from rest at acceleration a, a body has moved by a k (k + 1) / 2 frames^2. From that, upper bounds of the mean
-  // speed of approach that an alien and she, and two aliens, gain within the lookahead, px/s
+  // speed of approach that a chaser and she, and two chasers, gain within the lookahead, px/s
   private readonly haste: number;
   private readonly apartHaste: number;
-  /** Aliens no faster than this, both axes together, px/s, do not reach the speed limit within the lookahead. */
+  /** Chasers no faster than this, both axes together, px/s, do not reach the speed limit within the lookahead. */
   private readonly fast: number;
   // while she is nearer than this to (calmX, calmY), px, all of them rest; derived from the state, and dropped when that is
   // replaced
@@ -52,69 +64,71 @@ export class Aliens {
   private calm = -1;
   /** Before this frame no two of them can touch; derived likewise. */
   private apartUntil = -1;
-  /** Frames in which no moving alien can touch her or another one. */
+  /** Frames in which no moving chaser can touch her or another one. */
   ahead = Number.POSITIVE_INFINITY;
-  /** How far she may move before a resting alien matters, px. */
+  /** How far she may move before a resting chaser matters, px. */
   room = Number.POSITIVE_INFINITY;
   /** How many of them move or may soon do so. */
   moving = 0;
   /** Their indices. */
   private readonly mobile: Int32Array;
-  /** Aliens that may have begun to touch another one since touches were last examined. */
+  /** Chasers that may have begun to touch another one since touches were last examined. */
   private readonly restless: number[] = [];
   private readonly isRestless: Uint8Array;
 
   constructor(
     private readonly s: Float64Array,
-    private readonly scene: Scene,
+    scene: Scene,
     private readonly offset: number,
     private readonly budget: WorkBudget,
   ) {
-    this.count = scene.aliens.count;
-    this.r = scene.aliens.r;
-    const { alienPull, alienSight, speedLimit } = scene.rules;
+    const chase = ALL_EFFECTS.chaseOf(scene.effects);
+    this.circles = chase?.circles(scene) ?? NOBODY;
+    this.count = this.circles.count;
+    this.r = this.circles.r;
+    const { speedLimit } = scene.rules;
+    this.pull = chase?.pull(scene.rules) ?? 0;
+    this.sight = chase?.sight(scene.rules) ?? 0;
     const hers = scene.strongest;
     this.box = scene.box;
-    this.pull = alienPull;
-    this.sight = alienSight;
     this.speedLimit = speedLimit;
-    this.haste = ((alienPull + hers + 1) * (AHEAD + 1) * TICK) / 2;
-    this.apartHaste = ((2 * alienPull + 1) * (APART_FRAMES + 1) * TICK) / 2;
-    this.fast = speedLimit - (Math.max(hers, alienPull) * AHEAD + 1) * TICK;
-    this.end = offset + ALIEN * this.count;
+    this.haste = ((this.pull + hers + 1) * (AHEAD + 1) * TICK) / 2;
+    this.apartHaste = ((2 * this.pull + 1) * (APART_FRAMES + 1) * TICK) / 2;
+    this.fast = speedLimit - (Math.max(hers, this.pull) * AHEAD + 1) * TICK;
+    this.end = offset + CHASER * this.count;
     this.mobile = new Int32Array(this.count);
     this.isRestless = new Uint8Array(this.count);
   }
 
   layOut(s: Float64Array): void {
-    const { aliens } = this.scene;
+    const { circles } = this;
     for (let i = 0; i < this.count; i++) {
-      const o = this.offset + ALIEN * i;
+      const o = this.offset + CHASER * i;
       // adding 0 turns -0 into 0, as moving by 0 would
-      s[o] = aliens.x[i] + 0;
-      s[o + 1] = aliens.y[i] + 0;
+      s[o] = circles.x[i] + 0;
+      s[o + 1] = circles.y[i] + 0;
       if (circlesOverlap(s[X] - s[o], s[Y] - s[o + 1], this.sight)) {
         s[o + 6] = AWAKE;
         s[ROUSED] = 1;
       }
     }
-    if (aliens.explosions.length > 0) s[ROUSED] = 1;
+    if (circles.explosions.length > 0) s[ROUSED] = 1;
   }
 
   /** Drops what was derived from the state, after this was replaced. */
   forget(): void {
-    const { s, count, scene } = this;
+    const { s, count, circles } = this;
     this.calm = -1;
     this.settle();
     if (s[ROUSED] === 0) return;
     for (let i = 0; i < count; i++) {
-      const o = this.offset + ALIEN * i;
+      const o = this.offset + CHASER * i;
       const rests = s[o + 6] === ASLEEP && s[o + 2] === 0 && s[o + 3] === 0;
-      if (!rests || s[o] !== scene.aliens.x[i] || s[o + 1] !== scene.aliens.y[i]) this.disturb(i);
+      if (!rests || s[o] !== circles.x[i] || s[o + 1] !== circles.y[i]) this.disturb(i);
     }
   }
 
-  /** Marks an alien that may touch another one from now on. */
+  /** Marks a chaser that may touch another one from now on. */
   private disturb(i: number): void {
     if (this.isRestless[i] === 1) return;
     this.isRestless[i] = 1;
@@ -166,7 +180,7 @@ export class Aliens {
     let room = Number.POSITIVE_INFINITY;
     let time = AHEAD * DT;
     for (let i = 0; i < count; i++) {
-      const o = this.offset + ALIEN * i;
+      const o = this.offset + CHASER * i;
       const dx = s[o] - x;
       const dy = s[o + 1] - y;
       const d = Math.sqrt(dx * dx + dy * dy);
@@ -212,10 +226,10 @@ export class Aliens {
     let time = APART_FRAMES * DT;
     this.budget.look((restless.length * count) >> 3);
     for (const i of restless) {
-      const a = this.offset + ALIEN * i;
+      const a = this.offset + CHASER * i;
       if (s[a + 6] >= FUSE) continue;
       for (let j = 0; j < count; j++) {
-        const b = this.offset + ALIEN * j;
+        const b = this.offset + CHASER * j;
         if (s[b + 6] >= FUSE || j === i) continue;
         const dx = s[b] - s[a];
         const dy = s[b + 1] - s[a + 1];
@@ -233,7 +247,7 @@ export class Aliens {
   /** Explodes pairs that touch. */
   explode(frame: number, recorder: FrameRecorder | null): void {
     if (frame === 0) {
-      const { explosions } = this.scene.aliens;
+      const { explosions } = this.circles;
       for (let k = 0; k < explosions.length; k += 2) this.ignite(frame, explosions[k], explosions[k + 1], recorder);
       this.settle();
       return;
@@ -243,10 +257,10 @@ export class Aliens {
     const touching: [number, number][] = [];
     this.budget.look((restless.length * count) >> 3);
     for (const i of restless) {
-      const a = this.offset + ALIEN * i;
+      const a = this.offset + CHASER * i;
       if (s[a + 6] >= FUSE) continue;
       for (let j = 0; j < count; j++) {
-        const b = this.offset + ALIEN * j;
+        const b = this.offset + CHASER * j;
         // a pair of restless ones is reported once
         if (s[b + 6] >= FUSE || j === i || (j < i && this.isRestless[j] === 1)) continue;
         if (circlesOverlap(s[a] - s[b], s[a + 1] - s[b + 1], r[i] + r[j])) touching.push(i < j ? [i, j] : [j, i]);
@@ -255,15 +269,15 @@ export class Aliens {
     // in the order of the list: an exploded one does not explode again
     touching.sort((one, other) => one[0] - other[0] || one[1] - other[1]);
     for (const [i, j] of touching) {
-      if (s[this.offset + ALIEN * i + 6] < FUSE && s[this.offset + ALIEN * j + 6] < FUSE) this.ignite(frame, i, j, recorder);
+      if (s[this.offset + CHASER * i + 6] < FUSE && s[this.offset + CHASER * j + 6] < FUSE) this.ignite(frame, i, j, recorder);
     }
     this.settle();
   }
 
   private ignite(frame: number, i: number, j: number, recorder: FrameRecorder | null): void {
     const { s } = this;
-    s[this.offset + ALIEN * i + 6] = FUSE + frame + EXPLOSION_FRAMES;
-    s[this.offset + ALIEN * j + 6] = FUSE + frame + EXPLOSION_FRAMES;
+    s[this.offset + CHASER * i + 6] = FUSE + frame + EXPLOSION_FRAMES;
+    s[this.offset + CHASER * j + 6] = FUSE + frame + EXPLOSION_FRAMES;
     if (recorder !== null) recorder.explosion(frame, i, j);
   }
 
@@ -274,7 +288,7 @@ export class Aliens {
   follow(path: Float64Array, from: number, frames: number): void {
     const { s, mobile, moving, pull, sight, speedLimit } = this;
     for (let k = 0; k < moving; k++) {
-      const o = this.offset + ALIEN * mobile[k];
+      const o = this.offset + CHASER * mobile[k];
       let x = s[o];
       let y = s[o + 1];
       let vx = s[o + 2];
@@ -319,7 +333,7 @@ export class Aliens {
   }
 
   /**
-   * Updates velocities, then accelerations for the next frame, then places. An exploded alien goes on until its fuse has burned
+   * Updates velocities, then accelerations for the next frame, then places. An exploded chaser goes on until its fuse has burned
    * down, and one that stops still makes this frame's move, as in the original game.
    * @returns index of the first that touched her before, or -1
    */
@@ -329,7 +343,7 @@ export class Aliens {
     const y = s[Y];
     let touching = -1;
     for (let i = 0; i < count; i++) {
-      const o = this.offset + ALIEN * i;
+      const o = this.offset + CHASER * i;
       const vx = limitSpeed(s[o + 2] + s[o + 4] * DT, speedLimit);
       const vy = limitSpeed(s[o + 3] + s[o + 5] * DT, speedLimit);
       const dx = x - s[o];
@@ -359,7 +373,7 @@ export class Aliens {
       }
       if (exploded || awake === (state === AWAKE)) continue;
       s[o + 6] = awake ? AWAKE : ASLEEP;
-      if (recorder !== null) recorder.alien(frame, i, awake);
+      if (recorder !== null) recorder.alertness(frame, i, awake);
     }
     return touching;
   }
@@ -367,7 +381,7 @@ export class Aliens {
   read(out: Float64Array): void {
     const { s } = this;
     for (let i = 0; i < this.count; i++) {
-      const o = this.offset + ALIEN * i;
+      const o = this.offset + CHASER * i;
       out[3 * i] = s[o];
       out[3 * i + 1] = s[o + 1];
       out[3 * i + 2] = s[o + 6] < FUSE ? 1 : 0;
