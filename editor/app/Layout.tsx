@@ -3,7 +3,7 @@ import { type ReactNode, useEffect, useState } from 'react';
 import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
 import { useEditor, useSession } from '../core/context/index.ts';
 import { Button } from '../core/ui/index.ts';
-import { useProblemCount } from '../features/problems/index.ts';
+import { useProblemCount } from '../features/index.ts';
 import type { SidePanel } from './panels.tsx';
 import { useRoom } from './room.ts';
 

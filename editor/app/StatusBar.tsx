@@ -2,8 +2,7 @@ import { useStore } from 'zustand';
 import { useDocument, useEditor, usePageTerms, useProof, useProofInPace, useSession } from '../core/context/index.ts';
 import { objectsOf } from '../core/document/index.ts';
 import { endInWords, type LiveProof } from '../core/proof/index.ts';
-import { FEATURES } from '../features/index.ts';
-import { useProblemCount } from '../features/problems/index.ts';
+import { FEATURES, useProblemCount } from '../features/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;

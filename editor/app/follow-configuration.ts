@@ -1,7 +1,7 @@
 import { type FolderTerms, RULE_NAMES, RULES } from '../../schema/index.ts';
 import type { Editor } from '../core/context/index.ts';
 import { folderTermsIn, problemsInWords } from '../core/files/index.ts';
-import { ruleLabel } from '../features/inspector/index.ts';
+import { ruleLabel } from '../features/index.ts';
 
 const TOPIC = 'configuration';
 

@@ -67,7 +67,7 @@ const WIDELY_KNOWN: Readonly<Record<string, readonly string[]>> = {
   // plays stand in the list of attempts, and are dropped on the page
   plays: ['editor/features/attempts', 'editor/features/share'],
   // what is proved and measured of the level is kept where it is asked for
-  solver: ['editor/app', 'editor/features/levels', 'editor/features/onion', 'editor/features/problems'],
+  solver: ['editor/features/levels', 'editor/features/onion', 'editor/features/problems'],
 };
 
 describe.each(folders)('the feature %s', (name) => {

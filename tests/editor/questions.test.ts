@@ -61,7 +61,7 @@ type Stage = (desk: Desk) => Staged;
 function openLevel(file: LevelFile) {
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
-  const session = createSession();
+  const session = createSession([]);
   const edit = () => void document.change('Edit', moveObjects([document.file().asteroids?.[0].id ?? ''], 1, 0));
   return { document, proof, session, edit, setTerms: () => proof.setTerms(OTHER_TERMS) };
 }

@@ -1,4 +1,3 @@
-export { FolderSelect } from './FolderSelect.tsx';
 export { keepAsRun, keepHolds, makeProof } from './keep-attempt.ts';
 export {
   addLevels,
@@ -19,6 +18,5 @@ export {
 } from './level-files.ts';
 export { listHistoryOf } from './list-history.ts';
 export { changePack, editPack } from './pack-steps.ts';
-export { SamplesButton } from './SamplesButton.tsx';
 export { factsKey, factsOf, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
 export { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';

@@ -1,6 +1,7 @@
 import { useId } from 'react';
 import { LEVEL_ID_PART } from '../../../schema/index.ts';
-import { FolderSelect, inFolder } from '../../core/levels/index.ts';
+import { inFolder } from '../../core/levels/index.ts';
+import { FolderSelect } from '../../core/panel/index.ts';
 
 /** What is wrong with a file name; null if nothing. @param taken ids of other levels */
 export function fileNameProblem(folder: string, stem: string, taken: readonly string[]): string | null {

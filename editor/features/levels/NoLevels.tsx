@@ -1,5 +1,5 @@
 import { useEditor } from '../../core/context/index.ts';
-import { SamplesButton } from '../../core/levels/index.ts';
+import { SamplesButton } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 
 /** The empty state of a folder without levels. @param folder the path as the user gave it */

@@ -3,7 +3,7 @@ import { useEffect, useId, useState } from 'react';
 import { useEditor } from '../../core/context/index.ts';
 import { chooseFiles } from '../../core/exchange/index.ts';
 import { folderOf } from '../../core/files/index.ts';
-import { FolderSelect } from '../../core/levels/index.ts';
+import { FolderSelect } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { IMPORT_TOPIC, type ImportResult, importContents, importFiles } from './import-files.ts';
 

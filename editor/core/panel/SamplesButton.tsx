@@ -1,6 +1,6 @@
 import { useEditor } from '../context/index.ts';
+import { addSamples } from '../levels/index.ts';
 import { Button } from '../ui/index.ts';
-import { addSamples } from './index.ts';
 
 /** Offers the levels that come with the toolkit. */
 export function SamplesButton() {
