@@ -2,10 +2,11 @@ import * as z from 'zod';
 import { ADJUSTABLE_CODES } from './adjustable.ts';
 import { closestName } from './closest-name.ts';
 import { adjustmentOf, allCodes } from './codes.ts';
-import { configSchema, SEVERITIES, schemaOf } from './config.ts';
+import { ACCURACY_NAMES, configSchema, REPORTER_NAMES, SEVERITIES, schemaOf } from './config.ts';
 import { type Fault, findFaults, isObject } from './faults.ts';
 import { formatValue } from './format-value.ts';
 import { RULES_SHAPE, type Shape } from './level-shape.ts';
+import { toWords } from './names.ts';
 import { type Finding, MAX_FINDINGS, type Path } from './problem.ts';
 import { codeFinding, found, tellFaults, unknownKey, unknownValue, wrongType } from './shape-findings.ts';
 
@@ -68,6 +69,31 @@ function faultsOf(key: keyof typeof configSchema.shape, value: unknown): Fault[]
   return faults;
 }
 
+const isChoice = (path: Path): boolean => path[0] === 'accuracy' || (path[0] === 'reporters' && path.length === 2);
+
+/** A value of the configuration that is no name of an accuracy or a reporter. */
+function choice(path: Path, value: unknown): Finding {
+  if (path[0] === 'accuracy') return unknownValue(path, ACCURACY_NAMES, value);
+  if (typeof value === 'string' && REPORTER_NAMES.some((name) => value.startsWith(`${name}=`))) {
+    const words = value.endsWith('=') ? 'found no file' : `found ${value.length} characters`;
+    return found(
+      path,
+      'unknown-value',
+      `${toWords(path)}: expected NAME=FILE, ${words}`,
+      'Write the path of a file after the =, as in "junit=report.xml".',
+    );
+  }
+  return unknownValue(path, REPORTER_NAMES, value);
+}
+
+function checkValue(key: keyof typeof configSchema.shape, inner: unknown, whole: unknown, into: Finding[]): void {
+  for (const fault of faultsOf(key, inner)) {
+    if (into.length >= MAX_FINDINGS) return;
+    if (isChoice(fault.path)) into.push(choice(fault.path, fault.value));
+    else tellFaults([fault], whole, into);
+  }
+}
+
 /** Checks a JSON value without x- keys against `configSchema`: keys, types, limits, codes and names. */
 export function checkConfig(value: unknown): Finding[] {
   if (!isObject(value)) {
@@ -86,7 +112,7 @@ export function checkConfig(value: unknown): Finding[] {
       const words = ONE_OR_LIST[known];
       const fits = typeof inner === 'string' || (known === 'cache' ? typeof inner === 'boolean' : Array.isArray(inner));
       if (words !== undefined && !fits) findings.push(wrongType([known], words, inner, `${known}: `));
-      else tellFaults(faultsOf(known, inner), value, findings);
+      else checkValue(known, inner, value, findings);
     }
   }
   return findings;

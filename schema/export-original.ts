@@ -1,6 +1,8 @@
 import { RULE_NAMES } from './default-rules.ts';
 import { fieldsOf, KINDS, LISTED_KINDS, OBJECT_KINDS, type ObjectKind } from './kinds.ts';
-import { DEFAULT_RANGE, type Level, type LevelFile } from './level.ts';
+import { DEFAULT_RANGE } from './level-constants.ts';
+import type { LevelFile } from './level-shape.ts';
+import type { Level } from './level-types.ts';
 import { objectName } from './names.ts';
 import { type Path, type Problem, toPointer } from './problem.ts';
 import type { LevelDocument } from './read-level.ts';

@@ -1,5 +1,5 @@
 import { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName } from './default-rules.ts';
-import type { LevelFile } from './level.ts';
+import type { LevelFile } from './level-shape.ts';
 
 const withRules = (file: LevelFile, more: OwnRules): LevelFile =>
   Object.keys(more).length === 0 ? file : { ...file, rules: { ...more, ...file.rules } };

@@ -1,24 +1,24 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
 import { RULE_NAMES } from './default-rules.ts';
-import { KINDS, OBJECT_KINDS } from './kinds.ts';
-import { type LevelFile, levelSchema, OBJECT_SCHEMAS } from './level.ts';
+import { OBJECT_LISTS, SINGLE_KINDS } from './kinds.ts';
+import { LEVEL_SHAPE, type LevelFile } from './level-shape.ts';
 import { notesInOrder } from './notes.ts';
 
 type Json = { readonly [key: string]: unknown };
 
-const { shape } = levelSchema;
-const run = shape.runs.unwrap().element;
-const conflict = shape.conflicts.unwrap().element;
+const { keys } = LEVEL_SHAPE;
+const run = keys.runs.each;
 
 /** The order of keys in a file is that of the schema. */
 const KEYS = {
-  level: Object.keys(shape),
+  level: Object.keys(keys),
   rules: RULE_NAMES,
   allow: ALLOWABLE_CODES,
-  runs: Object.keys(run.shape),
-  notes: Object.keys(run.shape.notes.unwrap().element.shape),
-  conflicts: Object.keys(conflict.shape),
-  ...Object.fromEntries(OBJECT_KINDS.map((kind) => [KINDS[kind].list ?? kind, Object.keys(OBJECT_SCHEMAS[kind].shape)])),
+  runs: Object.keys(run.keys),
+  notes: Object.keys(run.keys.notes.each.keys),
+  conflicts: Object.keys(keys.conflicts.each.keys),
+  ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, Object.keys(keys[kind].keys)])),
+  ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(keys[list].each.keys)])),
 } as { readonly [part: string]: readonly string[] };
 
 /** Entries in canonical order: the keys in `order` first, then the others as they come, without undefined values. */

@@ -1,5 +1,5 @@
 import { OBJECT_LISTS } from './kinds.ts';
-import type { LevelFile } from './level.ts';
+import type { LevelFile } from './level-shape.ts';
 
 const LENGTH = 6;
 

@@ -1,7 +1,8 @@
 import { formatValue } from './format-value.ts';
 import { withIds } from './ids.ts';
 import { fieldsOf, isRequired, KINDS, OBJECT_KINDS, type ObjectKind } from './kinds.ts';
-import { LEVEL_VERSION, type LevelFile } from './level.ts';
+import { LEVEL_VERSION } from './level-constants.ts';
+import type { LevelFile } from './level-shape.ts';
 import { LIMITS } from './limits.ts';
 import { readModule } from './module-text.ts';
 import { toWords } from './names.ts';

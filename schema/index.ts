@@ -38,8 +38,10 @@ export { type ImportedLevel, type ImportReading, importOriginal } from './import
 export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
 export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './kind.ts';
 export * from './kinds.ts';
-export * from './level.ts';
-export { formatLevelShape } from './level-shape.ts';
+export { levelSchema, OBJECT_SCHEMAS, rulesSchema } from './level.ts';
+export { DEFAULT_RANGE, LEVEL_VERSION } from './level-constants.ts';
+export { type FileConflict, formatLevelShape, type LevelFile } from './level-shape.ts';
+export * from './level-types.ts';
 export { LIMITS } from './limits.ts';
 export {
   formatLock,

@@ -2,14 +2,15 @@ import { ALLOWABLE_CODES } from './adjustable.ts';
 import { RULE_NAMES } from './default-rules.ts';
 import type { Field } from './kind.ts';
 import {
+  type FieldsOf,
   fieldsOf,
   KINDS,
   LISTED_KINDS,
   type ListedKind,
   type ListOf,
-  OBJECT_KINDS,
   type ObjectKind,
   SINGLE_KINDS,
+  type SingleKind,
 } from './kinds.ts';
 import { DEFAULT_RANGE, LEVEL_VERSION } from './level-constants.ts';
 import { LIMITS } from './limits.ts';
@@ -65,19 +66,28 @@ function fieldShape(field: Field): Shape {
   return field.default === undefined ? shape : optional(shape, field.default);
 }
 
-function objectShape(kind: ObjectKind) {
+/** The shape of a field, by its type in the table of kinds. */
+type FieldShape<F> = (F extends { readonly type: 'number' } ? ReturnType<typeof number> : typeof flag) &
+  (F extends { readonly default: unknown } ? { readonly optional: true } : unknown);
+type ObjectShape<K extends ObjectKind> = {
+  readonly type: 'object';
+  readonly keys: (K extends ListedKind ? { readonly id: typeof ID & { readonly optional: true } } : unknown) & {
+    readonly [F in keyof FieldsOf<K>]: FieldShape<FieldsOf<K>[F]>;
+  };
+};
+
+function objectShape<K extends ObjectKind>(kind: K): ObjectShape<K> {
   const fields = Object.fromEntries(fieldsOf(kind).map(([name, field]) => [name, fieldShape(field)]));
-  return object(KINDS[kind].list === null ? fields : { id: optional(ID, null), ...fields });
+  return object(KINDS[kind].list === null ? fields : { id: optional(ID, null), ...fields }) as unknown as ObjectShape<K>;
 }
 
-/** The shape of each kind of object. */
-export const OBJECT_SHAPES = byKey(OBJECT_KINDS, objectShape);
-
-const singles = byKey(SINGLE_KINDS, (kind) => OBJECT_SHAPES[kind]);
+const singles = Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, objectShape(kind)])) as {
+  readonly [K in SingleKind]: ObjectShape<K>;
+};
 
 const lists = Object.fromEntries(
-  LISTED_KINDS.map((kind) => [KINDS[kind].list, optional(listOf(OBJECT_SHAPES[kind], LIMITS.objects), [])]),
-) as { readonly [K in ListedKind as ListOf<K>]: Shape };
+  LISTED_KINDS.map((kind) => [KINDS[kind].list, optional(listOf(objectShape(kind) as Shape, LIMITS.objects), [])]),
+) as { readonly [K in ListedKind as ListOf<K>]: { type: 'array'; most: number; each: ObjectShape<K>; optional: true } };
 
 const tick = whole(0, LIMITS.tick);
 
@@ -118,6 +128,36 @@ export const LEVEL_SHAPE = object({
   ...lists,
   runs: optional(listOf(run, LIMITS.runs), []),
 });
+
+/** What a value of a shape is. */
+type ValueOf<S> = S extends { readonly only: infer V }
+  ? V
+  : S extends { readonly type: 'number' | 'integer' }
+    ? number
+    : S extends { readonly type: 'boolean' }
+      ? boolean
+      : S extends { readonly type: 'string' }
+        ? string
+        : S extends { readonly least: 2; readonly each: infer E }
+          ? [ValueOf<E>, ValueOf<E>]
+          : S extends { readonly each: infer E }
+            ? ValueOf<E>[]
+            : S extends { readonly keys: infer K }
+              ? ObjectOf<K>
+              : unknown;
+type OptionalIn<K> = { [key in keyof K]: K[key] extends { readonly optional: true } ? key : never }[keyof K];
+type ObjectOf<K> = Flat<
+  { -readonly [key in Exclude<keyof K, OptionalIn<K>>]: ValueOf<K[key]> } & {
+    -readonly [key in OptionalIn<K>]?: ValueOf<K[key]> | undefined;
+  }
+>;
+type Flat<T> = { [key in keyof T]: T[key] };
+
+/** The content of a level file: what may be left out may be missing. */
+export type LevelFile = ValueOf<typeof LEVEL_SHAPE>;
+
+/** An entry of `conflicts` in a level file: a property that two merged versions changed in different ways. */
+export type FileConflict = NonNullable<LevelFile['conflicts']>[number];
 
 /**
  * The shape of a level file as a table without words: types, limits, and the values that `resolveLevel` fills in.

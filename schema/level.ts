@@ -12,12 +12,9 @@ import {
   type ObjectKind,
   type SingleKind,
 } from './kinds.ts';
-import { DEFAULT_RANGE, LEVEL_VERSION } from './level-constants.ts';
+import { DEFAULT_RANGE } from './level-constants.ts';
 import { LEVEL_SHAPE, type Shape as LevelShape } from './level-shape.ts';
 import { RULES } from './rules.ts';
-
-export * from './level-types.ts';
-export { DEFAULT_RANGE, LEVEL_VERSION };
 
 type Plain<F> = F extends { readonly type: 'number' } ? z.ZodNumber : z.ZodBoolean;
 type FieldSchema<F> = F extends { readonly default: unknown } ? z.ZodOptional<Plain<F>> : Plain<F>;
@@ -171,9 +168,3 @@ export const OBJECT_SCHEMAS = Object.fromEntries(
 
 /** The zod schema of `rules` in a level file or in the configuration of a folder. */
 export const rulesSchema = levelSchema.shape.rules.unwrap();
-
-/** The content of a level file: what may be left out may be missing. */
-export type LevelFile = z.infer<typeof levelSchema>;
-
-/** An entry of `conflicts` in a level file: a property that two merged versions changed in different ways. */
-export type FileConflict = NonNullable<LevelFile['conflicts']>[number];

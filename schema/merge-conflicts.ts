@@ -1,5 +1,5 @@
 import { quote } from './format-value.ts';
-import type { LevelFile } from './level.ts';
+import type { LevelFile } from './level-shape.ts';
 import { MAX_PROBLEMS, type Problem } from './problem.ts';
 import type { LevelDocument } from './read-level.ts';
 

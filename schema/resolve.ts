@@ -1,7 +1,6 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
 import { type OwnRules, ownRules } from './default-rules.ts';
-import type { LevelFile } from './level.ts';
-import { LEVEL_SHAPE, type Shape, type ShapesByKey } from './level-shape.ts';
+import { LEVEL_SHAPE, type LevelFile, type Shape, type ShapesByKey } from './level-shape.ts';
 import type { Allowed, Level } from './level-types.ts';
 
 type Written = Readonly<Record<string, unknown>>;

@@ -1,7 +1,6 @@
 import { ALLOWABLE_CODES } from './adjustable.ts';
 import { closestName } from './closest-name.ts';
 import { adjustmentOf, allCodes } from './codes.ts';
-import { ACCURACY_NAMES, REPORTER_NAMES } from './config.ts';
 import type { Fault } from './faults.ts';
 import { formatValue, quote } from './format-value.ts';
 import { KINDS, OBJECT_KINDS, SINGLE_KINDS } from './kinds.ts';
@@ -201,29 +200,12 @@ function toFinding(fault: Fault): Finding {
   if (what === 'wrong-type') return wrongType(path, typeOf(fault), value);
   if (what === 'too-big' || what === 'too-small') return outOfLimits(fault);
   if (what === 'wrong-form' && path[0] === 'allow') return emptyText(path, String(value));
-  if (what === 'wrong-form' && path[0] !== 'reporters') {
+  if (what === 'wrong-form') {
     const message = `expected 2 to 16 of the characters a-z and 0-9, found ${formatValue(value)}`;
     return found(path, 'bad-id', message, 'Correct it, or remove it: gq fmt writes a new one.');
   }
   const message = `expected ${LEVEL_VERSION}, found ${formatValue(value)}`;
   return found(path, 'unsupported-version', message, `Write "version": ${LEVEL_VERSION}.`);
-}
-
-const isChoice = (path: Path): boolean => path[0] === 'accuracy' || (path[0] === 'reporters' && path.length === 2);
-
-/** A value of the configuration that is no name of an accuracy or a reporter. */
-function choice(path: Path, value: unknown): Finding {
-  if (path[0] === 'accuracy') return unknownValue(path, ACCURACY_NAMES, value);
-  if (typeof value === 'string' && REPORTER_NAMES.some((name) => value.startsWith(`${name}=`))) {
-    const words = value.endsWith('=') ? 'found no file' : `found ${value.length} characters`;
-    return found(
-      path,
-      'unknown-value',
-      `${toWords(path)}: expected NAME=FILE, ${words}`,
-      'Write the path of a file after the =, as in "junit=report.xml".',
-    );
-  }
-  return unknownValue(path, REPORTER_NAMES, value);
 }
 
 /**
@@ -243,8 +225,8 @@ export function tellFaults(faults: readonly Fault[], level: unknown, into: Findi
   }
   for (const fault of others) {
     if (into.length >= MAX_FINDINGS) return;
-    const { what, path, value } = fault;
-    if (what !== 'missing-key') into.push(isChoice(path) ? choice(path, value) : named(toFinding(fault), level));
+    const { what, path } = fault;
+    if (what !== 'missing-key') into.push(named(toFinding(fault), level));
     // a misspelt key is one problem, not two
     else if (!meant.has(toPointer(path))) into.push(missingKey(path, level));
   }

@@ -3,9 +3,8 @@
 import { contradictionsIn } from '../contradictions.ts';
 import type { OwnRules } from '../default-rules.ts';
 import { type Fault, findFaults, fitsLevel } from '../faults.ts';
-import type { LevelFile } from '../level.ts';
 import { LEVEL_VERSION } from '../level-constants.ts';
-import { LEVEL_SHAPE } from '../level-shape.ts';
+import { LEVEL_SHAPE, type LevelFile } from '../level-shape.ts';
 import type { Level } from '../level-types.ts';
 import { MERGE_MARKER } from '../merge-markers.ts';
 import { type JsonObject, MIGRATIONS, migrate, readVersion } from '../migrate.ts';

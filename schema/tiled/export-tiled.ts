@@ -1,5 +1,5 @@
 import { fieldsOf, KINDS, OBJECT_KINDS, type ObjectKind } from '../kinds.ts';
-import type { LevelFile } from '../level.ts';
+import type { LevelFile } from '../level-shape.ts';
 import {
   EXACT,
   MAP_KEYS,

@@ -1,5 +1,5 @@
 import { KINDS, OBJECT_KINDS } from '../kinds.ts';
-import { levelSchema } from '../level.ts';
+import { LEVEL_SHAPE } from '../level-shape.ts';
 
 /** A custom property in a Tiled map. */
 export interface TiledProperty {
@@ -123,7 +123,7 @@ const PLAIN: readonly string[] = ['name', 'description', 'range', 'recoil'];
 
 /** Keys of a level file that are properties of the map; those with `true` are written as JSON text. */
 export const MAP_KEYS: Readonly<Record<string, boolean>> = Object.fromEntries(
-  Object.keys(levelSchema.shape)
+  Object.keys(LEVEL_SHAPE.keys)
     .filter((key) => !ELSEWHERE.includes(key))
     .map((key) => [key, !PLAIN.includes(key)]),
 );

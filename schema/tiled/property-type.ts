@@ -1,5 +1,5 @@
 import { fieldsOf, KINDS, OBJECT_KINDS } from '../kinds.ts';
-import { levelSchema } from '../level.ts';
+import { LEVEL_SHAPE } from '../level-shape.ts';
 import type { Path } from '../problem.ts';
 import type { ReadProperty } from './map-objects.ts';
 
@@ -16,7 +16,7 @@ function typeAt(path: Path): TiledType | null {
   const [key, ...inner] = path.map(String);
   if (inner.length === 0) {
     if (Object.hasOwn(OF_MAP, key)) return OF_MAP[key];
-    return Object.hasOwn(levelSchema.shape, key) ? TYPES.text : null;
+    return Object.hasOwn(LEVEL_SHAPE.keys, key) ? TYPES.text : null;
   }
   const kind = OBJECT_KINDS.find((one) => (KINDS[one].list ?? one) === key);
   const name = inner.at(-1);
