@@ -5,10 +5,17 @@ export {
   type Adjustment,
   ALLOWABLE_CODES,
   type AllowableCode,
-} from './adjustable.ts';
-export { closestName } from './closest-name.ts';
-export { codeFrame } from './code-frame.ts';
-export { adjustmentOf, CODES, type CodeExplanation } from './codes.ts';
+} from './basics/adjustable.ts';
+export { closestName } from './basics/closest-name.ts';
+export { adjustmentOf, CODES, type CodeExplanation } from './basics/codes.ts';
+export { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './basics/default-rules.ts';
+export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './basics/kind.ts';
+export * from './basics/kinds.ts';
+export { DEFAULT_RANGE, LEVEL_VERSION } from './basics/level-constants.ts';
+export * from './basics/level-types.ts';
+export { LIMITS } from './basics/limits.ts';
+export { entryName, objectName, touchedName } from './basics/names.ts';
+export type { Problem } from './basics/problem.ts';
 export {
   ACCURACY_NAMES,
   type ConfigFile,
@@ -18,9 +25,8 @@ export {
   type ReporterName,
   SEVERITIES,
   type SeverityMap,
-} from './config.ts';
-export { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './default-rules.ts';
-export { type DiffReport, diffReportSchema } from './diff-report.ts';
+} from './config/config.ts';
+export { type ConfigReading, readConfig } from './config/read-config.ts';
 export * from './edit-api.ts';
 export {
   exportOriginal,
@@ -28,64 +34,8 @@ export {
   type OriginalExport,
   type OriginalLevel,
   type TitledOriginal,
-} from './export-original.ts';
-export { type FixReport, fixReportSchema } from './fix-report.ts';
-export { enteringFolder, leavingFolder } from './folder-rules.ts';
-export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './forecast-report.ts';
-export { formatLevel } from './format.ts';
-export { withIds } from './ids.ts';
-export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
-export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
-export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './kind.ts';
-export * from './kinds.ts';
-export { levelSchema, OBJECT_SCHEMAS, rulesSchema } from './level.ts';
-export { DEFAULT_RANGE, LEVEL_VERSION } from './level-constants.ts';
-export { type FileConflict, formatLevelShape, type LevelFile } from './level-shape.ts';
-export * from './level-types.ts';
-export { LIMITS } from './limits.ts';
-export {
-  formatLock,
-  formatLockJsonSchema,
-  LOCK_NAME,
-  LOCK_VERSION,
-  type Lock,
-  type LockEntry,
-  lockEntrySchema,
-  lockJsonSchema,
-  lockSchema,
-} from './lock.ts';
-export { conflictProblems } from './merge-conflicts.ts';
-export type { JsonObject, Migration } from './migrate.ts';
-export { entryName, objectName, touchedName } from './names.ts';
-export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './notes.ts';
-export * from './other-reports.ts';
-export {
-  formatPack,
-  formatPackJsonSchema,
-  levelOfEntry,
-  levelsOfPack,
-  PACK_NAME,
-  PACK_VERSION,
-  type PackEntry,
-  type PackFile,
-  packJsonSchema,
-  packSchema,
-} from './pack.ts';
-export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
-export type { Problem } from './problem.ts';
-export { type ConfigReading, readConfig } from './read-config.ts';
-export { MAX_FILE_SIZE } from './read-json.ts';
-export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
-export { type LockReading, readLock } from './read-lock.ts';
-export { type PackReading, readPack } from './read-pack.ts';
-export * from './report.ts';
-export { type TermsReport, termsReportSchema } from './report-parts.ts';
-export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
-export { resolveLevel } from './resolve.ts';
-export { type GameRule, RULES } from './rules.ts';
-export * from './run-text/index.ts';
-export { isSame } from './same-json.ts';
-export type { TextPlace } from './text-place.ts';
+} from './exchange/export-original.ts';
+export { type ImportedLevel, type ImportReading, importOriginal } from './exchange/import-original.ts';
 export {
   exportTiled,
   formatTiled,
@@ -97,6 +47,56 @@ export {
   type TiledMap,
   type TiledObject,
   type TiledProperty,
-} from './tiled/index.ts';
-export { type TuneReport, tuneReportSchema } from './tune-report.ts';
-export { type VerifyReport, verifyReportSchema } from './verify-report.ts';
+} from './exchange/tiled/index.ts';
+export { codeFrame } from './json/code-frame.ts';
+export { MAX_FILE_SIZE } from './json/read-json.ts';
+export { isSame } from './json/same-json.ts';
+export type { TextPlace } from './json/text-place.ts';
+export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
+export { enteringFolder, leavingFolder } from './level/folder-rules.ts';
+export { formatLevel } from './level/format.ts';
+export { withIds } from './level/ids.ts';
+export { conflictProblems } from './level/merge-conflicts.ts';
+export type { JsonObject, Migration } from './level/migrate.ts';
+export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './level/notes.ts';
+export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './level/read-level.ts';
+export { resolveLevel } from './level/resolve.ts';
+export { type GameRule, RULES } from './level/rules.ts';
+export * from './level/run-text/index.ts';
+export { type FileConflict, formatLevelShape, type LevelFile } from './level/shape.ts';
+export { levelSchema, OBJECT_SCHEMAS, rulesSchema } from './level-schema.ts';
+export {
+  formatLock,
+  formatLockJsonSchema,
+  LOCK_NAME,
+  LOCK_VERSION,
+  type Lock,
+  type LockEntry,
+  lockEntrySchema,
+  lockJsonSchema,
+  lockSchema,
+} from './lock/lock.ts';
+export { type LockReading, readLock } from './lock/read-lock.ts';
+export {
+  formatPack,
+  formatPackJsonSchema,
+  levelOfEntry,
+  levelsOfPack,
+  PACK_NAME,
+  PACK_VERSION,
+  type PackEntry,
+  type PackFile,
+  packJsonSchema,
+  packSchema,
+} from './pack/pack.ts';
+export { type PackReading, readPack } from './pack/read-pack.ts';
+export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
+export * from './reports/check.ts';
+export { type DiffReport, diffReportSchema } from './reports/diff.ts';
+export { type FixReport, fixReportSchema } from './reports/fix.ts';
+export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './reports/forecast.ts';
+export * from './reports/others.ts';
+export { type TermsReport, termsReportSchema } from './reports/parts.ts';
+export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './reports/schemas.ts';
+export { type TuneReport, tuneReportSchema } from './reports/tune.ts';
+export { type VerifyReport, verifyReportSchema } from './reports/verify.ts';

@@ -1,20 +1,21 @@
 // Reading levels in a game. It is the reader of the schema without what explains every mistake to the author of a level: the same
 // scan, shape, contradictions and defaults, and a few words. So the two can't differ in what is valid.
-import { contradictionsIn } from '../contradictions.ts';
-import type { OwnRules } from '../default-rules.ts';
-import { type Fault, findFaults, fitsLevel } from '../faults.ts';
-import { LEVEL_VERSION } from '../level-constants.ts';
-import { LEVEL_SHAPE, type LevelFile } from '../level-shape.ts';
-import type { Level } from '../level-types.ts';
-import { MERGE_MARKER } from '../merge-markers.ts';
-import { type JsonObject, MIGRATIONS, migrate, readVersion } from '../migrate.ts';
-import { LFS } from '../pointer-file.ts';
-import { type Path, toPointer } from '../problem.ts';
-import { MAX_FILE_SIZE } from '../read-json.ts';
-import { resolveLevel } from '../resolve.ts';
-import { type Mistake, scanJson } from '../scan-json.ts';
-import { createPlaceFinder } from '../text-place.ts';
-import { decodeUtf8 } from '../utf8.ts';
+
+import type { OwnRules } from '../basics/default-rules.ts';
+import { LEVEL_VERSION } from '../basics/level-constants.ts';
+import type { Level } from '../basics/level-types.ts';
+import { type Path, toPointer } from '../basics/problem.ts';
+import { MERGE_MARKER } from '../json/merge-markers.ts';
+import { LFS } from '../json/pointer-file.ts';
+import { MAX_FILE_SIZE } from '../json/read-json.ts';
+import { type Mistake, scanJson } from '../json/scan-json.ts';
+import { createPlaceFinder } from '../json/text-place.ts';
+import { decodeUtf8 } from '../json/utf8.ts';
+import { contradictionsIn } from '../level/contradictions.ts';
+import { type Fault, findFaults, fitsLevel } from '../level/faults.ts';
+import { type JsonObject, MIGRATIONS, migrate, readVersion } from '../level/migrate.ts';
+import { resolveLevel } from '../level/resolve.ts';
+import { LEVEL_SHAPE, type LevelFile } from '../level/shape.ts';
 
 /** The outcome of {@link readPlainLevel}: the level, or what is wrong with its file. */
 export type PlainLevelReading =
