@@ -1,4 +1,4 @@
-import { pointerFile } from '../schema/basics/index.ts';
+import { pointerFile } from '../schema/json/index.ts';
 import { Failure } from './failure.ts';
 import { namedPath } from './shown-path.ts';
 

@@ -5,65 +5,132 @@ export {
   type Adjustment,
   ALLOWABLE_CODES,
   type AllowableCode,
-} from './basics/adjustable.ts';
-export { closestName } from './basics/closest-name.ts';
-export { adjustmentOf, CODES, type CodeExplanation } from './basics/codes.ts';
-export { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './basics/default-rules.ts';
-export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './basics/kind.ts';
-export * from './basics/kinds.ts';
-export { DEFAULT_RANGE, LEVEL_VERSION } from './basics/level-constants.ts';
-export * from './basics/level-types.ts';
-export { LIMITS } from './basics/limits.ts';
-export { entryName, objectName, touchedName } from './basics/names.ts';
-export type { Problem } from './basics/problem.ts';
+  type Allowed,
+  type Appearance,
+  type Asteroid,
+  adjustmentOf,
+  appearanceOf,
+  appearanceOfObject,
+  type Circle,
+  CODES,
+  type CodeExplanation,
+  closestName,
+  DEFAULT_RANGE,
+  DEFAULT_RULES,
+  type Disc,
+  entryName,
+  type Field,
+  type FieldName,
+  type FieldsOf,
+  type FlagField,
+  fieldsOf,
+  type Hold,
+  isRequired,
+  isVariant,
+  KINDS,
+  type Kind,
+  kindOfList,
+  LEVEL_VERSION,
+  type Level,
+  LIMITS,
+  LISTED_KINDS,
+  type ListedKind,
+  type ListOf,
+  listOf,
+  MAX_FILE_SIZE,
+  NO_OBJECTS,
+  type NumberField,
+  nameWhenTouched,
+  OBJECT_KINDS,
+  OBJECT_LISTS,
+  type ObjectKind,
+  type ObjectList,
+  type ObjectOf,
+  type OwnRules,
+  objectName,
+  type Pair,
+  PLACEABLES,
+  type Place,
+  type Placeable,
+  type Problem,
+  placedAs,
+  placesIn,
+  RULE_NAMES,
+  type RuleName,
+  type Rules,
+  type RunNote,
+  rulesOf,
+  type ScriptedRun,
+  SINGLE_KINDS,
+  type SingleKind,
+  touchedName,
+  type ValueOf,
+  type VariantFlag,
+} from './basics/index.ts';
 export {
   ACCURACY_NAMES,
   type ConfigFile,
+  type ConfigReading,
   type ConfiguredSeverity,
   configSchema,
   REPORTER_NAMES,
   type ReporterName,
+  readConfig,
   SEVERITIES,
   type SeverityMap,
-} from './config/config.ts';
-export { type ConfigReading, readConfig } from './config/read-config.ts';
+} from './config/index.ts';
 export * from './edit-api.ts';
 export {
   exportOriginal,
-  formatOriginal,
-  type OriginalExport,
-  type OriginalLevel,
-  type TitledOriginal,
-} from './exchange/export-original.ts';
-export { type ImportedLevel, type ImportReading, importOriginal } from './exchange/import-original.ts';
-export {
   exportTiled,
+  formatOriginal,
   formatTiled,
   formatTmx,
+  type ImportedLevel,
+  type ImportReading,
   type ImportTiledOptions,
+  importOriginal,
   importTiled,
   isTiledMap,
+  type OriginalExport,
+  type OriginalLevel,
   type TiledLayer,
   type TiledMap,
   type TiledObject,
   type TiledProperty,
-} from './exchange/tiled/index.ts';
-export { codeFrame } from './json/code-frame.ts';
-export { MAX_FILE_SIZE } from './json/read-json.ts';
-export { isSame } from './json/same-json.ts';
-export type { TextPlace } from './json/text-place.ts';
+  type TitledOriginal,
+} from './exchange/index.ts';
+export { codeFrame, isSame, type TextPlace } from './json/index.ts';
 export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
-export { enteringFolder, leavingFolder } from './level/folder-rules.ts';
-export { formatLevel } from './level/format.ts';
-export { withIds } from './level/ids.ts';
-export { conflictProblems } from './level/merge-conflicts.ts';
-export type { JsonObject, Migration } from './level/migrate.ts';
-export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './level/notes.ts';
-export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './level/read-level.ts';
-export { resolveLevel } from './level/resolve.ts';
-export { type GameRule, RULES } from './level/rules.ts';
-export * from './level/run-text/index.ts';
-export { type FileConflict, formatLevelShape, type LevelFile } from './level/shape.ts';
+export {
+  conflictProblems,
+  enteringFolder,
+  type FileConflict,
+  formatLevel,
+  formatLevelShape,
+  formatRunText,
+  type GameRule,
+  type JsonObject,
+  type LevelDocument,
+  type LevelFile,
+  type LevelReading,
+  LINE_BREAK,
+  leavingFolder,
+  type Migration,
+  NOTE_TEXT,
+  notesInOrder,
+  type ReadLevelOptions,
+  type ReadRunTextOptions,
+  RULES,
+  type RunScript,
+  type RunTextPlace,
+  type RunTextReading,
+  type RunTextRemark,
+  readLevel,
+  readRunText,
+  resolveLevel,
+  withIds,
+} from './level/index.ts';
 export { levelSchema, OBJECT_SCHEMAS, rulesSchema } from './level-schema.ts';
 export {
   formatLock,
@@ -72,11 +139,12 @@ export {
   LOCK_VERSION,
   type Lock,
   type LockEntry,
+  type LockReading,
   lockEntrySchema,
   lockJsonSchema,
   lockSchema,
-} from './lock/lock.ts';
-export { type LockReading, readLock } from './lock/read-lock.ts';
+  readLock,
+} from './lock/index.ts';
 export {
   formatPack,
   formatPackJsonSchema,
@@ -86,17 +154,68 @@ export {
   PACK_VERSION,
   type PackEntry,
   type PackFile,
+  type PackReading,
   packJsonSchema,
   packSchema,
-} from './pack/pack.ts';
-export { type PackReading, readPack } from './pack/read-pack.ts';
+  readPack,
+} from './pack/index.ts';
 export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
-export * from './reports/check.ts';
-export { type DiffReport, diffReportSchema } from './reports/diff.ts';
-export { type FixReport, fixReportSchema } from './reports/fix.ts';
-export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './reports/forecast.ts';
-export * from './reports/others.ts';
-export { type TermsReport, termsReportSchema } from './reports/parts.ts';
-export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './reports/schemas.ts';
-export { type TuneReport, tuneReportSchema } from './reports/tune.ts';
-export { type VerifyReport, verifyReportSchema } from './reports/verify.ts';
+export {
+  type AccuracyReport,
+  accuracyReportSchema,
+  type BuildReport,
+  buildReportSchema,
+  type CheckReport,
+  checkReportSchema,
+  type DifficultyReport,
+  type DiffReport,
+  difficultyReportSchema,
+  diffReportSchema,
+  type ExplainReport,
+  type ExportReport,
+  explainReportSchema,
+  exportReportSchema,
+  type FitReport,
+  type FixReport,
+  type FmtReport,
+  type ForecastReport,
+  fitReportSchema,
+  fixReportSchema,
+  fmtReportSchema,
+  forecastReportSchema,
+  formatReportJsonSchema,
+  type GenerateReport,
+  generateReportSchema,
+  type ImportReport,
+  type InitReport,
+  type InspectReport,
+  importReportSchema,
+  initReportSchema,
+  inspectReportSchema,
+  type LevelReport,
+  REPORT_SCHEMAS,
+  type ReportName,
+  type RobustnessReport,
+  type RunFoundReport,
+  type RunReport,
+  reportJsonSchema,
+  robustnessReportSchema,
+  runReportSchema,
+  type SimulateReport,
+  type SoftlockReport,
+  type SolutionReport,
+  type SolveReport,
+  type SolveSetReport,
+  simulateReportSchema,
+  softlockReportSchema,
+  solveReportSchema,
+  solveSetReportSchema,
+  type TermsReport,
+  type TuneReport,
+  termsReportSchema,
+  tuneReportSchema,
+  VERDICTS,
+  type Verdict,
+  type VerifyReport,
+  verifyReportSchema,
+} from './reports/index.ts';

@@ -1,5 +1,5 @@
 import * as z from 'zod';
-import { configSchema } from './config/config.ts';
+import { configSchema } from './config/index.ts';
 import { levelSchema } from './level-schema.ts';
 
 /**

@@ -1,7 +1,7 @@
 import * as z from 'zod';
-import { ALLOWABLE_CODES } from './basics/adjustable.ts';
-import { RULE_NAMES } from './basics/default-rules.ts';
 import {
+  ALLOWABLE_CODES,
+  DEFAULT_RANGE,
   type FieldsOf,
   fieldsOf,
   KINDS,
@@ -10,11 +10,10 @@ import {
   type ListOf,
   OBJECT_KINDS,
   type ObjectKind,
+  RULE_NAMES,
   type SingleKind,
-} from './basics/kinds.ts';
-import { DEFAULT_RANGE } from './basics/level-constants.ts';
-import { RULES } from './level/rules.ts';
-import { LEVEL_SHAPE, type Shape as LevelShape } from './level/shape.ts';
+} from './basics/index.ts';
+import { LEVEL_SHAPE, type Shape as LevelShape, RULES } from './level/index.ts';
 
 type Plain<F> = F extends { readonly type: 'number' } ? z.ZodNumber : z.ZodBoolean;
 type FieldSchema<F> = F extends { readonly default: unknown } ? z.ZodOptional<Plain<F>> : Plain<F>;

@@ -1,5 +1,5 @@
 import { join } from 'node:path';
-import { strictJson } from '../../schema/basics/index.ts';
+import { strictJson } from '../../schema/json/index.ts';
 import type { PlannedText } from './ci.ts';
 import { readText } from './read-text.ts';
 

@@ -1,5 +1,5 @@
 import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
-import { strictJson } from '../../schema/basics/index.ts';
+import { strictJson } from '../../schema/json/index.ts';
 
 /** Bytes of the longest line that is read: a play of the largest size as text, and room for its name. */
 export const MOST_BYTES = 2 * PLAY_LIMITS.bytes;

@@ -97,3 +97,9 @@ export interface Level extends LevelObjects {
 export const NO_OBJECTS = Object.fromEntries(LISTED_KINDS.map((kind) => [KINDS[kind].list, []])) as unknown as Readonly<
   Pick<Level, ObjectList>
 >;
+
+/** The objects of a kind in a level. */
+export function objectsIn<K extends ObjectKind>(level: Level, kind: K): readonly ObjectOf<K>[] {
+  const found = (level as unknown as Readonly<Record<string, unknown>>)[KINDS[kind].list ?? kind];
+  return (KINDS[kind].list === null ? [found] : found) as readonly ObjectOf<K>[];
+}

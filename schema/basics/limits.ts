@@ -27,3 +27,21 @@ export const LIMITS = {
   /** Characters of the reason why a problem is allowed. */
   reason: 300,
 } as const;
+
+/** The version of the level format that this toolkit writes. */
+export const LEVEL_VERSION = 1;
+
+/** The range of a level that does not set one: farther than this from the centre of every asteroid she is lost, px. */
+export const DEFAULT_RANGE = 250;
+
+/** s; a run has at least one tick of 1/60 s. */
+export const SHORTEST_RUN = 0.01;
+
+/** s; the longest run that is ever simulated: one hour, the limit of holds in a level file. */
+export const LONGEST_RUN = 3600;
+
+/** The largest work that may be allowed for a level, pieces of motion: counts must stay exact whole numbers. */
+export const MOST_WORK = 1e12;
+
+/** Larger files are not read: bytes, or UTF-16 code units of a text. */
+export const MAX_FILE_SIZE = 8 * 1024 * 1024;

@@ -1,4 +1,3 @@
-import { quote } from './format-value.ts';
 import {
   appearanceOfObject,
   KINDS,
@@ -10,6 +9,7 @@ import {
   SINGLE_KINDS,
 } from './kinds.ts';
 import type { Path } from './problem.ts';
+import { quote } from './words.ts';
 
 /** Words count from 1: index 0 of a list in a file is number 1 to people. */
 const numbered = (words: string, index: number): string => `${words} ${index + 1}`;

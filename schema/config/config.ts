@@ -1,6 +1,5 @@
 import * as z from 'zod';
-import { ADJUSTABLE_CODES, type AdjustableCode } from '../basics/adjustable.ts';
-import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/terms-limits.ts';
+import { ADJUSTABLE_CODES, type AdjustableCode, LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/index.ts';
 import { rulesSchema } from '../level-schema.ts';
 
 /** The accuracies that a configuration can name. */

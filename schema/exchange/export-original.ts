@@ -1,12 +1,18 @@
-import { RULE_NAMES } from '../basics/default-rules.ts';
-import { fieldsOf, KINDS, LISTED_KINDS, OBJECT_KINDS, type ObjectKind } from '../basics/kinds.ts';
-import { DEFAULT_RANGE } from '../basics/level-constants.ts';
-import type { Level } from '../basics/level-types.ts';
-import { objectName } from '../basics/names.ts';
-import { type Path, type Problem, toPointer } from '../basics/problem.ts';
-import type { LevelDocument } from '../level/read-level.ts';
-import { RULES } from '../level/rules.ts';
-import type { LevelFile } from '../level/shape.ts';
+import {
+  DEFAULT_RANGE,
+  fieldsOf,
+  KINDS,
+  type Level,
+  LISTED_KINDS,
+  OBJECT_KINDS,
+  type ObjectKind,
+  objectName,
+  type Path,
+  type Problem,
+  RULE_NAMES,
+  toPointer,
+} from '../basics/index.ts';
+import { type LevelDocument, type LevelFile, RULES } from '../level/index.ts';
 
 /** A level object of the original game: plain JSON. */
 export type OriginalLevel = { readonly [key: string]: unknown };

@@ -1,14 +1,21 @@
-import { formatValue } from '../basics/format-value.ts';
-import { fieldsOf, isRequired, KINDS, OBJECT_KINDS, type ObjectKind } from '../basics/kinds.ts';
-import { LEVEL_VERSION } from '../basics/level-constants.ts';
-import { LIMITS } from '../basics/limits.ts';
-import { toWords } from '../basics/names.ts';
-import { type Finding, MAX_FINDINGS, type Path, type Problem } from '../basics/problem.ts';
-import { otherEditor } from '../json/other-editors.ts';
-import { type JsonReading, MAX_FILE_SIZE, readJson, toProblems } from '../json/read-json.ts';
-import { withIds } from '../level/ids.ts';
-import type { LevelFile } from '../level/shape.ts';
-import { readModule } from './module-text.ts';
+import {
+  type Finding,
+  fieldsOf,
+  formatValue,
+  isRequired,
+  KINDS,
+  LEVEL_VERSION,
+  LIMITS,
+  MAX_FILE_SIZE,
+  MAX_FINDINGS,
+  OBJECT_KINDS,
+  type ObjectKind,
+  type Path,
+  type Problem,
+  toWords,
+} from '../basics/index.ts';
+import { decodeUtf8, type JsonReading, otherEditor, readJson, toProblems } from '../json/index.ts';
+import { type LevelFile, withIds } from '../level/index.ts';
 
 /** A level of the original game, as a level file. */
 export interface ImportedLevel {
@@ -282,4 +289,38 @@ export function importOriginal(source: Uint8Array | string, options: { readonly 
     notes.push(`ignored keys that have no meaning here: ${keys.join(', ')}`);
   }
   return { ok: true, levels, notes };
+}
+
+/** What stands before the value that a module exports. */
+// a comment is matched with its line end: otherwise a line of slashes could be split in very many ways
+const BEGINNING = /^(?:\s|\/\/[^\n]*\n|(['"])use strict\1;?)*(?:module\.exports\s*=|export\s+default\b)/;
+
+/** The first bytes, in which a module says that it is one. */
+const HEAD = 4096;
+
+/** The text with everything that a pattern matches made blank; places stay. */
+const blank = (text: string, pattern: RegExp): string => text.replace(pattern, (part) => part.replace(/[^\r\n]/g, ' '));
+
+function textOf(source: Uint8Array | string): string | null {
+  if (typeof source === 'string') return source;
+  const head = decodeUtf8(source.subarray(0, HEAD)).text;
+  if (!BEGINNING.test(head.replace(/^\ufeff/, ''))) return null;
+  const { text, bad } = decodeUtf8(source);
+  return bad === null ? text : null;
+}
+
+/** A JavaScript module whose exported value may be JSON. */
+interface ModuleText {
+  /** Its text, without a byte order mark. */
+  readonly text: string;
+  /** The exported value at its place in the text; everything around it and lines of comment are blank. */
+  readonly value: string;
+}
+
+/** Finds the value that a JavaScript module exports, if it exports only one; null if the source is no such module. */
+function readModule(source: Uint8Array | string): ModuleText | null {
+  const text = textOf(source)?.replace(/^\ufeff/, '') ?? null;
+  if (text === null || !BEGINNING.test(text)) return null;
+  const value = blank(blank(blank(text, BEGINNING), /;\s*$/), /^[ \t]*\/\/.*$/gm);
+  return { text, value };
 }

@@ -1,4 +1,4 @@
-import { quote } from '../basics/format-value.ts';
+import { quote } from '../basics/index.ts';
 
 /** What git has left in a text that it could not merge. */
 export interface MergeMarkers {

@@ -1,5 +1,4 @@
-import { formatValue, quote } from '../basics/format-value.ts';
-import type { Finding } from '../basics/problem.ts';
+import { type Finding, formatValue, quote } from '../basics/index.ts';
 
 type Json = Readonly<Record<string, unknown>>;
 

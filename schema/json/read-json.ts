@@ -1,15 +1,11 @@
-import { type Finding, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from '../basics/problem.ts';
+import { type Finding, MAX_FILE_SIZE, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from '../basics/index.ts';
 import { foreignKind, hintForKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
-import { explainMistake } from './json-failures.ts';
-import { createLocator, type Locator } from './locate.ts';
+import { createLocator, createPlaceFinder, type Locator } from './locate.ts';
 import { mergeMarkers } from './merge-markers.ts';
+import { explainMistake } from './mistakes.ts';
 import { pointerFile } from './pointer-file.ts';
-import { scanJson } from './scan-json.ts';
-import { createPlaceFinder } from './text-place.ts';
+import { scanJson } from './scan.ts';
 import { decodeUtf8 } from './utf8.ts';
-
-/** Larger files are not read: bytes, or UTF-16 code units of a text. */
-export const MAX_FILE_SIZE = 8 * 1024 * 1024;
 
 /** A JSON document, or what is wrong with it. `text` has no byte order mark. */
 export type JsonReading =

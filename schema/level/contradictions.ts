@@ -1,5 +1,4 @@
-import { OBJECT_LISTS } from '../basics/kinds.ts';
-import type { Path } from '../basics/problem.ts';
+import { OBJECT_LISTS, type Path } from '../basics/index.ts';
 
 /** What contradicts itself in a level, without words. */
 export type Contradiction =

@@ -1,4 +1,4 @@
-import type { Path } from '../basics/problem.ts';
+import type { Path } from '../basics/index.ts';
 import { LEVEL_SHAPE, type Shape, type ShapesByKey } from './shape.ts';
 
 type Test = (value: unknown) => boolean;

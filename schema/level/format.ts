@@ -1,6 +1,4 @@
-import { ALLOWABLE_CODES } from '../basics/adjustable.ts';
-import { RULE_NAMES } from '../basics/default-rules.ts';
-import { OBJECT_LISTS, SINGLE_KINDS } from '../basics/kinds.ts';
+import { ALLOWABLE_CODES, OBJECT_LISTS, RULE_NAMES, SINGLE_KINDS } from '../basics/index.ts';
 import { notesInOrder } from './notes.ts';
 import { LEVEL_SHAPE, type LevelFile } from './shape.ts';
 

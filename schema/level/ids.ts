@@ -1,4 +1,4 @@
-import { OBJECT_LISTS } from '../basics/kinds.ts';
+import { OBJECT_LISTS } from '../basics/index.ts';
 import type { LevelFile } from './shape.ts';
 
 const LENGTH = 6;

@@ -1,5 +1,4 @@
-import { quote } from '../basics/format-value.ts';
-import { MAX_PROBLEMS, type Problem } from '../basics/problem.ts';
+import { MAX_PROBLEMS, type Problem, quote } from '../basics/index.ts';
 import type { LevelDocument } from './read-level.ts';
 import type { LevelFile } from './shape.ts';
 

@@ -1,4 +1,4 @@
-import { LEVEL_VERSION } from '../basics/level-constants.ts';
+import { LEVEL_VERSION } from '../basics/index.ts';
 
 /** A JSON object. */
 export type JsonObject = {

@@ -1,4 +1,4 @@
-import type { RunNote } from '../basics/level-types.ts';
+import type { RunNote } from '../basics/index.ts';
 
 /** What ends a line: nothing that a note may have. */
 export const LINE_BREAK = /\r\n|[\n\r\v\f\u0085\u2028\u2029]/;

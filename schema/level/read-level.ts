@@ -1,12 +1,6 @@
-import type { OwnRules } from '../basics/default-rules.ts';
-import { formatValue } from '../basics/format-value.ts';
-import { LEVEL_VERSION } from '../basics/level-constants.ts';
-import type { Level } from '../basics/level-types.ts';
-import type { Finding, Problem } from '../basics/problem.ts';
-import { readJson, toProblems } from '../json/read-json.ts';
-import type { TextPlace } from '../json/text-place.ts';
-import { checkMeaning } from './check-meaning.ts';
-import { checkShape } from './check-shape.ts';
+import { type Finding, formatValue, LEVEL_VERSION, type Level, type OwnRules, type Problem } from '../basics/index.ts';
+import { readJson, type TextPlace, toProblems } from '../json/index.ts';
+import { checkMeaning, checkShape } from './check-shape.ts';
 import { type JsonObject, MIGRATIONS, type Migration, migrate, readVersion, type VersionReading } from './migrate.ts';
 import { resolveLevel } from './resolve.ts';
 import type { LevelFile } from './shape.ts';

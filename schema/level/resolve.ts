@@ -1,6 +1,4 @@
-import { ALLOWABLE_CODES } from '../basics/adjustable.ts';
-import { type OwnRules, ownRules } from '../basics/default-rules.ts';
-import type { Allowed, Level } from '../basics/level-types.ts';
+import { ALLOWABLE_CODES, type Allowed, type Level, type OwnRules, ownRules } from '../basics/index.ts';
 import { LEVEL_SHAPE, type LevelFile, type Shape, type ShapesByKey } from './shape.ts';
 
 type Written = Readonly<Record<string, unknown>>;

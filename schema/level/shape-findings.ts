@@ -1,11 +1,20 @@
-import { ALLOWABLE_CODES } from '../basics/adjustable.ts';
-import { closestName } from '../basics/closest-name.ts';
-import { adjustmentOf, allCodes } from '../basics/codes.ts';
-import { formatValue, quote } from '../basics/format-value.ts';
-import { KINDS, OBJECT_KINDS, SINGLE_KINDS } from '../basics/kinds.ts';
-import { LEVEL_VERSION } from '../basics/level-constants.ts';
-import { toWords } from '../basics/names.ts';
-import { type Finding, MAX_FINDINGS, type Path, toPointer } from '../basics/problem.ts';
+import {
+  ALLOWABLE_CODES,
+  adjustmentOf,
+  allCodes,
+  closestName,
+  type Finding,
+  formatValue,
+  KINDS,
+  LEVEL_VERSION,
+  MAX_FINDINGS,
+  OBJECT_KINDS,
+  type Path,
+  quote,
+  SINGLE_KINDS,
+  toPointer,
+  toWords,
+} from '../basics/index.ts';
 import type { Fault } from './faults.ts';
 
 /** Names from the original game, which people who know it may write. */

@@ -1,19 +1,20 @@
-import { ALLOWABLE_CODES } from '../basics/adjustable.ts';
-import { RULE_NAMES } from '../basics/default-rules.ts';
-import type { Field } from '../basics/kind.ts';
 import {
+  ALLOWABLE_CODES,
+  DEFAULT_RANGE,
+  type Field,
   type FieldsOf,
   fieldsOf,
   KINDS,
+  LEVEL_VERSION,
+  LIMITS,
   LISTED_KINDS,
   type ListedKind,
   type ListOf,
   type ObjectKind,
+  RULE_NAMES,
   SINGLE_KINDS,
   type SingleKind,
-} from '../basics/kinds.ts';
-import { DEFAULT_RANGE, LEVEL_VERSION } from '../basics/level-constants.ts';
-import { LIMITS } from '../basics/limits.ts';
+} from '../basics/index.ts';
 import { NOTE_TEXT } from './notes.ts';
 import { RULES } from './rules.ts';
 

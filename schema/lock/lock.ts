@@ -1,7 +1,7 @@
 import * as z from 'zod';
-import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/terms-limits.ts';
+import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/index.ts';
 import { rulesSchema } from '../level-schema.ts';
-import { VERDICTS } from '../reports/check.ts';
+import { VERDICTS } from '../reports/index.ts';
 
 /** The version of the lock file that this toolkit reads and writes. */
 export const LOCK_VERSION = 1;

@@ -1,9 +1,16 @@
 import * as z from 'zod';
-import { closestName } from '../basics/closest-name.ts';
-import { RULE_NAMES } from '../basics/default-rules.ts';
-import { formatValue, quote } from '../basics/format-value.ts';
-import { type Finding, MAX_FINDINGS, type Path, type Problem, toPointer } from '../basics/problem.ts';
-import { readJson, toProblems } from '../json/read-json.ts';
+import {
+  closestName,
+  type Finding,
+  formatValue,
+  MAX_FINDINGS,
+  type Path,
+  type Problem,
+  quote,
+  RULE_NAMES,
+  toPointer,
+} from '../basics/index.ts';
+import { readJson, toProblems } from '../json/index.ts';
 import { LOCK_VERSION, type Lock, lockEntrySchema, lockSchema } from './lock.ts';
 
 /** The outcome of {@link readLock}: with `ok` true the lock, otherwise the problems. */

@@ -1,21 +1,21 @@
 // Reading levels in a game. It is the reader of the schema without what explains every mistake to the author of a level: the same
 // scan, shape, contradictions and defaults, and a few words. So the two can't differ in what is valid.
 
-import type { OwnRules } from '../basics/default-rules.ts';
-import { LEVEL_VERSION } from '../basics/level-constants.ts';
-import type { Level } from '../basics/level-types.ts';
-import { type Path, toPointer } from '../basics/problem.ts';
-import { MERGE_MARKER } from '../json/merge-markers.ts';
-import { LFS } from '../json/pointer-file.ts';
-import { MAX_FILE_SIZE } from '../json/read-json.ts';
-import { type Mistake, scanJson } from '../json/scan-json.ts';
-import { createPlaceFinder } from '../json/text-place.ts';
-import { decodeUtf8 } from '../json/utf8.ts';
-import { contradictionsIn } from '../level/contradictions.ts';
-import { type Fault, findFaults, fitsLevel } from '../level/faults.ts';
-import { type JsonObject, MIGRATIONS, migrate, readVersion } from '../level/migrate.ts';
-import { resolveLevel } from '../level/resolve.ts';
-import { LEVEL_SHAPE, type LevelFile } from '../level/shape.ts';
+import { LEVEL_VERSION, type Level, MAX_FILE_SIZE, type OwnRules, type Path, toPointer } from '../basics/index.ts';
+import { createPlaceFinder, decodeUtf8, LFS, MERGE_MARKER, type Mistake, scanJson } from '../json/index.ts';
+import {
+  contradictionsIn,
+  type Fault,
+  findFaults,
+  fitsLevel,
+  type JsonObject,
+  LEVEL_SHAPE,
+  type LevelFile,
+  MIGRATIONS,
+  migrate,
+  readVersion,
+  resolveLevel,
+} from '../level/index.ts';
 
 /** The outcome of {@link readPlainLevel}: the level, or what is wrong with its file. */
 export type PlainLevelReading =

@@ -1,6 +1,6 @@
 import * as z from 'zod';
 import { forecastReportSchema } from './forecast.ts';
-import { playersReportSchema, playsReportSchema } from './plays.ts';
+import { playersReportSchema, playsReportSchema } from './players.ts';
 import { problem, termsReportSchema, version } from './parts.ts';
 
 /** The verdicts on a level. All but the first need attention. */

@@ -1,6 +1,7 @@
 import * as z from 'zod';
 import { runReportSchema, VERDICTS } from './check.ts';
-import { problem, termsReportSchema, version } from './parts.ts';
+import { problem, termsReportSchema, version, playVerdict } from './parts.ts';
+import { RULE_NAMES } from '../basics/index.ts';
 
 const { holds, outcome, time } = runReportSchema.shape;
 const effect = z.strictObject({ name: z.string(), because: z.string().describe('Why it is simulated, or why not.') });
@@ -187,3 +188,175 @@ export const buildReportSchema = z.strictObject({
 
 /** What `gq build` prints as JSON. */
 export type BuildReport = z.infer<typeof buildReportSchema>;
+
+const index = z.int().min(0);
+const ticks = z.int().min(0);
+
+const proposal = z.strictObject({
+  kind: z
+    .enum(['move', 'resize', 'drop', 'range', 'velocity', 'run'])
+    .describe('What is changed; `run`: only a run, the level stays as it is.'),
+  object: z
+    .strictObject({
+      kind: z.string().describe('A kind of object, as in a level file.'),
+      index: index.describe("Within the level's own list of that kind, from 0."),
+      id: z.string().nullable(),
+    })
+    .nullable()
+    .describe('What is changed; null for the range and for a run.'),
+  size: z
+    .number()
+    .min(0)
+    .describe(
+      'px: the way of an object that is moved; the difference of a radius or of the range; of a velocity the way in a second; the diameter of an object that is removed; 0 for a run.',
+    ),
+  words: z.string().describe('The change as a sentence.'),
+  edits: z
+    .array(
+      z.strictObject({
+        pointer: z.string().describe('JSON pointer into the level file.'),
+        from: z.number().nullable().describe('The number of the level; null for an object.'),
+        to: z.number().nullable().describe('The new number; null: the object is removed.'),
+      }),
+    )
+    .describe('Edits of the level file, besides that of a run.'),
+  run: z.strictObject({
+    origin: z
+      .enum(['own', 'adjusted', 'search'])
+      .describe('own: a run of the level as it is; adjusted: one with other holds; search: a new run.'),
+    name: z.string().nullable().describe("The level's run; null for a new one."),
+    shifted: ticks
+      .nullable()
+      .describe('Ticks by which presses and releases of an adjusted run are shifted, in all; otherwise null.'),
+    holds: z.array(z.tuple([z.int(), z.int()])).describe('[press, release) in ticks of 1/60 s.'),
+    tick: ticks,
+    time: z.number().min(0).describe('Seconds from the start.'),
+    minerals: z.array(index).describe('Those that it collects.'),
+    hash: z.string().describe('As gq simulate gives it for the changed level.'),
+  }),
+});
+
+/** The zod schema of what `gq fix` prints as JSON. */
+export const fixReportSchema = z.strictObject({
+  version,
+  level: z.string(),
+  accuracy: z.string(),
+  terms: termsReportSchema,
+  verdict: z.enum(VERDICTS).describe('On the level as it is. With `completable` there is nothing to fix.'),
+  completedBy: z.string().nullable().describe('A run that completes the level as it is; null if none of its own does.'),
+  impossible: z.strictObject({ code: z.string(), reason: z.string() }).nullable().describe('The proof, if there is one.'),
+  proposals: z.array(proposal).describe('Each of another kind, the smallest first.'),
+  effort: z.strictObject({ runs: index, ticks, seconds: z.number().min(0).describe('Wall time.'), seed: index }),
+  isFinished: z.boolean().describe('Whether all was tried; false: --budget or --effort ended it.'),
+  written: z.int().min(1).nullable().describe('The number of the proposal that was written to the file, from 1.'),
+});
+
+/** What `gq fix` prints as JSON. */
+export type FixReport = z.infer<typeof fixReportSchema>;
+
+const rule = z.enum(RULE_NAMES as [string, ...string[]]);
+const isRelative = z.boolean().describe("Whether it is a share of each level's own value.");
+
+/** The zod schema of what `gq tune` prints as JSON. */
+export const tuneReportSchema = z.strictObject({
+  version,
+  accuracy: z.string(),
+  changes: z.array(z.strictObject({ rule, amount: z.number(), isRelative })).describe('Made together.'),
+  sweep: z
+    .strictObject({ rule, isRelative, amounts: z.array(z.number()) })
+    .nullable()
+    .describe('On top of the changes.'),
+  levels: z
+    .array(
+      z.strictObject({
+        file: z.string(),
+        name: z.string(),
+        terms: termsReportSchema.describe('Under which terms all this holds, without the changes.'),
+        run: z.string().nullable().describe('The run that is looked at: the first that completes the level.'),
+        room: z
+          .number()
+          .nullable()
+          .describe('The least share of its own value by which a rule may change before the run fails; null: it never did.'),
+        values: z
+          .array(
+            z.strictObject({
+              value: z.number().nullable().describe('Of the swept rule; null without a sweep.'),
+              state: z.enum(['kept', 'other', 'unproven', 'impossible']),
+              holds: z
+                .array(z.tuple([z.int(), z.int()]))
+                .nullable()
+                .describe('The other run: [press, release) in ticks of 1/60 s.'),
+            }),
+          )
+          .describe('One for each amount of the sweep, or the one of the changes.'),
+        intervals: z.array(
+          z.strictObject({
+            rule,
+            own: z.number(),
+            low: z.number().nullable(),
+            high: z.number().nullable(),
+            isLowBound: z.boolean().describe('Whether the run fails below `low`; false: nothing was tried there.'),
+            isHighBound: z.boolean(),
+            matters: z.boolean().describe('Whether the run is another, in any bit, at an end of what was tried.'),
+          }),
+        ),
+        why: z.string().nullable().describe('Why there is nothing to tell.'),
+      }),
+    )
+    .describe('Those first whose run fails first.'),
+  independent: z.array(rule).describe('Rules that were tried and that no level depends on.'),
+});
+
+/** What `gq tune` prints as JSON. */
+export type TuneReport = z.infer<typeof tuneReportSchema>;
+
+const tick = z.int().min(0);
+const claim = z.strictObject({
+  tick: tick.describe('Ticks of 1/60 s that were played.'),
+  minerals: z.int().min(0),
+  outcome: z.enum(['completed', 'collided', 'lost', 'timeout', 'left']),
+});
+
+/** The zod schema of what `gq verify` prints as JSON: a line for each play. */
+export const verifyReportSchema = z
+  .strictObject({
+    version,
+    file: z.string().nullable().describe('The file or pack; null for a play from standard input.'),
+    line: z.int().min(1).nullable().describe('The line of standard input or of a pack; null for a file.'),
+    id: z.union([z.string(), z.number()]).nullable().describe('What the line of standard input calls the play.'),
+    verdict: playVerdict,
+    message: z.string().describe('The verdict in words.'),
+    level: z
+      .strictObject({
+        hash: z.string(),
+        file: z.string().nullable().describe('The level file with this hash; null if there is none.'),
+        name: z.string().nullable(),
+        mayBe: z.string().nullable().describe('Of a stale level: the level file that it may have become.'),
+      })
+      .nullable()
+      .describe('null if the bytes are no play; so are the next three.'),
+    engine: z.string().nullable(),
+    accuracy: z.string().nullable(),
+    claim: claim.nullable().describe('What the play claims.'),
+    found: claim.nullable().describe('What its inputs lead to; null unless they were replayed to the end.'),
+    time: z.number().nullable().describe('When the replay ended, s to the last bit; null unless it did.'),
+    differs: z
+      .strictObject({ from: tick, to: tick })
+      .nullable()
+      .describe('The ticks between which the replay first differs from the play.'),
+    challenge: z
+      .enum(['none', 'unchecked', 'ok', 'missing', 'forged', 'expired'])
+      .nullable()
+      .describe('unchecked: the play has one, and no key was given.'),
+    signs: z
+      .strictObject({
+        fastEdges: z.int().min(0).describe('Presses and releases less than 2 ticks after the one before.'),
+        publishedRun: z.string().nullable().describe("The level's own run that the play repeats."),
+      })
+      .nullable()
+      .describe('What may mean that the play is no person’s; null unless the verdict is ok. It rejects nothing.'),
+  })
+  .describe('One play. Each line of the output is such an object, in the order of the plays.');
+
+/** What `gq verify` prints as JSON for a play. */
+export type VerifyReport = z.infer<typeof verifyReportSchema>;

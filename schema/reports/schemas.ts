@@ -1,16 +1,6 @@
 import * as z from 'zod';
 import { diffReportSchema } from './diff.ts';
-import { fixReportSchema } from './fix.ts';
-import {
-  accuracyReportSchema,
-  buildReportSchema,
-  explainReportSchema,
-  exportReportSchema,
-  fmtReportSchema,
-  importReportSchema,
-  initReportSchema,
-  inspectReportSchema,
-} from './others.ts';
+import { fixReportSchema, accuracyReportSchema, buildReportSchema, explainReportSchema, exportReportSchema, fmtReportSchema, importReportSchema, initReportSchema, inspectReportSchema, tuneReportSchema, verifyReportSchema } from './others.ts';
 import {
   checkReportSchema,
   difficultyReportSchema,
@@ -19,8 +9,6 @@ import {
   solveReportSchema,
   solveSetReportSchema,
 } from './check.ts';
-import { tuneReportSchema } from './tune.ts';
-import { verifyReportSchema } from './verify.ts';
 
 /** The zod schema of what each command prints with `--format json`, by the name of the command. */
 export const REPORT_SCHEMAS = {

@@ -1,9 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { fromPointer, toPointer } from '../../schema/basics/problem.ts';
-import { createLocator } from '../../schema/json/locate.ts';
-import { scanJson } from '../../schema/json/scan-json.ts';
-import { createPlaceFinder } from '../../schema/json/text-place.ts';
+import { createLocator, createPlaceFinder } from '../../schema/json/locate.ts';
+import { scanJson } from '../../schema/json/scan.ts';
 import { decodeUtf8 } from '../../schema/json/utf8.ts';
 
 /** Almost valid JSON: valid texts with some characters removed, inserted or replaced. */

@@ -11,7 +11,7 @@ import {
   packSchema,
   readPack,
 } from '../../schema/index.ts';
-import { withoutExtensions } from '../../schema/json/extensions.ts';
+import { withoutExtensions } from '../../schema/json/values.ts';
 import { apply, edit } from './edits.ts';
 
 const id = fc.oneof(

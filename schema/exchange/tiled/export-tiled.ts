@@ -1,5 +1,5 @@
-import { fieldsOf, KINDS, OBJECT_KINDS, type ObjectKind } from '../../basics/kinds.ts';
-import type { LevelFile } from '../../level/shape.ts';
+import { fieldsOf, KINDS, OBJECT_KINDS, type ObjectKind } from '../../basics/index.ts';
+import type { LevelFile } from '../../level/index.ts';
 import {
   EXACT,
   MAP_KEYS,

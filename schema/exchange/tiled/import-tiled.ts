@@ -1,22 +1,23 @@
-import { closestName } from '../../basics/closest-name.ts';
-import { formatValue, quote } from '../../basics/format-value.ts';
-import { KINDS, type ObjectKind, SINGLE_KINDS } from '../../basics/kinds.ts';
-import { LEVEL_VERSION } from '../../basics/level-constants.ts';
-import { type Finding, type Path, toPointer } from '../../basics/problem.ts';
-import { withoutExtensions } from '../../json/extensions.ts';
-import { otherEditor } from '../../json/other-editors.ts';
-import { readJson, toProblems } from '../../json/read-json.ts';
-import { checkMeaning } from '../../level/check-meaning.ts';
-import { checkShape } from '../../level/check-shape.ts';
-import { withIds } from '../../level/ids.ts';
-import type { LevelFile } from '../../level/shape.ts';
+import {
+  closestName,
+  type Finding,
+  formatValue,
+  KINDS,
+  LEVEL_VERSION,
+  type ObjectKind,
+  type Path,
+  quote,
+  SINGLE_KINDS,
+  toPointer,
+} from '../../basics/index.ts';
+import { otherEditor, readJson, toProblems, withoutExtensions } from '../../json/index.ts';
+import { checkMeaning, checkShape, type LevelFile, withIds } from '../../level/index.ts';
 import type { ImportReading } from '../import-original.ts';
 import { LevelMaker, type Made, ownValue } from './level-maker.ts';
 import { MAP_KEYS, OFFSET, PARTNER, POINT_KINDS } from './map.ts';
 import { isObject, type Json, MapReader, type ReadObject, type ReadProperty } from './map-objects.ts';
 import { hintForType, isNumeric, typeHint } from './property-type.ts';
-import { readMapSource } from './read-source.ts';
-import { isTmx } from './read-tmx.ts';
+import { isTmx, readMapSource } from './read-tmx.ts';
 
 /** The longest name of a level. */
 const LONGEST_NAME = 120;

@@ -1,8 +1,5 @@
-import { closestName } from '../../basics/closest-name.ts';
-import { quote } from '../../basics/format-value.ts';
-import { fieldsOf, KINDS, OBJECT_KINDS, type ObjectKind } from '../../basics/kinds.ts';
-import type { Path } from '../../basics/problem.ts';
-import { readJson } from '../../json/read-json.ts';
+import { closestName, fieldsOf, KINDS, OBJECT_KINDS, type ObjectKind, type Path, quote } from '../../basics/index.ts';
+import { readJson } from '../../json/index.ts';
 import { EXACT, PARTNER, POINT_KINDS } from './map.ts';
 import type { MapReader, ReadObject, ReadProperty } from './map-objects.ts';
 

@@ -1,5 +1,4 @@
-import { formatValue, quote } from '../../basics/format-value.ts';
-import { type Finding, MAX_FINDINGS, type Path, toPointer } from '../../basics/problem.ts';
+import { type Finding, formatValue, MAX_FINDINGS, type Path, quote, toPointer } from '../../basics/index.ts';
 
 export type Json = Readonly<Record<string, unknown>>;
 

@@ -1,5 +1,5 @@
-import { KINDS, OBJECT_KINDS } from '../../basics/kinds.ts';
-import { LEVEL_SHAPE } from '../../level/shape.ts';
+import { KINDS, OBJECT_KINDS } from '../../basics/index.ts';
+import { LEVEL_SHAPE } from '../../level/index.ts';
 
 /** A custom property in a Tiled map. */
 export interface TiledProperty {

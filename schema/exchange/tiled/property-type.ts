@@ -1,6 +1,5 @@
-import { fieldsOf, KINDS, OBJECT_KINDS } from '../../basics/kinds.ts';
-import type { Path } from '../../basics/problem.ts';
-import { LEVEL_SHAPE } from '../../level/shape.ts';
+import { fieldsOf, KINDS, OBJECT_KINDS, type Path } from '../../basics/index.ts';
+import { LEVEL_SHAPE } from '../../level/index.ts';
 import type { ReadProperty } from './map-objects.ts';
 
 /** Types of properties for what a level file has as number, as true or false, and as text. */

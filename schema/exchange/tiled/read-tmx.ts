@@ -1,12 +1,5 @@
-import { type Path, type Problem, toPointer } from '../../basics/problem.ts';
-import { isUtf16 } from '../../json/foreign-file.ts';
-import type { Locator } from '../../json/locate.ts';
-import { mergeMarkers } from '../../json/merge-markers.ts';
-import { MAX_FILE_SIZE, readJson } from '../../json/read-json.ts';
-import { createPlaceFinder } from '../../json/text-place.ts';
-import { decodeUtf8 } from '../../json/utf8.ts';
-import { xmlRoot } from '../../json/xml-root.ts';
-import type { MapSource } from './map-source.ts';
+import { type Finding, MAX_FILE_SIZE, type Path, type Problem, toPointer } from '../../basics/index.ts';
+import { createPlaceFinder, decodeUtf8, isUtf16, type Locator, mergeMarkers, readJson, xmlRoot } from '../../json/index.ts';
 import { readXml, type XmlElement } from './xml.ts';
 
 /** Tells whether a file is a map in XML. */
@@ -103,7 +96,7 @@ function wholeFile(
 }
 
 /** Reads a map in XML. */
-export function readTmx(source: Uint8Array | string): MapSource {
+function readTmx(source: Uint8Array | string): MapSource {
   // it says what is wrong with the size or the encoding
   if (source.length > MAX_FILE_SIZE) return readJson(source, 'skip');
   const { text: decoded, bad } = typeof source === 'string' ? { text: source, bad: null } : decodeUtf8(source);
@@ -128,3 +121,18 @@ export function readTmx(source: Uint8Array | string): MapSource {
   };
   return { ok: true, text, value, locator, findings: [] };
 }
+
+/** A map as a value in Tiled's JSON map format, whatever the format of the file. */
+type MapSource =
+  | {
+      readonly ok: true;
+      readonly text: string;
+      readonly value: unknown;
+      readonly locator: Locator;
+      readonly findings: readonly Finding[];
+    }
+  | { readonly ok: false; readonly problems: Problem[]; readonly text: string };
+
+/** Reads the text of a map: JSON (.tmj, .json) or XML (.tmx). */
+export const readMapSource = (source: Uint8Array | string): MapSource =>
+  isTmx(source) ? readTmx(source) : readJson(source, 'skip');

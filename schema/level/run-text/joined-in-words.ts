@@ -1,4 +1,4 @@
-import type { Hold } from '../../basics/level-types.ts';
+import type { Hold } from '../../basics/index.ts';
 
 /** Something to say of a place in the text. */
 interface Said {

@@ -1,5 +1,4 @@
-import type { Hold, RunNote } from '../../basics/level-types.ts';
-import { LIMITS } from '../../basics/limits.ts';
+import { type Hold, LIMITS, type RunNote } from '../../basics/index.ts';
 import { LINE_BREAK, notesInOrder } from '../notes.ts';
 import { joinedInWords } from './joined-in-words.ts';
 import type { RunTextReading, RunTextRemark } from './run-script.ts';

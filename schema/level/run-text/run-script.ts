@@ -1,4 +1,4 @@
-import type { Hold, RunNote } from '../../basics/level-types.ts';
+import type { Hold, RunNote } from '../../basics/index.ts';
 
 /** What a run as text says. */
 export interface RunScript {

@@ -1,7 +1,6 @@
-import { closestName } from '../basics/closest-name.ts';
-import { quote } from '../basics/format-value.ts';
-import type { Finding } from '../basics/problem.ts';
-import { type Expected, isDigit, isSpace, LITERALS, MAX_DEPTH, type Mistake, wordAt } from './scan-json.ts';
+import { closestName, type Finding, quote } from '../basics/index.ts';
+import { createPlaceFinder } from './locate.ts';
+import { type Expected, isDigit, isSpace, LITERALS, MAX_DEPTH, type Mistake, scanJson, wordAt } from './scan.ts';
 
 /** What is wrong with a text that is not JSON, or says something twice, and what to do about it. */
 export function explainMistake(text: string, mistake: Mistake): Finding {
@@ -202,4 +201,21 @@ function hintFor(mode: Expected): string {
     default:
       return 'Correct the marked place.';
   }
+}
+
+/** The value of a JSON text, or the first thing that is wrong with it, and where. */
+type StrictJson =
+  | { readonly ok: true; readonly value: unknown }
+  | { readonly ok: false; readonly message: string; readonly line: number; readonly column: number };
+
+/**
+ * Reads a JSON text that a person or a stranger wrote, as strictly as a level file: a key that an object has twice is a mistake,
+ * as is a number beyond the doubles. `JSON.parse` would take the last of two values, and another program the first.
+ */
+export function strictJson(text: string): StrictJson {
+  const { failure, repeated } = scanJson(text);
+  const first = failure ?? repeated[0];
+  if (first === undefined) return { ok: true, value: JSON.parse(text) };
+  const { message, offset = 0 } = explainMistake(text, first);
+  return { ok: false, message, ...createPlaceFinder(text)(offset) };
 }

@@ -1,4 +1,4 @@
-import type { Path } from '../basics/problem.ts';
+import type { Path } from '../basics/index.ts';
 
 /** Brackets may be nested to this depth; a level needs 4. */
 export const MAX_DEPTH = 64;
