@@ -1,4 +1,5 @@
-import { OBJECT_LISTS, readLevel } from '../../schema/index.ts';
+import { OBJECT_LISTS } from '../../schema/index.ts';
+import { readContent } from '../../schema/level/index.ts';
 import type { FileVersion, Pair } from './comparison.ts';
 
 /** The least share of objects that a file and its new name have in common. */
@@ -6,7 +7,7 @@ const LEAST_SHARE = 0.5;
 
 /** The ids of the objects in a level file; empty for one that is not valid. */
 function idsOf({ bytes }: FileVersion): string[] {
-  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  const read = readContent(bytes);
   if (!read.ok) return [];
   const { file } = read.document;
   return OBJECT_LISTS.flatMap((list) => (file[list] ?? []).flatMap(({ id }) => (id === undefined ? [] : [id])));

@@ -10,7 +10,7 @@ const MOST_REPEATED = 1000;
 export type Expected = 'value' | 'value or ]' | 'key' | 'key or }' | 'colon' | 'after' | 'end';
 
 /**
- * Where a text is not JSON, or says something twice. It has no advice, which a game does not need: `json-failures.ts` puts it
+ * Where a text is not JSON, or says something twice. It has no advice, which a game does not need: `mistakes.ts` puts it
  * into words for those who write levels.
  */
 export interface Mistake {

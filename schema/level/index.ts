@@ -8,9 +8,9 @@ export { withIds } from './ids.ts';
 export { conflictProblems } from './merge-conflicts.ts';
 export { type JsonObject, MIGRATIONS, type Migration, migrate, readVersion } from './migrate.ts';
 export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './notes.ts';
-export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
-export { resolveLevel } from './resolve.ts';
-export { enteringFolder, type GameRule, leavingFolder, RULES } from './rules.ts';
+export { type LevelDocument, type LevelReading, type ReadLevelOptions, readContent, readLevel } from './read-level.ts';
+export { enteringFolder, leavingFolder, resolveLevel } from './resolve.ts';
+export { type GameRule, RULES } from './rules.ts';
 export {
   formatRunText,
   type ReadRunTextOptions,

@@ -101,3 +101,10 @@ export function readLevel(source: Uint8Array | string, options: ReadLevelOptions
   const locate = (pointer: string) => locator.placeAt(locator.offsetOf(pointer, 'value'));
   return { ok: true, level: resolveLevel(file, options.rules), document: { text, file, migratedFrom, locate } };
 }
+
+/**
+ * Reads what is in a level file, for what writes the file anew or shows its content: a byte order mark, which is no part of that,
+ * is skipped. Whatever judges a file calls {@link readLevel} without options of its own, so that all judge alike: with a mark, a
+ * file is no valid level.
+ */
+export const readContent = (source: Uint8Array | string): LevelReading => readLevel(source, { byteOrderMark: 'skip' });

@@ -1,7 +1,7 @@
 import * as z from 'zod';
-import { runReportSchema, VERDICTS } from './check.ts';
-import { problem, termsReportSchema, version, playVerdict } from './parts.ts';
 import { RULE_NAMES } from '../basics/index.ts';
+import { runReportSchema, VERDICTS } from './check.ts';
+import { playVerdict, problem, termsReportSchema, version } from './parts.ts';
 
 const { holds, outcome, time } = runReportSchema.shape;
 const effect = z.strictObject({ name: z.string(), because: z.string().describe('Why it is simulated, or why not.') });

@@ -1,6 +1,4 @@
 import * as z from 'zod';
-import { diffReportSchema } from './diff.ts';
-import { fixReportSchema, accuracyReportSchema, buildReportSchema, explainReportSchema, exportReportSchema, fmtReportSchema, importReportSchema, initReportSchema, inspectReportSchema, tuneReportSchema, verifyReportSchema } from './others.ts';
 import {
   checkReportSchema,
   difficultyReportSchema,
@@ -9,6 +7,20 @@ import {
   solveReportSchema,
   solveSetReportSchema,
 } from './check.ts';
+import { diffReportSchema } from './diff.ts';
+import {
+  accuracyReportSchema,
+  buildReportSchema,
+  explainReportSchema,
+  exportReportSchema,
+  fixReportSchema,
+  fmtReportSchema,
+  importReportSchema,
+  initReportSchema,
+  inspectReportSchema,
+  tuneReportSchema,
+  verifyReportSchema,
+} from './others.ts';
 
 /** The zod schema of what each command prints with `--format json`, by the name of the command. */
 export const REPORT_SCHEMAS = {

@@ -1,6 +1,7 @@
 import process from 'node:process';
 import type { Command } from 'commander';
-import { formatLevel, formatPack, type Problem, readLevel, readPack, withIds } from '../../../schema/index.ts';
+import { formatLevel, formatPack, type Problem, readPack, withIds } from '../../../schema/index.ts';
+import { readContent } from '../../../schema/level/index.ts';
 import { showProblems } from '../../code-frames.ts';
 import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
@@ -105,7 +106,7 @@ function canonicalText(file: string, bytes: Uint8Array): Canonical {
     const read = readPack(bytes);
     return read.ok ? { ok: true, text: formatPack(read.pack) } : read;
   }
-  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  const read = readContent(bytes);
   return read.ok ? { ok: true, text: formatLevel(withIds(read.document.file)) } : read;
 }
 
