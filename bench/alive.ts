@@ -1,8 +1,7 @@
 import { compile, type Scene } from '../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS } from '../schema/index.ts';
 import { applyChange, type Candidate, createRetime, type ObjectRef, type Vector, verifyRun } from '../solver/index.ts';
-import { atLeast, atMost, optionValue, publish } from './harness.ts';
-import { askedLevels } from './levels.ts';
+import { askedLevels, atLeast, atMost, define, LEVELS, lowerRank, type NamedLevel, text } from './harness/index.ts';
 
 /** px */
 const SIZES = [4, 8, 16, 32] as const;
@@ -81,38 +80,14 @@ function keepAlive(scene: Scene, level: Level, before: Candidate, most: number, 
   return { tried, holds: isAlive ? best.holds : null };
 }
 
-const single = new Map(SIZES.map((size) => [size, { moves: 0, broken: [] } as Moves]));
-const dragged: Moves = { moves: 0, broken: [] };
-const only = optionValue('--only');
-for (const { name, level } of askedLevels().filter((entry) => only === null || entry.name.includes(only))) {
-  const before = verifyRun(compile(level), level.runs[0].holds);
-  if (before === null) throw new Error(`expected the first run of ${name} to complete it`);
-  for (const object of refsIn(level)) {
-    for (const direction of DIRECTIONS) {
-      for (const [size, row] of single) {
-        const scene = moved(level, object, { x: size * direction.x, y: size * direction.y });
-        row.moves++;
-        if (!completes(scene, level.runs[0].holds)) row.broken.push(keepAlive(scene, level, before, LAST, null).tried);
-      }
-      let warm: Candidate['holds'] | null = null;
-      for (let by = STRIDE; by <= SIZES[SIZES.length - 1]; by += STRIDE) {
-        const scene = moved(level, object, { x: by * direction.x, y: by * direction.y });
-        dragged.moves++;
-        if (completes(scene, level.runs[0].holds)) continue;
-        const { tried, holds } = keepAlive(scene, level, before, LIVE, warm);
-        dragged.broken.push(tried);
-        warm = holds ?? warm;
-      }
-    }
-  }
-}
-
 const alive = ({ broken }: Moves): Tried[] => broken.filter(({ isAlive }) => isAlive);
 const share = (part: number, all: number): number => (all === 0 ? 1 : part / all);
 const kept = (row: Moves): number => share(alive(row).length, row.broken.length);
-const quantile = (values: readonly number[], p: number): number | null =>
-  [...values].sort((a, b) => a - b)[Math.floor(p * (values.length - 1))] ?? null;
-const thousands = (ticks: number | null): number | null => (ticks === null ? null : Math.round(ticks / 100) / 10);
+/** Thousand ticks that a share of the searches takes at most; null of none. */
+function thousands(ticks: readonly number[], part: number): number | null {
+  const found = lowerRank(ticks, part);
+  return found === undefined ? null : Math.round(found / 100) / 10;
+}
 
 function rowOf(what: string, row: Moves) {
   const found = alive(row);
@@ -124,63 +99,87 @@ function rowOf(what: string, row: Moves) {
     found.length,
     found.filter(({ first }) => first <= LIVE).length,
     found.filter(({ isWhole }) => isWhole).length,
-    thousands(quantile(firsts, 0.5)),
-    thousands(quantile(firsts, 0.95)),
+    thousands(firsts, 0.5),
+    thousands(firsts, 0.95),
     thousands(
-      quantile(
-        row.broken.map(({ all }) => all),
-        0.5,
-      ),
+      row.broken.map(({ all }) => all),
+      0.5,
     ),
   ];
 }
 
-const all: Moves = { moves: 0, broken: [...single.values()].flatMap(({ broken }) => broken) };
-const sizes = [...single.entries()];
-publish({
-  title: 'Runs kept alive while single objects of the levels are moved',
-  columns: [
-    'move',
-    'moves',
-    'break the run',
-    'kept alive',
-    'with live effort',
-    'with all minerals',
-    'first, kticks',
-    'first, 95 %',
-    'whole search',
-  ],
-  rows: [
-    ...sizes.map(([size, row]) => rowOf(`${size} px`, row)),
-    rowOf(`dragged to ${SIZES[SIZES.length - 1]} px, each ${STRIDE} px`, dragged),
-  ],
-  claims: [
-    ...sizes.map(([size, row]) =>
-      atLeast(`share kept alive, ${size} px`, kept(row), { 4: 0.95, 8: 0.8, 16: 0.8, 32: 0.7 }[size]),
-    ),
-    atLeast(
-      'share of those that keep all minerals',
-      share(all.broken.filter(({ isWhole }) => isWhole).length, alive(all).length),
-      0.85,
-    ),
-    atLeast(
-      'share of those found with live effort',
-      share(alive(all).filter(({ first }) => first <= LIVE).length, alive(all).length),
-      0.95,
-    ),
-    atMost(
-      'thousand ticks to a first result in a drag, median',
-      thousands(
-        quantile(
-          alive(dragged).map(({ first }) => first),
-          0.5,
-        ),
-      ) ?? 0,
-      40,
-    ),
-  ],
-  notes: [
-    `Each object, in four directions, at precise. Effort in simulated ticks: ${LAST / 1e6} million at most for a move, ${LIVE / 1e6} million while something is dragged.`,
-    'Every result is simulated again from the start. Where nothing is found, no timing may help: the levels are tight.',
-  ],
+/** Moves each object of a level in each direction, at once and in a drag. */
+function moveAll({ name, level }: NamedLevel, single: ReadonlyMap<number, Moves>, dragged: Moves): void {
+  const { holds } = level.runs[0];
+  const before = verifyRun(compile(level), holds);
+  if (before === null) throw new Error(`expected the first run of ${name} to complete it`);
+  for (const object of refsIn(level)) {
+    for (const direction of DIRECTIONS) {
+      for (const [size, row] of single) {
+        const scene = moved(level, object, { x: size * direction.x, y: size * direction.y });
+        row.moves++;
+        if (!completes(scene, holds)) row.broken.push(keepAlive(scene, level, before, LAST, null).tried);
+      }
+      let warm: Candidate['holds'] | null = null;
+      for (let by = STRIDE; by <= SIZES[SIZES.length - 1]; by += STRIDE) {
+        const scene = moved(level, object, { x: by * direction.x, y: by * direction.y });
+        dragged.moves++;
+        if (completes(scene, holds)) continue;
+        const found = keepAlive(scene, level, before, LIVE, warm);
+        dragged.broken.push(found.tried);
+        warm = found.holds ?? warm;
+      }
+    }
+  }
+}
+
+export const bench = define({
+  what: 'how many runs are kept alive while single objects of the levels are moved by 4 to 32 px, in ticks; a minute',
+  options: { ...LEVELS, only: text('levels whose names contain this') },
+  claims: {
+    4: atLeast(0.95, 'share kept alive, 4 px'),
+    8: atLeast(0.8, 'share kept alive, 8 px'),
+    16: atLeast(0.8, 'share kept alive, 16 px'),
+    32: atLeast(0.7, 'share kept alive, 32 px'),
+    minerals: atLeast(0.85, 'share of those that keep all minerals'),
+    live: atLeast(0.95, 'share of those found with live effort'),
+    drag: atMost(40, 'thousand ticks to a first result in a drag, median'),
+  },
+  run({ only, ...asked }) {
+    const [by4, by8, by16, by32, dragged] = Array.from({ length: SIZES.length + 1 }, (): Moves => ({ moves: 0, broken: [] }));
+    const single = new Map([by4, by8, by16, by32].map((row, i) => [SIZES[i], row]));
+    for (const entry of askedLevels(asked).filter(({ name }) => only === null || name.includes(only))) {
+      moveAll(entry, single, dragged);
+    }
+    const all: Moves = { moves: 0, broken: [...single.values()].flatMap(({ broken }) => broken) };
+    const ofAlive = (holds: (tried: Tried) => boolean) => share(alive(all).filter(holds).length, alive(all).length);
+    return {
+      title: 'Runs kept alive while single objects of the levels are moved',
+      columns: [
+        ...['move', 'moves', 'break the run', 'kept alive', 'with live effort', 'with all minerals', 'first, kticks'],
+        ...['first, 95 %', 'whole search'],
+      ],
+      rows: [
+        ...[...single].map(([size, row]) => rowOf(`${size} px`, row)),
+        rowOf(`dragged to ${SIZES[SIZES.length - 1]} px, each ${STRIDE} px`, dragged),
+      ],
+      measured: {
+        4: kept(by4),
+        8: kept(by8),
+        16: kept(by16),
+        32: kept(by32),
+        minerals: ofAlive(({ isWhole }) => isWhole),
+        live: ofAlive(({ first }) => first <= LIVE),
+        drag:
+          thousands(
+            alive(dragged).map(({ first }) => first),
+            0.5,
+          ) ?? 0,
+      },
+      notes: [
+        `Each object, in four directions, at precise. Effort in simulated ticks: ${LAST / 1e6} million at most for a move, ${LIVE / 1e6} million while something is dragged.`,
+        'Every result is simulated again from the start. Where nothing is found, no timing may help: the levels are tight.',
+      ],
+    };
+  },
 });

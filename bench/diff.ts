@@ -1,7 +1,7 @@
 import { changesInWords, diffLevels } from '../review/index.ts';
 import { KINDS, type LevelFile, LISTED_KINDS, listOf, withIds } from '../schema/index.ts';
 import { seeded } from '../tests/scenes/index.ts';
-import { atMost, type Contestant, compare, publish } from './harness.ts';
+import { atMost, type Contestant, compare, define, timeCells } from './harness/index.ts';
 
 const OBJECTS = 1000;
 const RUNS = 5;
@@ -54,23 +54,27 @@ function contestant(name: string, before: LevelFile, after: LevelFile): Contesta
   };
 }
 
-const plain = crowdedLevel();
-const named = withIds(plain);
-const others = withIds({ ...plain, asteroids: [], name: 'Others' });
-const contestants = [
-  contestant('every tenth object moved', named, edited(named, 10)),
-  contestant('every object moved', named, edited(named, 1)),
-  contestant('every object moved, none has an id', plain, edited(plain, 1)),
-  contestant('a seventh of the objects removed', named, others),
-];
-const measured = compare(contestants, { rounds: 15 });
-publish({
-  title: `Two levels of ${OBJECTS} objects: what changed, in words`,
-  columns: ['', 'ms', 'quartiles'],
-  rows: contestants.map(({ name }) => {
-    const { median, q1, q3 } = measured.time(name);
-    return [name, median, `${q1.toFixed(1)} - ${q3.toFixed(1)}`];
-  }),
-  claims: contestants.map(({ name }) => atMost(`${name}, ms`, measured.time(name).median, 100)),
-  notes: [`Medians of ${measured.rounds} rounds. Reading the files and playing the runs is not part of it.`],
+export const bench = define({
+  what: 'what changed between two levels of 1,000 objects, in words',
+  options: {},
+  claims: { time: atMost(100, 'to tell what changed, ms') },
+  run() {
+    const plain = crowdedLevel();
+    const named = withIds(plain);
+    const others = withIds({ ...plain, asteroids: [], name: 'Others' });
+    const contestants = [
+      contestant('every tenth object moved', named, edited(named, 10)),
+      contestant('every object moved', named, edited(named, 1)),
+      contestant('every object moved, none has an id', plain, edited(plain, 1)),
+      contestant('a seventh of the objects removed', named, others),
+    ];
+    const measured = compare(contestants, { rounds: 15 });
+    return {
+      title: `Two levels of ${OBJECTS} objects: what changed, in words`,
+      columns: ['', 'ms', 'quartiles'],
+      rows: contestants.map(({ name }) => timeCells(measured, name)),
+      measured: { time: Object.fromEntries(contestants.map(({ name }) => [name, measured.time(name).median])) },
+      notes: [`Medians of ${measured.rounds} rounds. Reading the files and playing the runs is not part of it.`],
+    };
+  },
 });

@@ -1,20 +1,11 @@
-import {
-  ACCURACIES,
-  type AccuracyName,
-  compile,
-  createSimulation,
-  joinHolds,
-  playScript,
-  simulate,
-  TICK_RATE,
-} from '../engine/index.ts';
+import { type AccuracyName, compile, createSimulation, joinHolds, simulate, TICK_RATE } from '../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../schema/index.ts';
 import { ORBIT, ORBIT_FILE } from '../tests/scenes/index.ts';
-import { atMost, type Claim, compare, optionValue, publish } from './harness.ts';
+import { ACCURACY_NAMES, accuracy as accuracyOption, atMost, compare, define } from './harness/index.ts';
+import { lasting } from './replayer.ts';
 
 const SECONDS = 60;
 const TICKS = SECONDS * TICK_RATE;
-const INERT_LIMIT = 1.08;
 
 /** An effect that reports events counts as acting in a scene with at least this many of them. */
 const ENOUGH_EVENTS = 5;
@@ -158,22 +149,6 @@ const CASES: readonly EffectCase[] = [
   },
 ];
 
-function playable({ level, holds }: Played, accuracy: AccuracyName) {
-  const simulation = createSimulation(compile(resolveLevel(level), accuracy));
-  const script = joinHolds(holds);
-  const state = new Float64Array(6);
-  return {
-    simulation,
-    state,
-    run() {
-      simulation.reset();
-      playScript(simulation, script, TICKS);
-      simulation.readState(state);
-      return state[0] + state[1];
-    },
-  };
-}
-
 /** Plays a scene; returns whether its effect acted and she is still alive at the end. */
 function acts(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']): boolean {
   if (sign !== 'winds' && sign !== 'wormholes') return showsTickByTick(played, accuracy, sign);
@@ -183,7 +158,7 @@ function acts(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']):
 }
 
 function showsTickByTick(played: Played, accuracy: AccuracyName, sign: EffectCase['sign']): boolean {
-  const { simulation } = playable(played, accuracy);
+  const simulation = createSimulation(compile(resolveLevel(played.level), accuracy));
   const { level } = simulation.scene;
   const aliens = new Float64Array(3 * level.aliens.length);
   const state = new Float64Array(6);
@@ -206,59 +181,58 @@ function showsTickByTick(played: Played, accuracy: AccuracyName, sign: EffectCas
   return shown && simulation.ending === null;
 }
 
-const only = optionValue('--accuracy');
-const accuracies = (Object.keys(ACCURACIES) as AccuracyName[]).filter((name) => only === null || only === name);
-if (accuracies.length === 0) throw new Error(`expected one of ${Object.keys(ACCURACIES).join(', ')} after --accuracy`);
-
-const rows: (string | number | null)[][] = [];
-const claims: Claim[] = [];
-const notes: string[] = [];
-for (const accuracy of accuracies) {
-  for (const { effect, without, inert, acting, actingWithout, sign } of CASES) {
-    const found = acting.find((played) => acts(played, accuracy, sign));
-    if (found === undefined && acting.length > 0)
-      notes.push(`${accuracy}: none of ${acting.length} scenes lasts a minute with ${effect} acting.`);
-    const played: [string, Played][] = [
-      ['without', without],
-      ['inert', inert],
-    ];
-    if (actingWithout !== undefined) played.push(['acting without', actingWithout]);
-    if (found !== undefined) played.push(['acting', found]);
-    const scenes = played.map(([name, scene]) => ({ name, ...playable(scene, accuracy) }));
-    for (const scene of scenes) {
-      scene.run();
-      if (scene.simulation.ending !== null)
-        throw new Error(`${accuracy}, ${effect}, ${scene.name}: ended (${scene.simulation.ending.outcome})`);
+export const bench = define({
+  what: 'what each effect costs, acting and idle',
+  options: { accuracy: accuracyOption(null) },
+  claims: { inert: atMost(1.08, 'present but never able to act / without') },
+  run({ accuracy: only }) {
+    const rows: (string | number | null)[][] = [];
+    const inertRatios: Record<string, number> = {};
+    const notes: string[] = [];
+    for (const accuracy of ACCURACY_NAMES.filter((name) => only === null || only === name)) {
+      for (const { effect, without, inert, acting, actingWithout, sign } of CASES) {
+        const found = acting.find((played) => acts(played, accuracy, sign));
+        if (found === undefined && acting.length > 0)
+          notes.push(`${accuracy}: none of ${acting.length} scenes lasts a minute with ${effect} acting.`);
+        const played: readonly (readonly [string, Played | undefined])[] = [
+          ['without', without],
+          ['inert', inert],
+          ['acting without', actingWithout],
+          ['acting', found],
+        ];
+        const scenes = played.flatMap(([name, scene]) => {
+          if (scene === undefined) return [];
+          const made = { level: resolveLevel(scene.level), holds: scene.holds, seconds: SECONDS };
+          return [{ name, ...lasting(made, accuracy, `${accuracy}, ${effect}, ${name}`) }];
+        });
+        const [plain, idle] = scenes;
+        if (plain.state.some((value, i) => !Object.is(value, idle.state[i]))) {
+          throw new Error(`${accuracy}: ${effect} that can never act changes where she ends`);
+        }
+        const measured = compare(scenes, { rounds: 101, sampleMs: 1.5, warmUpMs: 100 });
+        const cost = (name: string) => (1000 * measured.time(name).median) / SECONDS;
+        const ratio = (name: string, base: string) => measured.ratio(name, base).median;
+        const base = actingWithout === undefined ? 'without' : 'acting without';
+        rows.push([
+          `${accuracy}, ${effect}`,
+          ...[cost('without'), cost('inert'), ratio('inert', 'without')],
+          ...(found === undefined ? [null, null] : [cost('acting'), ratio('acting', base)]),
+        ]);
+        // arcade examines everything once per frame, like the original, so idle objects cost it as much as others
+        if (accuracy !== 'arcade') inertRatios[`${accuracy}, ${effect}`] = ratio('inert', 'without');
+      }
     }
-    const [plain, idle] = scenes;
-    if (plain.state.some((value, i) => !Object.is(value, idle.state[i]))) {
-      throw new Error(`${accuracy}: ${effect} that can never act changes where she ends`);
-    }
-    const measured = compare(scenes, { rounds: 101, sampleMs: 1.5, warmUpMs: 100 });
-    const inertRatio = measured.ratio('inert', 'without').median;
-    rows.push([
-      `${accuracy}, ${effect}`,
-      (1000 * measured.time('without').median) / 60,
-      (1000 * measured.time('inert').median) / 60,
-      inertRatio,
-      found === undefined ? null : (1000 * measured.time('acting').median) / 60,
-      found === undefined ? null : measured.ratio('acting', actingWithout === undefined ? 'without' : 'acting without').median,
-    ]);
-    // arcade examines everything once per frame, like the original, so idle objects cost it as much as others
-    if (accuracy !== 'arcade')
-      claims.push(atMost(`${accuracy}: ${effect} present but never able to act / without`, inertRatio, INERT_LIMIT));
-  }
-}
-
-publish({
-  title: 'What each effect costs: us a simulated second of a minute around one of 12 circles',
-  columns: ['', 'without', 'never acts', 'ratio', 'acting', 'ratio'],
-  rows,
-  claims,
-  notes: [
-    ...notes,
-    'Medians of 101 interleaved rounds, ratios pair by pair. recoil never acts where the gun is never fired: she bounces between two repulsors; acting, it is ' +
-      'compared with the same swings without recoil. The gun, the range, the black hole and the speed limit are in every level: no cost without them. ' +
-      'arcade looks at every object once a frame, as the original does, so nothing is claimed of it.',
-  ],
+    return {
+      title: 'What each effect costs: us a simulated second of a minute around one of 12 circles',
+      columns: ['', 'without', 'never acts', 'ratio', 'acting', 'ratio'],
+      rows,
+      measured: { inert: inertRatios },
+      notes: [
+        ...notes,
+        'Medians of 101 interleaved rounds, ratios pair by pair. recoil never acts where the gun is never fired: she bounces between two repulsors; acting, it is ' +
+          'compared with the same swings without recoil. The gun, the range, the black hole and the speed limit are in every level: no cost without them. ' +
+          'arcade looks at every object once a frame, as the original does, so nothing is claimed of it.',
+      ],
+    };
+  },
 });

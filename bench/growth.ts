@@ -1,7 +1,6 @@
-import process from 'node:process';
 import { type AccuracyName, compile, createSimulation, joinHolds, playScript, unlimited } from '../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../schema/index.ts';
-import { atMost, type Claim, figure, optionValue, publish } from './harness.ts';
+import { atMost, define, figure, mean, processorTime, sum, text } from './harness/index.ts';
 
 /**
  * Time may grow like n log n. Between some hundred and some thousand objects that is an exponent of about 1.1, and clocks are
@@ -86,65 +85,62 @@ const KINDS: Readonly<Record<string, (n: number) => LevelFile>> = {
   holds: (n) => ({ ...SWING, runs: many(Math.ceil(n / 600), (i) => ({ name: `${i}`, holds: taps(600, 2) })) }),
 };
 
-/** Least processor time of several repetitions, ms: disturbances only ever make it longer. */
-function least(goes: number, work: () => void): number {
-  let best = Number.POSITIVE_INFINITY;
-  for (let k = 0; k < goes; k++) {
-    const start = process.cpuUsage();
-    work();
-    const { user, system } = process.cpuUsage(start);
-    best = Math.min(best, (user + system) / 1000);
-  }
-  return best;
-}
-
 /** Slope of a straight line through the logarithms. */
 function exponent(sizes: readonly number[], values: readonly number[]): number {
   const x = sizes.map(Math.log);
   const y = values.map(Math.log);
-  const mean = (v: readonly number[]) => v.reduce((sum, a) => sum + a, 0) / v.length;
   const [mx, my] = [mean(x), mean(y)];
-  const rise = x.reduce((sum, a, i) => sum + (a - mx) * (y[i] - my), 0);
-  return rise / x.reduce((sum, a) => sum + (a - mx) * (a - mx), 0);
+  const rise = sum(x.map((a, i) => (a - mx) * (y[i] - my)));
+  return rise / sum(x.map((a) => (a - mx) * (a - mx)));
 }
 
-const only = optionValue('--only');
-const accuracies: readonly AccuracyName[] = ['precise', 'fast', 'arcade'];
-const rows: (string | number | null)[][] = [];
-const claims: Claim[] = [];
-for (const [kind, make] of Object.entries(KINDS)) {
-  if (only !== null && !kind.includes(only)) continue;
-  for (const accuracy of accuracies) {
-    const work: number[] = [];
-    const times = SIZES.map((n) => {
-      const level = resolveLevel(make(n));
+/** Plays a level's runs at an accuracy: the least ms of several repetitions, since disturbances only ever make it longer, and its work. */
+function measure(file: LevelFile, accuracy: AccuracyName): { time: number; work: number } {
+  const level = resolveLevel(file);
+  let work = 0;
+  const times = many(5, () =>
+    processorTime(() => {
       const budget = unlimited();
-      let looks = 0;
-      const time = least(5, () => {
-        const before = budget.looks;
-        const simulation = createSimulation(compile(level, accuracy), budget);
-        for (const { holds } of level.runs) {
-          simulation.reset();
-          playScript(simulation, joinHolds(holds), TICKS);
-        }
-        looks = budget.looks - before;
-      });
-      work.push(looks);
-      return time;
-    });
-    const steep = exponent(SIZES, times);
-    rows.push([`${kind}, ${accuracy}`, ...times, steep, exponent(SIZES, work)]);
-    claims.push(atMost(`${kind}, ${accuracy}: exponent of the time`, steep, STEEPEST));
-  }
+      const simulation = createSimulation(compile(level, accuracy), budget);
+      for (const { holds } of level.runs) {
+        simulation.reset();
+        playScript(simulation, joinHolds(holds), TICKS);
+      }
+      work = budget.looks;
+    }),
+  );
+  return { time: Math.min(...times), work };
 }
 
-publish({
-  title: 'How the time of a run grows with the number of one kind of thing: ms, compiled and played for 20 s',
-  columns: ['', ...SIZES.map((n) => figure(n)), 'exponent', 'of the work'],
-  rows,
-  claims,
-  notes: [
-    'Processor time, least of 5. n log n is an exponent of about 1.1 here. "of the work" is that of the work counted for --max-work. runs: a twentieth of n; ' +
-      'holds: of 600 a run. Aliens that are awake at the same time all follow her, and each that wakes or sleeps begins a new piece for all of them.',
-  ],
+export const bench = define({
+  what: 'how the time of a run grows with the number of objects of each kind',
+  options: { only: text('kinds whose names contain this') },
+  claims: { exponent: atMost(STEEPEST, 'exponent of the time') },
+  run({ only }) {
+    const exponents: Record<string, number> = {};
+    const kinds = Object.entries(KINDS).filter(([kind]) => only === null || kind.includes(only));
+    const rows = kinds.flatMap(([kind, make]) =>
+      (['precise', 'fast', 'arcade'] as const).map((accuracy) => {
+        const found = SIZES.map((n) => measure(make(n), accuracy));
+        const times = found.map(({ time }) => time);
+        const name = `${kind}, ${accuracy}`;
+        exponents[name] = exponent(SIZES, times);
+        const ofWork = exponent(
+          SIZES,
+          found.map(({ work }) => work),
+        );
+        return [name, ...times, exponents[name], ofWork];
+      }),
+    );
+    return {
+      title: 'How the time of a run grows with the number of one kind of thing: ms, compiled and played for 20 s',
+      columns: ['', ...SIZES.map((n) => figure(n)), 'exponent', 'of the work'],
+      rows,
+      measured: { exponent: exponents },
+      notes: [
+        'Processor time, least of 5. n log n is an exponent of about 1.1 here. "of the work" is that of the work counted for --max-work. runs: a twentieth of n; ' +
+          'holds: of 600 a run. Aliens that are awake at the same time all follow her, and each that wakes or sleeps begins a new piece for all of them.',
+      ],
+    };
+  },
 });

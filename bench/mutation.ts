@@ -4,8 +4,8 @@ import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { parseArgs } from 'node:util';
 import { seeded } from '../tests/scenes/seeded.ts';
+import { define, number, PROJECT, text, words } from './harness/index.ts';
 import { allMutants, type PlacedMutant } from './mutation/mutants.ts';
 import { type Fate, PLAN, type Plan, type Reach, type Result } from './mutation/plan.ts';
 import { filesIn, ROOMS } from './mutation/rooms.ts';
@@ -27,16 +27,20 @@ interface Excuse {
   readonly reason: string;
 }
 
-const root = `${process.cwd()}/`;
-const EXCUSES = join(root, 'bench/mutation/survivors.json');
+const ROOT = `${PROJECT}/`;
+const EXCUSES = join(ROOT, 'bench/mutation/survivors.json');
 
-// running groups of child processes: a signal ends them, too
+/** Running groups of child processes. */
 const groups = new Set<number>();
-for (const signal of ['SIGINT', 'SIGTERM'] as const) {
-  process.on(signal, () => {
-    for (const group of groups) process.kill(-group, 'SIGKILL');
-    process.exit(signal === 'SIGINT' ? 130 : 143);
-  });
+
+/** Lets a signal end them, too. */
+function endWithSignals(): void {
+  for (const signal of ['SIGINT', 'SIGTERM'] as const) {
+    process.on(signal, () => {
+      for (const group of groups) process.kill(-group, 'SIGKILL');
+      process.exit(signal === 'SIGINT' ? 130 : 143);
+    });
+  }
 }
 
 /** Runs a session in a child process and passes its results on as they come. Ends the child if it hangs. */
@@ -47,7 +51,7 @@ async function session(plan: Omit<Plan, 'results'>, onResult: (result: Result) =
   const child = spawn(
     process.execPath,
     ['node_modules/vitest/vitest.mjs', 'run', '--config', 'bench/mutation/vitest.config.ts'],
-    { cwd: root, env: { ...process.env, [PLAN]: join(folder, 'plan.json') }, stdio: ['ignore', 'pipe', 'pipe'], detached: true },
+    { cwd: ROOT, env: { ...process.env, [PLAN]: join(folder, 'plan.json') }, stdio: ['ignore', 'pipe', 'pipe'], detached: true },
   );
   const group = child.pid as number;
   groups.add(group);
@@ -106,46 +110,62 @@ async function tryAll(
   return fates;
 }
 
-const { values } = parseArgs({
-  options: {
-    room: { type: 'string', multiple: true },
-    files: { type: 'string' },
-    tests: { type: 'string' },
-    sample: { type: 'string' },
-    seed: { type: 'string', default: '1' },
-    jobs: { type: 'string', default: '2' },
-    json: { type: 'string' },
-  },
-});
-const unknown = values.room?.find((name) => ROOMS[name] === undefined);
-if (unknown !== undefined) throw new Error(`expected a room (${Object.keys(ROOMS).join(', ')}), found ${unknown}`);
-
-const excuses = existsSync(EXCUSES) ? (JSON.parse(readFileSync(EXCUSES, 'utf8')) as Excuse[]) : [];
-const excuseFor = (mutant: PlacedMutant): Excuse | undefined =>
-  excuses.find(
-    ({ file, at, before, after }) =>
-      file === mutant.file && at === mutant.at && before === mutant.before && after === mutant.after,
-  );
-
-/** Whether a path contains one of several words, which are separated by commas. */
+/** Whether a path contains one of several words. */
 const isAsked =
-  (words = '') =>
+  (asked: readonly string[] | null) =>
   (file: string): boolean =>
-    words.split(',').some((word) => file.includes(word));
+    asked === null || asked.some((word) => file.includes(word));
 
-const table: Record<string, unknown>[] = [];
-const all: { room: string; fate: Fate; excuse: Excuse | null; mutant: PlacedMutant }[] = [];
-for (const name of values.room ?? Object.keys(ROOMS)) {
+/** A mutant with what became of it. */
+interface Tried {
+  readonly room: string;
+  readonly fate: Fate;
+  readonly excuse: Excuse | null;
+  readonly mutant: PlacedMutant;
+}
+
+const isNoticed = ({ fate }: Tried): boolean => fate === 'killed' || fate === 'timeout';
+const isOpen = ({ fate }: Tried): boolean => fate === 'survived' || fate === 'unreached';
+
+/** Counts what became of mutants. */
+function rowOf(part: string, list: readonly Tried[]): (string | number)[] {
+  const count = (holds: (tried: Tried) => boolean) => list.filter(holds).length;
+  const equivalent = count((tried) => isOpen(tried) && tried.excuse?.kind === 'equivalent');
+  return [
+    part,
+    list.length,
+    count(({ fate }) => fate === 'killed'),
+    count(({ fate }) => fate === 'timeout'),
+    count(isOpen),
+    equivalent,
+    count((tried) => isOpen(tried) && tried.excuse?.kind === 'slack'),
+    `${((100 * count(isNoticed)) / Math.max(1, list.length - equivalent)).toFixed(1)} %`,
+  ];
+}
+
+interface Sample {
+  readonly count: number | null;
+  readonly seed: number;
+}
+
+/** Tries the mutants of some files of a room, or a sample of them, with some of its tests. */
+async function tryRoom(
+  name: string,
+  isFile: (path: string) => boolean,
+  isTest: (path: string) => boolean,
+  sample: Sample,
+  jobs: number,
+) {
   const room = ROOMS[name];
-  const files = filesIn(root, room.sources, '.ts').filter(isAsked(values.files));
-  const tests = filesIn(root, room.tests, '.test.ts').filter(isAsked(values.tests));
-  const random = seeded(Number(values.seed));
-  const mutants = allMutants(root, files)
+  const files = filesIn(ROOT, room.sources, '.ts').filter(isFile);
+  const tests = filesIn(ROOT, room.tests, '.test.ts').filter(isTest);
+  const random = seeded(sample.seed);
+  const mutants = allMutants(ROOT, files)
     .map((mutant) => ({ mutant, rank: random() }))
     .sort((a, b) => a.rank - b.rank)
-    .slice(0, values.sample === undefined ? undefined : Number(values.sample))
+    .slice(0, sample.count ?? undefined)
     .map(({ mutant }) => mutant);
-  if (mutants.length === 0) continue;
+  if (mutants.length === 0) return { files, tried: [] };
   let reach: Reach | null = null;
   await session({ files, tests, mutants: null, reach: null }, (result) => {
     if (result.kind === 'reach') reach = result.reach;
@@ -153,46 +173,67 @@ for (const name of values.room ?? Object.keys(ROOMS)) {
   if (reach === null) throw new Error(`the tests of ${name} could not be measured`);
   const failing = (reach as Reach).tests.filter(({ fails }) => fails);
   for (const { file, test } of failing) console.error(`left out, since it fails without a mutant: ${file}, test ${test}`);
-  const fates = await tryAll({ files, tests, reach }, mutants, Number(values.jobs));
-
-  const row = (part: string, list: readonly PlacedMutant[]) => {
-    const count = (fate: Fate) => list.filter(({ id }) => fates.get(id) === fate).length;
-    const open = list.filter(({ id }) => fates.get(id) === 'survived' || fates.get(id) === 'unreached');
-    const equivalent = open.filter((mutant) => excuseFor(mutant)?.kind === 'equivalent').length;
-    const slack = open.filter((mutant) => excuseFor(mutant)?.kind === 'slack').length;
-    const noticed = count('killed') + count('timeout');
-    return {
-      part,
-      mutants: list.length,
-      killed: count('killed'),
-      timeouts: count('timeout'),
-      survived: open.length,
-      equivalent,
-      slack,
-      share: `${((100 * noticed) / Math.max(1, list.length - equivalent)).toFixed(1)} %`,
-    };
-  };
-  for (const file of files) {
-    const ofFile = mutants.filter((mutant) => mutant.file === file);
-    if (ofFile.length > 0) table.push(row(file, ofFile));
-  }
-  table.push(row(`${name}, all`, mutants));
-  for (const mutant of mutants) {
-    all.push({ room: name, fate: fates.get(mutant.id) as Fate, excuse: excuseFor(mutant) ?? null, mutant });
-  }
-}
-
-console.table(table);
-const open = all
-  .filter(({ fate, excuse }) => (fate === 'survived' || fate === 'unreached') && excuse === null)
-  .sort((a, b) => a.mutant.id - b.mutant.id);
-console.log(`${open.length} that no test notices, and nothing excuses:`);
-for (const { fate, mutant } of open) {
-  console.log(
-    `${mutant.file}:${mutant.line} ${fate}: ${mutant.before.replace(/\s+/g, ' ')}  ->  ${mutant.after.replace(/\s+/g, ' ')}`,
+  const fates = await tryAll({ files, tests, reach }, mutants, jobs);
+  const excuses = existsSync(EXCUSES) ? (JSON.parse(readFileSync(EXCUSES, 'utf8')) as Excuse[]) : [];
+  const excuseFor = (mutant: PlacedMutant): Excuse | undefined =>
+    excuses.find(
+      ({ file, at, before, after }) =>
+        file === mutant.file && at === mutant.at && before === mutant.before && after === mutant.after,
+    );
+  const tried = mutants.map(
+    (mutant): Tried => ({ room: name, fate: fates.get(mutant.id) as Fate, excuse: excuseFor(mutant) ?? null, mutant }),
   );
+  return { files, tried };
 }
-const noticed = all.filter(({ fate, excuse }) => excuse !== null && (fate === 'killed' || fate === 'timeout'));
-for (const { mutant } of noticed)
-  console.log(`excused, but noticed: ${mutant.file}:${mutant.line} ${mutant.before} -> ${mutant.after}`);
-if (values.json !== undefined) writeFileSync(values.json, JSON.stringify(all, null, 1));
+
+export const bench = define({
+  what: 'small errors in the source, and how many of them its tests detect; minutes to hours',
+  options: {
+    room: words(`rooms of ${Object.keys(ROOMS).join(', ')}; all when left out`),
+    files: words('files whose path contains one of these'),
+    tests: words('test files whose path contains one of these'),
+    sample: number(null, 'so many mutants of a room'),
+    seed: number(1, 'of the sample'),
+    jobs: number(2, 'child processes at a time'),
+    json: text('a file for all mutants with their fates'),
+  },
+  claims: {},
+  async run({ room, files: inFiles, tests: inTests, sample, seed, jobs, json }) {
+    endWithSignals();
+    const unknown = room?.find((name) => ROOMS[name] === undefined);
+    if (unknown !== undefined) throw new Error(`expected a room (${Object.keys(ROOMS).join(', ')}), found ${unknown}`);
+    const rows: (string | number)[][] = [];
+    const all: Tried[] = [];
+    for (const name of room ?? Object.keys(ROOMS)) {
+      const { files, tried } = await tryRoom(name, isAsked(inFiles), isAsked(inTests), { count: sample, seed }, jobs);
+      if (tried.length === 0) continue;
+      for (const file of files) {
+        const ofFile = tried.filter(({ mutant }) => mutant.file === file);
+        if (ofFile.length > 0) rows.push(rowOf(file, ofFile));
+      }
+      rows.push(rowOf(`${name}, all`, tried));
+      all.push(...tried);
+    }
+    if (json !== null) writeFileSync(json, JSON.stringify(all, null, 1));
+    const open = all.filter((tried) => isOpen(tried) && tried.excuse === null).sort((a, b) => a.mutant.id - b.mutant.id);
+    const inLine = (text: string) => text.replace(/\s+/g, ' ');
+    return {
+      title: 'Small errors in the source, and how many of them the tests of its room detect',
+      columns: ['part', 'mutants', 'killed', 'timeouts', 'survived', 'equivalent', 'slack', 'share'],
+      rows,
+      measured: {},
+      notes: [
+        [
+          `${open.length} that no test notices, and nothing excuses:`,
+          ...open.map(
+            ({ fate, mutant: { file, line, before, after } }) =>
+              `${file}:${line} ${fate}: ${inLine(before)}  ->  ${inLine(after)}`,
+          ),
+        ].join('\n'),
+        ...all
+          .filter((tried) => tried.excuse !== null && isNoticed(tried))
+          .map(({ mutant }) => `excused, but noticed: ${mutant.file}:${mutant.line} ${mutant.before} -> ${mutant.after}`),
+      ],
+    };
+  },
+});

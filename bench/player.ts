@@ -1,10 +1,18 @@
 import { getHeapStatistics } from 'node:v8';
 import { type AccuracyName, compile, createSimulation, joinHolds, type RunEvent, STATE_SIZE } from '../engine/index.ts';
 import { createPlayer } from '../game/index.ts';
-import { atMost, type Claim, compare, consume, publish } from './harness.ts';
-import { askedLevels } from './levels.ts';
+import {
+  ACCURACY_NAMES,
+  askedLevels,
+  atMost,
+  compare,
+  consume,
+  define,
+  LEVELS,
+  median,
+  type NamedLevel,
+} from './harness/index.ts';
 
-const ACCURACIES: readonly AccuracyName[] = ['arcade', 'fast', 'standard', 'precise'];
 const TICK = 1000 / 60;
 /** Most that the player may cost above the engine, ns a tick: a thousandth of a percent of a frame at 60 Hz is 167. */
 const OVERHEAD = 120;
@@ -13,10 +21,8 @@ const WARM_UP = 20_000;
 const FRAMES = 500;
 const ROUNDS = 41;
 
-const levels = askedLevels().filter(({ level }) => level.runs.length > 0);
-
 /** Every run once, a tick a frame. */
-const cases = (accuracy: AccuracyName) =>
+const cases = (levels: readonly NamedLevel[], accuracy: AccuracyName) =>
   levels.map(({ level }) => ({ scene: compile(level, accuracy), holds: joinHolds(level.runs[0].holds) }));
 
 /** The engine alone: a tick at a time, the gun as the holds say, and after each all is read that moves, as a game draws it. */
@@ -72,12 +78,11 @@ function bytesOf(frame: () => void): number {
     for (let i = 0; i < FRAMES; i++) frame();
     return (getHeapStatistics().used_heap_size - before) / FRAMES;
   });
-  return growths.sort((a, b) => a - b)[ROUNDS >> 1];
+  return median(growths);
 }
 
 /** Bytes a tick of the engine, and a frame of a player that draws, while nothing happens: she drifts. */
-function bytesAFrame(accuracy: AccuracyName): { engine: number; player: number } {
-  const { level } = levels[0];
+function bytesAFrame({ level }: NamedLevel, accuracy: AccuracyName): { engine: number; player: number } {
   const lonely = { ...level, blackHole: { ...level.blackHole, x: 1e8, y: 1e8 }, range: 1e6, novae: [], aliens: [] };
   const scene = compile(lonely, accuracy);
   const state = new Float64Array(STATE_SIZE);
@@ -96,47 +101,50 @@ function bytesAFrame(accuracy: AccuracyName): { engine: number; player: number }
   return { engine, player: ofPlayer };
 }
 
-const claims: Claim[] = [];
-const rows = ACCURACIES.map((accuracy) => {
-  const all = cases(accuracy);
-  const bareRun = bare(all);
-  const playedRun = played(all);
-  const ticks = bareRun();
-  if (playedRun() !== ticks) throw new Error('expected the same ticks of the player and of the engine');
-  const measured = compare(
-    [
-      { name: 'engine', run: bareRun },
-      { name: 'player', run: playedRun },
-    ],
-    { rounds: 31, sampleMs: 40, warmUpMs: 800 },
-  );
-  const ratio = measured.ratio('player', 'engine');
-  const bytes = bytesAFrame(accuracy);
-  const added = bytes.player - bytes.engine;
-  const nanoseconds = (name: string) => (measured.time(name).median * 1e6) / ticks;
-  claims.push(
-    atMost(`ns a tick that the player adds at ${accuracy}`, nanoseconds('engine') * (ratio.median - 1), OVERHEAD),
-    atMost(`bytes a frame that the player adds at ${accuracy}`, added, 2),
-  );
-  return [accuracy, nanoseconds('engine'), nanoseconds('player'), ratio.median, ratio.q1, ratio.q3, bytes.engine, bytes.player];
-});
-
-publish({
-  title: `What a player costs above the engine, on the first runs of ${levels.length} levels, a tick a frame`,
-  columns: [
-    'accuracy',
-    'engine, ns a tick',
-    'player, ns a tick',
-    'ratio: median',
-    'quartile',
-    'quartile',
-    'engine, bytes a tick',
-    'player, bytes a frame',
-  ],
-  rows,
-  claims,
-  notes: [
-    'The engine is advanced by a tick with events, and what moves is read; the player also keeps both states, the edges and the hash.',
-    `Bytes: growth of the heap over ${FRAMES} frames of a play in which nothing happens, the median of ${ROUNDS} times.`,
-  ],
+export const bench = define({
+  what: 'what a player costs above the engine, in time and in memory',
+  options: LEVELS,
+  claims: {
+    time: atMost(OVERHEAD, 'ns a tick that the player adds'),
+    bytes: atMost(2, 'bytes a frame that the player adds'),
+  },
+  flags: ['--expose-gc', '--max-semi-space-size=64'],
+  run(asked) {
+    const levels = askedLevels(asked).filter(({ level }) => level.runs.length > 0);
+    const time: Record<string, number> = {};
+    const added: Record<string, number> = {};
+    const rows = ACCURACY_NAMES.map((accuracy) => {
+      const all = cases(levels, accuracy);
+      const bareRun = bare(all);
+      const playedRun = played(all);
+      const ticks = bareRun();
+      if (playedRun() !== ticks) throw new Error('expected the same ticks of the player and of the engine');
+      const measured = compare(
+        [
+          { name: 'engine', run: bareRun },
+          { name: 'player', run: playedRun },
+        ],
+        { rounds: 31, sampleMs: 40, warmUpMs: 800 },
+      );
+      const { median: ratio, q1, q3 } = measured.ratio('player', 'engine');
+      const bytes = bytesAFrame(levels[0], accuracy);
+      const nanoseconds = (name: string) => (measured.time(name).median * 1e6) / ticks;
+      time[accuracy] = nanoseconds('engine') * (ratio - 1);
+      added[accuracy] = bytes.player - bytes.engine;
+      return [accuracy, nanoseconds('engine'), nanoseconds('player'), ratio, q1, q3, bytes.engine, bytes.player];
+    });
+    return {
+      title: `What a player costs above the engine, on the first runs of ${levels.length} levels, a tick a frame`,
+      columns: [
+        ...['accuracy', 'engine, ns a tick', 'player, ns a tick', 'ratio: median', 'quartile', 'quartile'],
+        ...['engine, bytes a tick', 'player, bytes a frame'],
+      ],
+      rows,
+      measured: { time, bytes: added },
+      notes: [
+        'The engine is advanced by a tick with events, and what moves is read; the player also keeps both states, the edges and the hash.',
+        `Bytes: growth of the heap over ${FRAMES} frames of a play in which nothing happens, the median of ${ROUNDS} times.`,
+      ],
+    };
+  },
 });

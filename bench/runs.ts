@@ -1,20 +1,10 @@
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
-import {
-  type AccuracyName,
-  compile,
-  createSimulation,
-  DEFAULT_MAX_TICKS,
-  joinHolds,
-  playScript,
-  TICK_RATE,
-} from '../engine/index.ts';
-import { type Hold, importOriginal, type Level, readLevel, resolveLevel } from '../schema/index.ts';
-import { atMost, type Claim, compare, consume, optionValue, publish } from './harness.ts';
-
-const ACCURACIES: readonly AccuracyName[] = ['arcade', 'fast', 'standard', 'precise'];
+import { DEFAULT_MAX_TICKS, TICK_RATE } from '../engine/index.ts';
+import { type Hold, type Level, resolveLevel } from '../schema/index.ts';
+import { ACCURACY_NAMES, atMost, compare, consume, define, lowerRank, originalFiles, packLevels, text } from './harness/index.ts';
+import { replayer } from './replayer.ts';
 
 interface Case {
   readonly name: string;
@@ -22,22 +12,16 @@ interface Case {
   readonly holds: readonly Hold[];
 }
 
-/** Every run of the shipped levels, or of the level files in a directory given with --levels. */
-function packCases(directory: string): Case[] {
-  const cases: Case[] = [];
-  for (const name of readdirSync(directory).filter((file) => file.endsWith('.level.json'))) {
-    const read = readLevel(readFileSync(join(directory, name)));
-    if (!read.ok) throw new Error(`expected a valid level in ${name}: ${read.problems[0].message}`);
-    for (const run of read.level.runs) cases.push({ name: `${name} ${run.name}`, level: read.level, holds: run.holds });
-  }
-  return cases;
-}
+/** Every run of the shipped levels, or of those in another folder. */
+const packCases = (folder: string | null): Case[] =>
+  packLevels(folder ?? undefined).flatMap(({ name, level }) =>
+    level.runs.map((run) => ({ name: `${name} ${run.name}`, level, holds: run.holds })),
+  );
 
-/** The runs of recordings of the original game, given with --recordings: `original-levels.json` beside `arcade/*.json.gz`. */
+/** The runs of recordings of the original game: `original-levels.json` beside `arcade/*.json.gz`. */
 function recordedCases(directory: string): Case[] {
-  const imported = importOriginal(readFileSync(join(directory, 'original-levels.json')), { recoil: false });
-  if (!imported.ok) throw new Error(`expected levels to import: ${imported.problems[0].message}`);
-  const levels = new Map(imported.levels.map(({ slug, file }) => [slug, resolveLevel(file)]));
+  const originals = originalFiles(join(directory, 'original-levels.json'), false);
+  const levels = new Map(originals.map(({ name, file }) => [name, resolveLevel(file)]));
   const cases: Case[] = [];
   for (const name of readdirSync(join(directory, 'arcade'))) {
     const slug = name.replace('.json.gz', '');
@@ -51,54 +35,57 @@ function recordedCases(directory: string): Case[] {
   return cases;
 }
 
-const recordings = optionValue('--recordings');
-if (recordings !== null && !existsSync(recordings))
-  throw new Error(`expected a directory of recordings, found none at ${recordings}`);
-const cases =
-  recordings === null
-    ? packCases(optionValue('--levels') ?? fileURLToPath(new URL('../../levels/', import.meta.url)))
-    : recordedCases(recordings);
-
-const ratios: Record<string, { name: string; ratio: number }[]> = Object.fromEntries(ACCURACIES.map((a) => [a, []]));
-const costs: Record<string, number[]> = Object.fromEntries(ACCURACIES.map((a) => [a, []]));
-for (const { name, level, holds } of cases) {
-  const script = joinHolds(holds);
-  const simulations = ACCURACIES.map((accuracy) => createSimulation(compile(level, accuracy)));
-  const measured = compare(
-    simulations.map((simulation, i) => ({
-      name: ACCURACIES[i],
-      run() {
-        simulation.reset();
-        playScript(simulation, script, DEFAULT_MAX_TICKS);
-        return simulation.tick;
-      },
-    })),
-    { rounds: 15, sampleMs: 0.5, warmUpMs: 5 },
-  );
-  // accuracies may end a run at different times, so costs are compared per simulated second
-  const perSecond = (i: number) => (measured.time(ACCURACIES[i]).median * 1000) / (Math.max(1, simulations[i].tick) / TICK_RATE);
-  for (const [i, accuracy] of ACCURACIES.entries()) {
-    costs[accuracy].push(perSecond(i));
-    const ticks = Math.max(1, simulations[i].tick) / Math.max(1, simulations[0].tick);
-    ratios[accuracy].push({ name, ratio: measured.ratio(accuracy, 'arcade').median / ticks });
-  }
-  consume(simulations[0].tick);
-}
-
-const at = (values: readonly number[], part: number) => [...values].sort((a, b) => a - b)[Math.floor(part * (values.length - 1))];
-const claims: Claim[] = [];
-const ofPrecise = ratios.precise.map(({ ratio }) => ratio);
-claims.push(atMost('precise / arcade, median run', at(ofPrecise, 0.5), 4));
-claims.push(atMost('precise / arcade, 90 % of the runs', at(ofPrecise, 0.9), 7));
-claims.push(atMost('precise / fast, medians of all runs', at(costs.precise, 0.5) / at(costs.fast, 0.5), 1));
-publish({
-  title: `Cost of each accuracy on ${cases.length} runs`,
-  columns: ['accuracy', 'us a simulated second', 'over arcade: median', '90 %', 'worst', 'worst run'],
-  rows: ACCURACIES.map((accuracy) => {
-    const all = ratios[accuracy].map(({ ratio }) => ratio);
-    const worst = [...ratios[accuracy]].sort((a, b) => b.ratio - a.ratio)[0];
-    return [accuracy, at(costs[accuracy], 0.5), at(all, 0.5), at(all, 0.9), at(all, 1), worst.name];
-  }),
-  claims,
-  notes: ['Per simulated second; each run timed side by side at every accuracy, medians of 15 interleaved rounds.'],
+export const bench = define({
+  what: 'every shipped run at every accuracy',
+  options: {
+    levels: text('a folder of levels instead of the shipped ones'),
+    recordings: text('a folder of recordings of the original game'),
+  },
+  claims: {
+    median: atMost(4, 'precise / arcade, median run'),
+    most: atMost(7, 'precise / arcade, 90 % of the runs'),
+    fast: atMost(1, 'precise / fast, medians of all runs'),
+  },
+  run({ levels, recordings }) {
+    const cases = recordings === null ? packCases(levels) : recordedCases(recordings);
+    const all = ACCURACY_NAMES.map((accuracy) => ({
+      accuracy,
+      runs: [] as { readonly name: string; readonly ratio: number; readonly cost: number }[],
+    }));
+    for (const { name, level, holds } of cases) {
+      const players = ACCURACY_NAMES.map((accuracy) =>
+        replayer({ level, holds, seconds: DEFAULT_MAX_TICKS / TICK_RATE }, accuracy),
+      );
+      const measured = compare(
+        players.map(({ run }, i) => ({ name: ACCURACY_NAMES[i], run })),
+        { rounds: 15, sampleMs: 0.5, warmUpMs: 5 },
+      );
+      // accuracies may end a run at different times, so costs are compared per simulated second
+      const ticks = players.map(({ simulation }) => Math.max(1, simulation.tick));
+      for (const [i, { accuracy, runs }] of all.entries()) {
+        const cost = (measured.time(accuracy).median * 1000) / (ticks[i] / TICK_RATE);
+        runs.push({ name, ratio: measured.ratio(accuracy, ACCURACY_NAMES[0]).median / (ticks[i] / ticks[0]), cost });
+      }
+      consume(ticks[0]);
+    }
+    const at = (values: readonly number[], share: number) => lowerRank(values, share) ?? Number.NaN;
+    const of = (name: string) => all.find(({ accuracy }) => accuracy === name)!.runs;
+    const ratios = of('precise').map(({ ratio }) => ratio);
+    const cost = (name: string) =>
+      at(
+        of(name).map((run) => run.cost),
+        0.5,
+      );
+    return {
+      title: `Cost of each accuracy on ${cases.length} runs`,
+      columns: ['accuracy', 'us a simulated second', 'over arcade: median', '90 %', 'worst', 'worst run'],
+      rows: all.map(({ accuracy, runs }) => {
+        const own = runs.map(({ ratio }) => ratio);
+        const worst = runs.reduce((a, b) => (b.ratio > a.ratio ? b : a));
+        return [accuracy, cost(accuracy), at(own, 0.5), at(own, 0.9), worst.ratio, worst.name];
+      }),
+      measured: { median: at(ratios, 0.5), most: at(ratios, 0.9), fast: cost('precise') / cost('fast') },
+      notes: ['Per simulated second; each run timed side by side at every accuracy, medians of 15 interleaved rounds.'],
+    };
+  },
 });

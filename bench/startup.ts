@@ -1,8 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { fileURLToPath } from 'node:url';
-import { atMost, compare, publish } from './harness.ts';
-
-const GQ = fileURLToPath(new URL('../cli/main.js', import.meta.url));
+import { atMost, compare, define, GQ, timeCells } from './harness/index.ts';
 
 /**
  * Starts Node with `args` and waits for its end.
@@ -14,23 +11,24 @@ function start(args: readonly string[]): number {
   return 1;
 }
 
-const names = { bare: 'node -e 0', version: 'gq --version', help: 'gq check --help' };
-const measured = compare(
-  [
-    { name: names.bare, run: () => start(['-e', '0']) },
-    { name: names.version, run: () => start([GQ, '--version']) },
-    { name: names.help, run: () => start([GQ, 'check', '--help']) },
-  ],
-  { rounds: 41, sampleMs: 0, warmUpMs: 200 },
-);
+const STARTS = { 'node -e 0': ['-e', '0'], 'gq --version': [GQ, '--version'], 'gq check --help': [GQ, 'check', '--help'] };
 
-publish({
-  title: 'Time to start, process and all',
-  columns: ['', 'ms', 'quartiles', 'ms over bare node'],
-  rows: Object.values(names).map((name) => {
-    const { median, q1, q3 } = measured.time(name);
-    return [name, median, `${q1.toFixed(1)} - ${q3.toFixed(1)}`, measured.difference(name, names.bare).median];
-  }),
-  claims: [atMost('gq --version over node -e 0, ms', measured.difference(names.version, names.bare).median, 60)],
-  notes: [`Medians of ${measured.rounds} interleaved starts.`],
+export const bench = define({
+  what: 'gq --version against bare node',
+  options: {},
+  claims: { version: atMost(60, 'gq --version over node -e 0, ms') },
+  run() {
+    const measured = compare(
+      Object.entries(STARTS).map(([name, args]) => ({ name, run: () => start(args) })),
+      { rounds: 41, sampleMs: 0, warmUpMs: 200 },
+    );
+    const over = (name: string) => measured.difference(name, 'node -e 0').median;
+    return {
+      title: 'Time to start, process and all',
+      columns: ['', 'ms', 'quartiles', 'ms over bare node'],
+      rows: Object.keys(STARTS).map((name) => [...timeCells(measured, name), over(name)]),
+      measured: { version: over('gq --version') },
+      notes: [`Medians of ${measured.rounds} interleaved starts.`],
+    };
+  },
 });

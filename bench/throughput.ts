@@ -1,15 +1,12 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { isMainThread, parentPort, Worker, workerData } from 'node:worker_threads';
 import { compile, createSimulation, joinHolds, playScript, type Simulation } from '../engine/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
 import { seeded } from '../tests/scenes/seeded.ts';
-import { atLeast, consume, publish, spread } from './harness.ts';
-import { askedLevels } from './levels.ts';
-import { type NativeArcade, type NativeScene, startNative } from './native/index.ts';
+import { askedLevels, atLeast, consume, define, LEVELS, median, PROJECT, sum } from './harness/index.ts';
+import { type NativeArcade, type NativeScene, startNative } from './native.ts';
 
-const PROJECT = fileURLToPath(new URL('../../', import.meta.url));
 const MAX_FRAMES = 3600;
 /** Random scripts per level, in addition to its own runs: what a search plays most of its time. */
 const SCRIPTS = 48;
@@ -230,7 +227,7 @@ async function measureWorkers(scenes: readonly NativeScene[]): Promise<{ one: nu
       worker.once('message', resolve);
       worker.postMessage(WINDOW);
     });
-  const both = async () => (await Promise.all(workers.map(play))).reduce((a, b) => a + b);
+  const both = async () => sum(await Promise.all(workers.map(play)));
   await both();
   const one: number[] = [];
   const two: number[] = [];
@@ -243,54 +240,55 @@ async function measureWorkers(scenes: readonly NativeScene[]): Promise<{ one: nu
   return { one, two };
 }
 
-async function main(): Promise<void> {
-  const scenes = askedLevels().map(({ level }, i) => sceneOf(level, i));
-  const native = await startNative(join(PROJECT, 'bench/native/arcade.cpp'), scenes, MAX_FRAMES);
-  const measured: { samples: Samples; frames: number }[] = [];
-  try {
-    assertSame(scenes, native);
-    for (const [i, scene] of scenes.entries()) measured.push(await measureScene(scene, i, native));
-  } finally {
-    native.close();
-  }
-  const { one, two } = await measureWorkers(scenes);
+export const bench = define({
+  what: 'frames per second of arcade against a C++ loop (needs g++), and two workers against one',
+  options: LEVELS,
+  claims: {
+    all: atLeast(0.7, 'throughput of arcade / of the C++ loop, all levels'),
+    worst: atLeast(0.7, 'the same on the worst level'),
+    workers: atLeast(1.8, 'throughput of two workers / of one'),
+  },
+  async run(asked) {
+    const scenes = askedLevels(asked).map(({ level }, i) => sceneOf(level, i));
+    const native = await startNative(join(PROJECT, 'bench/native.cpp'), scenes, MAX_FRAMES);
+    const measured: { samples: Samples; frames: number }[] = [];
+    try {
+      assertSame(scenes, native);
+      for (const [i, scene] of scenes.entries()) measured.push(await measureScene(scene, i, native));
+    } finally {
+      native.close();
+    }
+    const { one, two } = await measureWorkers(scenes);
 
-  const times = measured.map(({ samples, frames }) => ({
-    frames,
-    native: spread(samples.native).median,
-    whole: spread(samples.whole).median,
-    frame: spread(samples.frame).median,
-    macro: spread(samples.macro).median,
-    ratio: spread(samples.native.map((ns, k) => ns / samples.whole[k])).median,
-  }));
-  const total = (key: 'native' | (typeof WAYS)[number]) => times.reduce((sum, row) => sum + row[key] * row.frames, 0);
-  const frames = times.reduce((sum, row) => sum + row.frames, 0);
-  const overall = total('native') / total('whole');
-  const worst = times.reduce((a, b) => (b.ratio < a.ratio ? b : a));
-  const worstName = scenes[times.indexOf(worst)].level.name;
-  const runs = scenes.reduce((sum, scene) => sum + scene.runs.length, 0);
-  publish({
-    title: `Frames of arcade against a C++ loop (g++ -O2) on ${scenes.length} levels, ${runs} runs, ${frames} frames`,
-    columns: ['', 'frames', 'C++, ns a frame', 'whole runs', 'frame by frame', `macros of ${MACRO}`, 'C++ / whole runs'],
-    rows: [
-      ...scenes.map(({ level }, i) => {
-        const row = times[i];
-        return [level.name, row.frames, row.native, row.whole, row.frame, row.macro, row.ratio];
-      }),
-      ['all', frames, ...(['native', ...WAYS] as const).map((key) => total(key) / frames), overall],
-    ],
-    claims: [
-      atLeast('throughput of arcade / of the C++ loop, all levels', overall, 0.7),
-      atLeast(`the same on the worst level, ${worstName}`, worst.ratio, 0.7),
-      atLeast('throughput of two workers / of one', spread(two.map((rate, k) => rate / one[k])).median, 1.8),
-    ],
-    notes: [
-      `Engine and C++ loop end each run in the same frame and bits. Medians of ${ROUNDS} interleaved rounds. Each level's own runs and ${SCRIPTS} random scripts.`,
-      `A macro is restore, at most ${MACRO} frames, snapshot, with the runs of a level taking turns.`,
-      `One worker makes ${(spread(one).median / 1000).toFixed(1)} million frames a second, two make ${(spread(two).median / 1000).toFixed(1)} million: each by ${existsSync(THREAD_TIME) ? 'the processor time of its thread, as if it had a core to itself' : 'the clock, so two need two idle cores'}.`,
-    ],
-  });
-}
+    const times = measured.map(({ samples, frames }, i) => ({
+      name: scenes[i].level.name,
+      frames,
+      native: median(samples.native),
+      whole: median(samples.whole),
+      frame: median(samples.frame),
+      macro: median(samples.macro),
+      ratio: median(samples.native.map((ns, k) => ns / samples.whole[k])),
+    }));
+    const total = (key: 'native' | (typeof WAYS)[number]) => sum(times.map((row) => row[key] * row.frames));
+    const frames = sum(times.map((row) => row.frames));
+    const overall = total('native') / total('whole');
+    const worst = times.reduce((a, b) => (b.ratio < a.ratio ? b : a));
+    const runs = sum(scenes.map((scene) => scene.runs.length));
+    return {
+      title: `Frames of arcade against a C++ loop (g++ -O2) on ${scenes.length} levels, ${runs} runs, ${frames} frames`,
+      columns: ['', 'frames', 'C++, ns a frame', 'whole runs', 'frame by frame', `macros of ${MACRO}`, 'C++ / whole runs'],
+      rows: [
+        ...times.map((row) => Object.values(row)),
+        ['all', frames, ...(['native', ...WAYS] as const).map((key) => total(key) / frames), overall],
+      ],
+      measured: { all: overall, worst: { [worst.name]: worst.ratio }, workers: median(two.map((rate, k) => rate / one[k])) },
+      notes: [
+        `Engine and C++ loop end each run in the same frame and bits. Medians of ${ROUNDS} interleaved rounds. Each level's own runs and ${SCRIPTS} random scripts.`,
+        `A macro is restore, at most ${MACRO} frames, snapshot, with the runs of a level taking turns.`,
+        `One worker makes ${(median(one) / 1000).toFixed(1)} million frames a second, two make ${(median(two) / 1000).toFixed(1)} million: each by ${existsSync(THREAD_TIME) ? 'the processor time of its thread, as if it had a core to itself' : 'the clock, so two need two idle cores'}.`,
+      ],
+    };
+  },
+});
 
-if (isMainThread) await main();
-else work(workerData as readonly NativeScene[]);
+if (!isMainThread) work(workerData as readonly NativeScene[]);

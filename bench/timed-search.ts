@@ -1,6 +1,7 @@
 import { type AccuracyName, compile } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { createSearch, type Goal } from '../solver/index.ts';
+import { processorClock } from './harness/index.ts';
 
 /** How long a search took to its first run. */
 export interface TimedSearch {
@@ -32,11 +33,7 @@ export function timeSearch(
   const scene = compile(level, accuracy);
   let best: TimedSearch | null = null;
   for (let i = 0; i < repeats; i++) {
-    const start = process.cpuUsage();
-    const spent = () => {
-      const { user, system } = process.cpuUsage(start);
-      return (user + system) / 1000;
-    };
+    const spent = processorClock();
     const search = createSearch(scene, { goal, seed });
     // a reading of the clock costs as much as a slice, so readings become less frequent the longer the search takes
     for (let slices = 1; search.solutions.length === 0; slices++) {

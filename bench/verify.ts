@@ -1,16 +1,12 @@
 import { type AccuracyName, compile } from '../engine/index.ts';
 import { createPlayer, createVerifier, encodePlay, type PlayVerifier, playOf } from '../game/index.ts';
 import { minuteOfPlay } from '../tests/scenes/minute-plays.ts';
-import { atLeast, consume, publish, spread } from './harness.ts';
-import { askedLevels } from './levels.ts';
+import { ACCURACY_NAMES, askedLevels, atLeast, consume, define, LEVELS, mean, type NamedLevel, spread } from './harness/index.ts';
 
-const ACCURACIES: readonly AccuracyName[] = ['arcade', 'fast', 'standard', 'precise'];
 const PLAYS_A_LEVEL = 4;
 const ROUNDS = 15;
 /** Shortest time of a round, ms of processor time. */
 const SAMPLE = 150;
-/** Plays of a minute that must be verified in a second of one core, at the default accuracy. */
-const GOAL = 2000;
 
 interface Recorded {
   readonly verifier: PlayVerifier;
@@ -18,11 +14,8 @@ interface Recorded {
   readonly edges: number;
 }
 
-const levels = askedLevels();
-const left: string[] = [];
-
-/** Plays of a minute on every level. */
-function recorded(accuracy: AccuracyName): Recorded[] {
+/** Plays of a minute on every level. Where too few are found, it is said in `left`. */
+function recorded(levels: readonly NamedLevel[], accuracy: AccuracyName, left: string[]): Recorded[] {
   return levels.flatMap(({ name, level }, i) => {
     const scene = compile(level, accuracy);
     const verifier = createVerifier(level, { accuracy: 'any' });
@@ -61,30 +54,29 @@ function measure(plays: readonly Recorded[]): number[] {
   return Array.from({ length: ROUNDS }, () => (times * plays.length) / seconds(times));
 }
 
-const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
-
-const rows = ACCURACIES.map((accuracy) => {
-  const plays = recorded(accuracy);
-  const { median, q1, q3 } = spread(measure(plays));
-  return {
-    accuracy,
-    plays: plays.length,
-    median,
-    q1,
-    q3,
-    edges: mean(plays.map((p) => p.edges)),
-    bytes: mean(plays.map((p) => p.bytes.length)),
-  };
-});
-
-publish({
-  title: `Plays of a minute that verifyPlay repeats in a second of one core, on ${levels.length} levels`,
-  columns: ['accuracy', 'plays', 'a second: median', 'quartile', 'quartile', 'edges', 'bytes'],
-  rows: rows.map(({ accuracy, plays, median, q1, q3, edges, bytes }) => [accuracy, plays, median, q1, q3, edges, bytes]),
-  claims: [atLeast('plays of a minute a second at precise', rows[rows.length - 1].median, GOAL)],
-  notes: [
-    `${PLAYS_A_LEVEL} plays of 3600 ticks on each level as it is, by a random walk of presses and releases that goes back where the play would end.`,
-    'User time of the processor; a level is compiled once for all its plays.',
-    ...(left.length > 0 ? [`No play of a minute was found for some: ${left.join(', ')}`] : []),
-  ],
+export const bench = define({
+  what: 'plays of a minute that verifyPlay repeats in a second of one core, at every accuracy',
+  options: LEVELS,
+  claims: { precise: atLeast(2000, 'plays of a minute a second at precise') },
+  run(asked) {
+    const levels = askedLevels(asked);
+    const left: string[] = [];
+    const rows = ACCURACY_NAMES.map((accuracy) => {
+      const plays = recorded(levels, accuracy, left);
+      const { median, q1, q3 } = spread(measure(plays));
+      const [edges, bytes] = [mean(plays.map((p) => p.edges)), mean(plays.map((p) => p.bytes.length))];
+      return [accuracy, plays.length, median, q1, q3, edges, bytes] as const;
+    });
+    return {
+      title: `Plays of a minute that verifyPlay repeats in a second of one core, on ${levels.length} levels`,
+      columns: ['accuracy', 'plays', 'a second: median', 'quartile', 'quartile', 'edges', 'bytes'],
+      rows,
+      measured: { precise: rows.find(([accuracy]) => accuracy === 'precise')![2] },
+      notes: [
+        `${PLAYS_A_LEVEL} plays of 3600 ticks on each level as it is, by a random walk of presses and releases that goes back where the play would end.`,
+        'User time of the processor; a level is compiled once for all its plays.',
+        ...(left.length > 0 ? [`No play of a minute was found for some: ${left.join(', ')}`] : []),
+      ],
+    };
+  },
 });

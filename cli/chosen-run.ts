@@ -1,6 +1,6 @@
 import type { Hold, Level } from '../schema/index.ts';
 import { didYouMean } from './did-you-mean.ts';
-import { Failure } from './failure.ts';
+import { Failure } from './io/index.ts';
 
 export interface ChosenRun {
   readonly name: string;

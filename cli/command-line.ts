@@ -2,11 +2,16 @@ import process from 'node:process';
 import { Command, CommanderError } from 'commander';
 import type { CommandResult } from './command.ts';
 import { COMMANDS } from './commands/index.ts';
-import { Failure } from './failure.ts';
-import { takeNotices } from './notices.ts';
-import { beginSignals, leaveSignals } from './signals.ts';
-import { readVersion } from './version.ts';
-import { visible } from './visible.ts';
+import {
+  beginSignals,
+  Failure,
+  leaveSignals,
+  printAll,
+  readVersion,
+  takeNotices,
+  visible,
+  writeResultFiles,
+} from './io/index.ts';
 
 /**
  * Runs one command: parse, work, report.
@@ -18,9 +23,7 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
   const streams = watchStreams();
   try {
     const result = await perform(args);
-    // imported only if needed, as it is needed by few commands
-    const { messages, failed } =
-      result.files === undefined ? NOTHING_WRITTEN : await (await import('./result-files.ts')).writeResultFiles(result.files);
+    const { messages, failed } = await writeResultFiles(result.files ?? []);
     // from here on a signal ends the process even while a write waits for its reader
     if (result.end === undefined) await leaveSignals();
     const said = takeNotices() + (result.messages ?? '');
@@ -41,14 +44,11 @@ async function writeOutput({ output, end }: CommandResult): Promise<void> {
       if (output.length > 0) process.stdout.write(output);
       return;
     }
-    const { printAll } = await import('./print.ts');
     await printAll(output);
   } finally {
     end?.();
   }
 }
-
-const NOTHING_WRITTEN: { readonly messages: readonly string[]; readonly failed: boolean } = { messages: [], failed: false };
 
 async function perform(args: readonly string[]): Promise<CommandResult> {
   let result: CommandResult = { exitCode: 0 };

@@ -1,6 +1,5 @@
 import process from 'node:process';
-import { colorsFor } from './colors.ts';
-import { Failure } from './failure.ts';
+import { colorsFor, Failure } from './io/index.ts';
 import { showFileProblems } from './report-parts/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
 

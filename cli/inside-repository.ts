@@ -1,7 +1,5 @@
 import { isAbsolute, relative, resolve, sep } from 'node:path';
-import { systemReason } from './failure.ts';
-import { realTarget } from './real-target.ts';
-import { repositoryOf } from './repository.ts';
+import { realTarget, repositoryOf, systemReason } from './io/index.ts';
 
 /** An absolute path of Windows: `C:\levels`, `\\server\levels`. Elsewhere it would be a strange name of a file. */
 const OF_WINDOWS = /^(?:[A-Za-z]:|[\\/]{2})/;

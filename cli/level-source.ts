@@ -2,15 +2,10 @@ import process from 'node:process';
 import { findWarnings, type Run, type Terms } from '../engine/index.ts';
 import { type Level, type LevelDocument, type Problem, readLevel } from '../schema/index.ts';
 import { showProblems } from './code-frames.ts';
-import { colorsFor } from './colors.ts';
 import type { CommandResult } from './command.ts';
-import { Failure } from './failure.ts';
-import { isPackFile, NOT_A_LEVEL } from './found-pack.ts';
-import { notice } from './notices.ts';
-import { readBytes } from './read-bytes.ts';
+import { colorsFor, Failure, isPackFile, NOT_A_LEVEL, notice, readBytes, visibleLine } from './io/index.ts';
 import { showFileProblems } from './report-parts/index.ts';
 import type { ShownProblem } from './shown-problem.ts';
-import { visibleLine } from './visible.ts';
 
 export interface OpenedLevel {
   readonly level: Level;

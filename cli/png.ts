@@ -1,4 +1,4 @@
-import { Failure } from './failure.ts';
+import { Failure } from './io/index.ts';
 
 /** The package that draws PNGs: a native module, which not every installation has. */
 const PACKAGE = '@resvg/resvg-js';

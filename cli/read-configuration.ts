@@ -4,11 +4,9 @@ import { type ConfigFile, type ReporterName, readConfig } from '../schema/index.
 import { showProblems } from './code-frames.ts';
 import { type ConfigOptions, chosenConfig } from './config-file.ts';
 import { type Configuration, noConfiguration, type ReporterChoice } from './configuration.ts';
-import { Failure } from './failure.ts';
 import { FileFailure } from './file-failure.ts';
 import { whyOutside } from './inside-repository.ts';
-import { readBytes } from './read-bytes.ts';
-import { namedPath } from './shown-path.ts';
+import { Failure, namedPath, readBytes } from './io/index.ts';
 import type { ConfiguredTerms } from './terms.ts';
 
 /**

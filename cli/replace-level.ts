@@ -1,9 +1,6 @@
 import { realpathSync } from 'node:fs';
 import { formatLevel, type LevelFile } from '../schema/index.ts';
-import { replaceFile } from './disk.ts';
-import { Failure, systemReason } from './failure.ts';
-import { readBytes } from './read-bytes.ts';
-import { whyNotWritable } from './writable.ts';
+import { Failure, readBytes, replaceFile, systemReason, whyNotWritable } from './io/index.ts';
 
 /**
  * Writes a level file in the canonical layout, in place of the one that was read before a search.

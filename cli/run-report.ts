@@ -1,7 +1,7 @@
 import { termsReport } from '../check/words/index.ts';
 import { type Run, type Scene, STATE_SIZE, simulate, WorkBudget, WorkLimitReached } from '../engine/index.ts';
 import type { Hold, RunReport } from '../schema/index.ts';
-import { Failure } from './failure.ts';
+import { Failure } from './io/index.ts';
 
 /**
  * A run as in the output of `gq simulate --format json`.

@@ -1,6 +1,6 @@
 import { existsSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
-import { readRegularFile } from './regular-file.ts';
+import { readRegularFile } from './io/index.ts';
 
 const TOOLKIT = 'gravity-quest-toolkit';
 

@@ -1,6 +1,5 @@
 import type { Command } from 'commander';
-import { Failure } from './failure.ts';
-import { namedPath } from './shown-path.ts';
+import { Failure, namedPath } from './io/index.ts';
 
 /** The values of the options that `addShardOptions` declares. */
 export interface ShardOptions {

@@ -12,7 +12,7 @@ import {
 } from '../engine/basics/index.ts';
 import { LONGEST_RUN, MOST_WORK } from '../schema/basics/index.ts';
 import type { Configuration } from './configuration.ts';
-import { Failure } from './failure.ts';
+import { Failure } from './io/index.ts';
 import { numberOption, wholeNumberOption } from './options.ts';
 
 /** What a configuration says about terms. */

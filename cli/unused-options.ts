@@ -1,5 +1,5 @@
 import type { Command } from 'commander';
-import { Failure } from './failure.ts';
+import { Failure } from './io/index.ts';
 
 /** An option that has an effect only together with another. */
 export interface Dependence {

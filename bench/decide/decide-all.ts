@@ -1,5 +1,6 @@
 import { Worker } from 'node:worker_threads';
-import type { Decision, Effort, NamedLevel } from './decide.ts';
+import type { NamedLevel } from '../harness/index.ts';
+import type { Decision, Effort } from './decide.ts';
 
 /** Divides levels among workers. The decisions are in the order of the levels. */
 export async function decideAll(levels: readonly NamedLevel[], effort: Effort, jobs: number): Promise<Decision[]> {

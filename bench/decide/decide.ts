@@ -1,12 +1,6 @@
 import { type AccuracyName, compile, DEFAULT_MAX_WORK, type Scene, WorkBudget } from '../../engine/index.ts';
-import type { Level } from '../../schema/index.ts';
 import { createDecider, createSearch, proveImpossible, verifyProof } from '../../solver/index.ts';
-
-/** A level to decide, with a name by which reports call it. */
-export interface NamedLevel {
-  readonly name: string;
-  readonly level: Level;
-}
+import { type NamedLevel, processorClock } from '../harness/index.ts';
 
 /** What was found out about one level. */
 export interface Decision {
@@ -45,26 +39,21 @@ const SLICE = 50_000;
 /** A level in which a search reaches no more squares than this ends quickly whatever is pressed. */
 export const FEW_SQUARES = 40;
 
-const milliseconds = (since: NodeJS.CpuUsage): number => {
-  const { user, system } = process.cpuUsage(since);
-  return (user + system) / 1000;
-};
-
 /** Tries to prove a level impossible, and searches it when that fails, or to refute the proof. */
 export function decide({ name, level }: NamedLevel, { accuracy, budget, refuteMs }: Effort): Decision {
-  const began = process.cpuUsage();
+  const proving = processorClock();
   // as `gq check` does
   const quick = proveImpossible(level, { accuracy, budget: new WorkBudget(DEFAULT_MAX_WORK / 2) });
-  const proofMs = milliseconds(began);
-  const from = process.cpuUsage();
+  const proofMs = proving();
+  const searching = processorClock();
   const scene = compile(level, accuracy);
   const decider = createDecider(scene, { objective: 'first', seed: 0, effort: budget });
   while (quick === null && !decider.finished) decider.advance(SLICE);
   const proof = quick ?? decider.impossible;
-  const searchMs = milliseconds(from);
-  const checked = process.cpuUsage();
+  const searchMs = searching();
+  const verifying = processorClock();
   const verification = proof === null ? null : verifyProof(level, proof);
-  const verifyMs = milliseconds(checked);
+  const verifyMs = verifying();
   const refuted = proof !== null && refuteMs > 0 ? refute(scene, refuteMs) : null;
   const found = decider.best !== null || refuted?.isFound === true;
   const wrong =
@@ -86,9 +75,9 @@ export function decide({ name, level }: NamedLevel, { accuracy, budget, refuteMs
 /** Searches a level that is said to be impossible. */
 function refute(scene: Scene, ms: number): { isFound: boolean; ticks: number } {
   const search = createSearch(scene, { seed: 1 });
-  const from = process.cpuUsage();
+  const spent = processorClock();
   // a search may run out of work: it is not continued once it no longer advances
-  for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && milliseconds(from) < ms; ) {
+  for (let before = -1; search.solutions.length === 0 && search.effort.ticks > before && spent() < ms; ) {
     before = search.effort.ticks;
     search.advance(SLICE);
   }

@@ -1,20 +1,12 @@
 import type { Level } from '../../schema/index.ts';
-import { type Claim, publish } from '../harness.ts';
-import { type Decision, FEW_SQUARES, type NamedLevel } from './decide.ts';
+import type { NamedLevel } from '../harness/index.ts';
+import { type Decision, FEW_SQUARES } from './decide.ts';
 
 /** A kind of level for which the share of decided levels is reported; a level can be in several. */
 export type Stratum = readonly [name: string, has: (level: NamedLevel) => boolean];
 
-/** What a report says beside its rows. */
-export interface Told {
-  readonly title: string;
-  readonly strata: readonly Stratum[];
-  /** The share of levels that has to be decided. */
-  readonly goal: number;
-}
-
-/** Prints how many levels are decided, by stratum, and describes each undecided level. */
-export function tell(levels: readonly NamedLevel[], decisions: readonly Decision[], { title, strata, goal }: Told): void {
+/** Says how many levels are decided, by stratum, and describes each undecided level. */
+export function tell(levels: readonly NamedLevel[], decisions: readonly Decision[], strata: readonly Stratum[]) {
   const byName = new Map(levels.map((level) => [level.name, level]));
   const levelOf = ({ name }: Decision): NamedLevel => byName.get(name) as NamedLevel;
   const count = (of: readonly Decision[], verdict: Decision['verdict']) => of.filter((d) => d.verdict === verdict).length;
@@ -30,20 +22,16 @@ export function tell(levels: readonly NamedLevel[], decisions: readonly Decision
   }
   const undecided = decisions.filter(({ verdict }) => verdict === 'undecided');
   const wrong = decisions.filter(({ proof }) => proof === 'REFUTED' || proof?.startsWith('unverified'));
-  const share = undecided.length / Math.max(1, decisions.length);
-  const claims: Claim[] = [
-    { what: 'levels undecided, share', limit: 1 - goal, measured: share, met: share <= 1 - goal + 1e-12 },
-    { what: 'proofs refuted or not verified', limit: 0, measured: wrong.length, met: wrong.length === 0 },
-  ];
   const searched = decisions.filter(({ verdict }) => verdict === 'completable').map(({ ticks }) => ticks);
   searched.sort((a, b) => a - b);
   const refuted = decisions.filter(({ verdict, refutingTicks }) => verdict === 'impossible' && refutingTicks > 0);
   const most = (of: (decision: Decision) => number) => Math.round(Math.max(0, ...decisions.map(of)));
-  publish({
-    title,
+  return {
     columns: ['levels', 'number', 'completable', 'impossible', 'undecided', 'decided'],
     rows,
-    claims,
+    /** The share of the levels that nothing decides, and the number of proofs that do not hold. */
+    undecided: undecided.length / Math.max(1, decisions.length),
+    wrong: wrong.length,
     notes: [
       `Proofs: ${[...proofs].map(([code, n]) => `${code} ${n}`).join(', ') || 'none'}.`,
       `Ticks to the first run: median ${searched[searched.length >> 1] ?? '-'}, most ${searched.at(-1) ?? '-'}.`,
@@ -57,7 +45,7 @@ export function tell(levels: readonly NamedLevel[], decisions: readonly Decision
       ...undecided.map((d) => `undecided ${d.name}: ${aboutLevel(d, levelOf(d).level)}`),
       ...wrong.map(({ name, proof }) => `WRONG ${name}: ${proof}`),
     ],
-  });
+  };
 }
 
 const isMoving = ({ astronaut }: Level): boolean => astronaut.vx !== 0 || astronaut.vy !== 0;

@@ -2,7 +2,7 @@ import { compile, type Scene } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
 import { createGenerator, createSearch, type Goal, type WantedDifficulty } from '../../solver/index.ts';
 import { RANDOM_SET_SIZE, randomLevel } from '../../tests/scenes/random-set/index.ts';
-import { askedLevels } from '../levels.ts';
+import type { NamedLevel } from '../harness/index.ts';
 
 export const ANY: Goal = { minerals: 'any' };
 
@@ -19,10 +19,10 @@ const FIRST_RUN = 200_000;
 /** Ticks for a layout of a generated level. */
 const GENERATION = 40_000_000;
 
-/** The asked levels, then random levels that can be completed, then generated ones. */
-export function scenesToMeasure(random: number, generated: number): MeasuredScene[] {
+/** Some levels, then random levels that can be completed, then generated ones. */
+export function scenesToMeasure(asked: readonly NamedLevel[], random: number, generated: number): MeasuredScene[] {
   const sceneOf = (level: Parameters<typeof compile>[0]): Scene => compile({ ...level, minerals: [] });
-  const scenes: MeasuredScene[] = askedLevels().map(({ name, level }) => ({ name, kind: 'pack', scene: sceneOf(level) }));
+  const scenes: MeasuredScene[] = asked.map(({ name, level }) => ({ name, kind: 'pack', scene: sceneOf(level) }));
   let taken = 0;
   for (let seed = 0; seed < RANDOM_SET_SIZE && taken < random; seed++) {
     const scene = sceneOf(resolveLevel(randomLevel(seed)));

@@ -1,6 +1,7 @@
+import { mean } from '../harness/index.ts';
+
 /** Pearson's correlation of two lists of numbers. */
 export function correlation(a: readonly number[], b: readonly number[]): number {
-  const mean = (values: readonly number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;
   const [meanA, meanB] = [mean(a), mean(b)];
   let [ab, aa, bb] = [0, 0, 0];
   for (let i = 0; i < a.length; i++) {
@@ -22,6 +23,11 @@ export class Share {
   add(holds: boolean): void {
     this.tried++;
     if (holds) this.held++;
+  }
+
+  addAll({ held, tried }: Share): void {
+    this.held += held;
+    this.tried += tried;
   }
 
   get share(): number {

@@ -1,4 +1,5 @@
 import type { CDPSession, Page } from 'playwright-core';
+import { NO_TOUR } from '../harness/index.ts';
 import type { KillableBrowser } from './browser.ts';
 
 /** Time after which something expected does not come any more, ms. */
@@ -11,7 +12,7 @@ const says = (page: Page, text: RegExp) => saving(page).filter({ hasText: text }
 export async function openPage(browser: KillableBrowser, address: string): Promise<Page> {
   const page = await browser.context.newPage();
   page.setDefaultTimeout(TOO_LONG);
-  await page.addInitScript(`localStorage.setItem('gravity-quest-editor-settings', '{"tourSeen":true}')`);
+  await page.addInitScript(NO_TOUR);
   await page.goto(address);
   const canvas = page.getByRole('application', { name: 'Level canvas' });
   // the page before was killed while it opened the level

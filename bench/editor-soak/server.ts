@@ -1,9 +1,6 @@
-import { type ChildProcess, spawn } from 'node:child_process';
 import { watch } from 'node:fs';
 import process from 'node:process';
-import { fileURLToPath } from 'node:url';
-
-const MAIN = fileURLToPath(new URL('../../cli/main.js', import.meta.url));
+import { ADDRESS, GQ, started } from '../harness/index.ts';
 
 /** Time after which no save comes any more, ms. */
 const LONGEST_SAVE = 1000;
@@ -31,21 +28,15 @@ export interface ServerOptions {
 }
 
 export async function startServer({ folder, port, user, isFull }: ServerOptions): Promise<KillableServer> {
-  const edit = [process.execPath, MAIN, 'edit', folder, '--port', String(port)];
+  const edit = [process.execPath, GQ, 'edit', folder, '--port', String(port)];
   const [command, ...args] = isFull ? ['bash', '-c', 'ulimit -f 1 && exec "$@"', '--', ...edit] : edit;
-  const child: ChildProcess = spawn(command, args, {
+  const {
+    child,
+    found: address,
+    ended,
+  } = await started([command, ...args], ADDRESS, 'stdout', {
     stdio: ['ignore', 'pipe', 'ignore'],
     ...(user === undefined ? {} : { uid: user, gid: user }),
-  });
-  const ended = new Promise<number | null>((resolve) => child.on('exit', resolve));
-  const address = await new Promise<string>((resolve, reject) => {
-    let said = '';
-    child.stdout?.on('data', (data: Buffer) => {
-      said += data.toString();
-      const found = /http:\S+#token=\S+/.exec(said);
-      if (found !== null) resolve(found[0]);
-    });
-    void ended.then((code) => reject(new Error(`gq edit ended with ${code}`)));
   });
   const kill = async () => {
     child.kill('SIGKILL');

@@ -50,9 +50,3 @@ export function costs(trace: string, type: string, done: string | null = null): 
     return [{ script: (sum(tasks) - sum(frames)) / 1000, frame: (end - ts) / 1000 }];
   });
 }
-
-/** The 95th percentile. */
-export function p95(values: readonly number[]): number {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.min(sorted.length - 1, Math.ceil(0.95 * sorted.length) - 1)] ?? Number.NaN;
-}

@@ -1,3 +1,5 @@
+import { mean } from '../harness/index.ts';
+
 /** What one job costs for each level, s of one core, the dearest first: levels of the set are drawn from these. */
 export type LevelCosts = readonly number[];
 
@@ -49,8 +51,6 @@ export interface Assumptions {
   /** A running shard gets a second copy once it has taken this many times the mean of those that ended. */
   readonly patience: number;
 }
-
-const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 const whole = (value: number): string => Math.round(value).toLocaleString('en-US');
 

@@ -1,10 +1,7 @@
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { randomLevel } from '../../tests/scenes/random-set/index.ts';
-import { copiedLevels } from '../copied-levels.ts';
-import { runGq } from '../gq-process.ts';
-import { spread } from '../harness.ts';
+import { copiedLevels, inFolder, median as medianOf, runGq, sum, writeLines } from '../harness/index.ts';
 import type { LevelCosts, Measured } from './assumptions.ts';
 
 /** Levels of the sets whose difference is what a level costs: in both, the code is warm. */
@@ -20,31 +17,28 @@ const MOST_SHARDS = 10_000;
 const MS = /"ms":([-+.e\d]+),"result":/g;
 
 /** Measures what gq costs by running it, as processor time: other work of the machine disturbs it less than the clock. */
-export function measureCosts(): Measured {
-  const folder = mkdtempSync(join(tmpdir(), 'gq-bench-fleet-'));
-  const at = (name: string): string => join(folder, name);
-  const gq = (codes: readonly number[], ...args: readonly string[]): number => runGq(folder, codes, args).processor;
-  const write = (name: string, levels: readonly object[]): void =>
-    writeFileSync(at(name), levels.map((level) => `${JSON.stringify(level)}\n`).join(''));
-  const plan = (set: string, shards: number, ...options: readonly string[]): number =>
-    gq([0], 'plan', set, '--shards', `${shards}`, '--force', ...options);
-  /** Does the first shard of the last plan. */
-  const shard = (out: string): number => {
-    rmSync(at(out), { recursive: true, force: true });
-    return gq([0], 'check', '--plan', 'plan.json', '--shard', '0', '--out', out, '--jobs', '1');
-  };
-  const median = (work: () => number): number => spread(Array.from({ length: ROUNDS }, work)).median;
-  /** The costs of the levels of a result, s, scaled such that their sum is processor time. */
-  const levelCosts = (out: string, processor: number): LevelCosts => {
-    const ms = [...readFileSync(join(at(out), 'shard-0.ndjson'), 'utf8').matchAll(MS)].map(([, text]) => Number(text));
-    const sum = ms.reduce((total, one) => total + one, 0);
-    return ms.map((one) => (one / sum) * processor).sort((a, b) => b - a);
-  };
-  try {
+export const measureCosts = (): Promise<Measured> =>
+  inFolder('fleet', (folder) => {
+    const at = (name: string): string => join(folder, name);
+    const gq = (...args: readonly string[]): number => runGq(folder, ...args).processor;
+    const plan = (set: string, shards: number, ...options: readonly string[]): number =>
+      gq('plan', set, '--shards', `${shards}`, '--force', ...options);
+    /** Does the first shard of the last plan. */
+    const shard = (out: string): number => {
+      rmSync(at(out), { recursive: true, force: true });
+      return gq('check', '--plan', 'plan.json', '--shard', '0', '--out', out, '--jobs', '1');
+    };
+    const median = (work: () => number): number => medianOf(Array.from({ length: ROUNDS }, work));
+    /** The costs of the levels of a result, s, scaled such that their sum is processor time. */
+    const levelCosts = (out: string, processor: number): LevelCosts => {
+      const ms = [...readFileSync(join(at(out), 'shard-0.ndjson'), 'utf8').matchAll(MS)].map(([, text]) => Number(text));
+      const all = sum(ms);
+      return ms.map((one) => (one / all) * processor).sort((a, b) => b - a);
+    };
     const levels = copiedLevels(MANY);
-    for (const size of [1, FEW, MANY]) write(`${size}.ndjson`, levels.slice(0, size));
-    write(
-      'searched.ndjson',
+    for (const size of [1, FEW, MANY]) writeLines(at(`${size}.ndjson`), levels.slice(0, size));
+    writeLines(
+      at('searched.ndjson'),
       Array.from({ length: SEARCHED }, (_, seed) => randomLevel(seed)),
     );
     plan('1.ndjson', 1);
@@ -54,7 +48,7 @@ export function measureCosts(): Measured {
       const scanned = median(() => shard('none'));
       plan(`${size}.ndjson`, 1);
       const checked = shard('all');
-      const merged = median(() => gq([0], 'merge', 'all', '--plan', 'plan.json', '--format', 'json', '-o', 'merged.json'));
+      const merged = median(() => gq('merge', 'all', '--plan', 'plan.json', '--format', 'json', '-o', 'merged.json'));
       return { planned, scanned, checked, merged };
     });
     const aLevel = (of: keyof typeof few): number => (many[of] - few[of]) / (MANY - FEW);
@@ -71,7 +65,4 @@ export function measureCosts(): Measured {
       plan: aLevel('planned'),
       merge: aLevel('merged'),
     };
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
-  }
-}
+  });

@@ -43,7 +43,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
       ...server('locks', 'refusals', 'disk', 'full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),
     ],
   },
-  'cli/disk': { sources: ['cli/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },
+  'cli/disk': { sources: ['cli/io/disk.ts'], tests: server('other-systems', 'disk', 'full-disk', 'api') },
   'editor/files': {
     sources: ['editor/files'],
     tests: [

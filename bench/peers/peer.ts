@@ -93,3 +93,25 @@ export function simulatePeer(peer: Peer, level: Level, holds: readonly Hold[], s
   world.dispose();
   return { samples, outcome, outcomeTime };
 }
+
+/** Plays a scene in worlds of a peer as a contestant does: each world is made before it is timed. */
+export function peerPlayer(
+  peer: Peer,
+  { level, holds, seconds }: { readonly level: Level; readonly holds: readonly Hold[]; readonly seconds: number },
+  rate: number,
+): { prepare(): void; run(): number } {
+  const button = buttonPerStep(holds, seconds * rate, rate);
+  const state = new Float64Array(4);
+  let world = peer.create(level, rate);
+  return {
+    prepare() {
+      world.dispose();
+      world = peer.create(level, rate);
+    },
+    run() {
+      for (const held of button) world.step(held === 1);
+      world.read(state);
+      return state[0] + state[1];
+    },
+  };
+}

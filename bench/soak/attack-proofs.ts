@@ -14,26 +14,36 @@ import {
   LARGE,
   type Prover,
 } from '../../tests/attackers/index.ts';
-import { optionValue } from '../harness.ts';
-import { packLevels } from '../levels.ts';
+import { type Asked, number, oneOf, packLevels, text } from '../harness/index.ts';
+import type { Attacked } from './span.ts';
+
+/** What this attack can be told. */
+export const PROOF_OPTIONS = {
+  claims: number(10_000, 'proofs: claims for each kind and accuracy'),
+  claimSeconds: number(null, 'proofs: time for each; an equal part of the time of all when left out'),
+  prover: oneOf(ALL_PROVERS, null, 'proofs: only one kind'),
+  accuracy: oneOf(ALL_ACCURACIES, null, 'proofs: only one accuracy'),
+  out: text('proofs: a file for what was accepted, as JSON'),
+};
 
 /**
  * Attacks every kind of proof at every accuracy with claims that are known to be false; every other level has rules of its own,
  * and half of each have winds and wormholes. Then it gives all provers many false claims in levels of any style, without the
- * checker, among them the shipped levels from states of their runs, and lets them try levels that runs complete. Options on the command
- * line: --claims N (for each; 10000), --claim-seconds S (for each; an equal part of `most` when left out), --prover NAME,
- * --accuracy NAME, --from SEED, --out FILE (what was accepted, as JSON). Sets the exit code to 1 if a false claim is accepted.
+ * checker, among them the shipped levels from states of their runs, and lets them try levels that runs complete. A false claim that
+ * is accepted is a bug.
  * @param most - time for all of them together, s
  */
-export function attackProofs(most: number): void {
-  const claims = Number(optionValue('--claims') ?? 10_000);
-  const from = Number(optionValue('--from') ?? 0);
-  const out = optionValue('--out');
-  const provers = ALL_PROVERS.filter((name) => name === (optionValue('--prover') ?? name));
-  const accuracies = ALL_ACCURACIES.filter((name) => name === (optionValue('--accuracy') ?? name));
+export function attackProofs(
+  { claims, claimSeconds, prover: only, accuracy: at, out }: Asked<typeof PROOF_OPTIONS>,
+  from: number,
+  most: number,
+): Attacked {
+  const provers = ALL_PROVERS.filter((name) => only === null || name === only);
+  const accuracies = ALL_ACCURACIES.filter((name) => at === null || name === at);
   const pairs =
     provers.flatMap((prover) => accuracies.filter((accuracy) => covers(prover, accuracy))).length + 2 * accuracies.length + 1;
-  const seconds = Number(optionValue('--claim-seconds') ?? most / pairs);
+  const seconds = claimSeconds ?? most / pairs;
+  let tried = 0;
   const accepted: unknown[] = [];
   console.log('proof             accuracy  levels  claims  foreign  mutated    ruled  searched  accepted');
   for (const prover of provers) {
@@ -61,6 +71,7 @@ export function attackProofs(most: number): void {
         );
       }
       accepted.push(...tally.accepted);
+      tried += tally.claims;
     }
   }
   const orbits = emptyOrbits();
@@ -71,6 +82,7 @@ export function attackProofs(most: number): void {
   const { levels, ending, claims: asked, searched, wrong } = orbits;
   console.log(`${' '.repeat(25)} ${[levels, ending, asked, searched, wrong.length].map((n) => String(n).padStart(8)).join('')}`);
   accepted.push(...wrong);
+  tried += asked;
   console.log('\nevery prover, without the checker    claims  proved');
   for (const accuracy of accuracies) {
     const tally = emptyMixed();
@@ -82,6 +94,7 @@ export function attackProofs(most: number): void {
     for (const { prover, about } of tally.proved.slice(0, 5))
       console.log(`  PROVED: by ${prover}, about ${JSON.stringify(about)}`);
     accepted.push(...tally.proved);
+    tried += tally.claims;
   }
   console.log('\nany level         accuracy  levels  completed  collected  proved  twins  accepted');
   for (const accuracy of accuracies) {
@@ -94,7 +107,7 @@ export function attackProofs(most: number): void {
     accepted.push(...tally.accepted.map((seed) => ({ by: 'solvable', accuracy, seed })));
   }
   if (out !== null) writeFileSync(out, JSON.stringify(accepted, null, 1));
-  if (accepted.length > 0) process.exitCode = 1;
+  return { tried, bugs: accepted.length, told: `${tried} false claims` };
 }
 
 /** Whether this kind of proof exists for the accuracy. */

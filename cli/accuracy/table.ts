@@ -1,8 +1,7 @@
 import { ACCURACIES, type Accuracy } from '../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured } from '../../engine/work-precision/index.ts';
-import type { Colors } from '../colors.ts';
+import { type Colors, visibleLine } from '../io/index.ts';
 import { alignColumns } from '../report-parts/index.ts';
-import { visibleLine } from '../visible.ts';
 import type { AccuracyReport } from './report.ts';
 
 const COLUMNS = ['setting', 'error, px', 'cost, us/s', 'end', 'frame tests: cost', 'end'];

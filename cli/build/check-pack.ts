@@ -12,9 +12,7 @@ import {
   settingsFor,
 } from '../check/index.ts';
 import type { Configuration } from '../configuration.ts';
-import { Failure } from '../failure.ts';
-import { NotAFile, readRegularFile } from '../regular-file.ts';
-import type { StoppingSignal } from '../signals.ts';
+import { Failure, NotAFile, readRegularFile, type StoppingSignal } from '../io/index.ts';
 import type { PackFile } from './find-pack.ts';
 
 /** How the levels of a pack are checked. */

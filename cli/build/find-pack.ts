@@ -1,11 +1,8 @@
 import { dirname, relative, resolve, sep } from 'node:path';
 import type { Configuration } from '../configuration.ts';
-import { Failure } from '../failure.ts';
 import { FileFailure } from '../file-failure.ts';
-import { type FoundFiles, statOrError } from '../files.ts';
-import { type FoundPack, levelIdOf } from '../found-pack.ts';
-import { findConfigured, pathsOr } from '../level-paths.ts';
-import { sortedByPlay } from '../order-of-play.ts';
+import { type FoundFiles, findConfigured, pathsOr } from '../find/index.ts';
+import { Failure, type FoundPack, levelIdOf, sortedByPlay, statOrError } from '../io/index.ts';
 import { type CheckedPack, checkPackFile } from '../pack-file/index.ts';
 
 /** A level file of a pack. */

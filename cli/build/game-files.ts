@@ -1,5 +1,5 @@
 import { fileURLToPath } from 'node:url';
-import { readBuilt } from '../built-files.ts';
+import { readBuilt } from '../io/index.ts';
 
 /** The folder into which `npm run build` puts the game. */
 export const GAME = fileURLToPath(new URL('../../site', import.meta.url));

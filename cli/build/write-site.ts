@@ -1,14 +1,22 @@
 import { randomBytes } from 'node:crypto';
 import { lstatSync, mkdirSync, readdirSync, rmdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
-import { renamePatiently } from '../disk.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
-import { makeFolders } from '../make-folders.ts';
-import { readRegularFile } from '../regular-file.ts';
-import { namedPath } from '../shown-path.ts';
-import { allOrNone, uncut } from '../signals.ts';
-import { type FileStatus, type PlannedFile, planFile, removeFolders, writeAll } from '../write-all.ts';
+import {
+  allOrNone,
+  Failure,
+  type FileStatus,
+  makeFolders,
+  namedPath,
+  type PlannedFile,
+  planFile,
+  readRegularFile,
+  removeFolders,
+  renamePatiently,
+  statOrError,
+  systemReason,
+  uncut,
+  writeAll,
+} from '../io/index.ts';
 import { hashOf, MARKER, readMarker } from './site-files.ts';
 
 /** What becomes of a file of a site. */

@@ -1,9 +1,10 @@
 import { createHash } from 'node:crypto';
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { extname, join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
+import { walk } from '../io/index.ts';
 
 /** The rooms that decide what a command reports. */
 export const DECIDING_ROOMS = ['schema', 'engine', 'solver', 'check', 'cli'] as const;
@@ -40,19 +41,17 @@ export function semantics(root: string = HERE, extension: string = MODULE): stri
  */
 export function codeFingerprint(root: string = HERE, extension: string = MODULE): string {
   const hash = createHash('sha256');
-  const add = (path: string): void => {
-    const entries = readdirSync(join(root, path), { withFileTypes: true });
-    for (const entry of entries.sort((a, b) => (a.name < b.name ? -1 : 1))) {
-      const inside = `${path}/${entry.name}`;
-      if (entry.isDirectory()) add(inside);
-      else if (isModule(entry.name, extension)) addFile(inside, readFileSync(join(root, inside)));
-    }
-  };
   const addFile = (name: string, bytes: Uint8Array): void => {
     // with the length, so that no bytes can look like the beginning of another file
     hash.update(`\0${name}\0${bytes.length}\0`).update(bytes);
   };
-  for (const room of DECIDING_ROOMS) add(room);
+  for (const room of DECIDING_ROOMS) {
+    const passes = (below: string): boolean => isModule(below, extension);
+    const { files, unreadable } = walk(join(root, room), { links: 'listed', hidden: 'entered', passes });
+    for (const { error } of unreadable) throw error;
+    const names = files.map(({ below }) => `${room}/${below}`).sort();
+    for (const name of names) addFile(name, readFileSync(join(root, name)));
+  }
   for (const [name, neededBy] of DECIDING_PACKAGES) {
     const ours = createRequire(import.meta.url);
     const { resolve } = neededBy === undefined ? ours : createRequire(ours.resolve(neededBy));

@@ -1,9 +1,6 @@
 import { readdirSync, rmdirSync, rmSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { replaceSpareFile, UNFINISHED } from '../disk.ts';
-import { makeFolders } from '../make-folders.ts';
-import { readRegularFile } from '../regular-file.ts';
-import { uncut } from '../signals.ts';
+import { makeFolders, readRegularFile, replaceSpareFile, UNFINISHED, uncut } from '../io/index.ts';
 import { joinShard, makeRecord, type RecordLine, splitShard, textOf } from './records.ts';
 
 // Records are spread over a few files, the shards, by the first digit of their keys: reading a thousand small files takes

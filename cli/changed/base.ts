@@ -1,8 +1,6 @@
 import { existsSync } from 'node:fs';
 import process from 'node:process';
-import { Failure } from '../failure.ts';
-import { FETCH_MORE, type Git } from '../git.ts';
-import { shellPath } from '../shown-path.ts';
+import { Failure, FETCH_MORE, type Git, shellPath } from '../io/index.ts';
 import { isJob, type Told, whatIsTold } from './ci.ts';
 
 /** The commit with which files are compared. */

@@ -3,9 +3,7 @@ import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { plural } from '../../check/words/index.ts';
 import { CONFIG_NAME, configFolders } from '../config-file.ts';
-import { Failure } from '../failure.ts';
-import { Git } from '../git.ts';
-import { visibleLine } from '../visible.ts';
+import { Failure, Git, visibleLine } from '../io/index.ts';
 import { findBase } from './base.ts';
 
 const GIT = new Git('.', '--changed', 'name the levels to check');

@@ -1,5 +1,4 @@
-import { nameOfFile } from '../name-of-file.ts';
-import { shellPath } from '../shown-path.ts';
+import { nameOfFile, shellPath } from '../io/index.ts';
 import type { CheckedLevel } from './checked-level.ts';
 
 /** Stands for the path of a valid level in its problems, so that the report does not depend on where the file lies. */

@@ -1,8 +1,5 @@
 import { setMaxListeners } from 'node:events';
-import { statOrError } from '../files.ts';
-import { openPool } from '../pool.ts';
-import { isStream } from '../read-bytes.ts';
-import { hearSignals, type StoppingSignal, stoppable } from '../signals.ts';
+import { hearSignals, isStream, openPool, type StoppingSignal, statOrError, stoppable } from '../io/index.ts';
 import { type Bail, cutAtBail, FailureCount } from './bail.ts';
 import type { CheckedFile } from './check-level.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';

@@ -19,11 +19,9 @@ import { compile, isAccuracyName, type Run, type Scene, simulate, type Terms, Wo
 import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
 import { createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
-import { Failure } from '../failure.ts';
+import { Failure, readBytes, shellPath } from '../io/index.ts';
 import { type OpenedLevel, placed } from '../level-source.ts';
-import { readBytes } from '../read-bytes.ts';
 import { reportRun } from '../run-report.ts';
-import { shellPath } from '../shown-path.ts';
 import { ANYWHERE, atFile, mayMention } from './anywhere.ts';
 import type { CheckedLevel, CheckSettings, RunInBrief } from './checked-level.ts';
 import { commandHints } from './hints.ts';

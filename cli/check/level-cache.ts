@@ -1,6 +1,6 @@
 import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
 import { contentKey, keyOf, openStore, semantics } from '../cache/index.ts';
-import { readRegularFile } from '../regular-file.ts';
+import { readRegularFile } from '../io/index.ts';
 import { atFile } from './anywhere.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 

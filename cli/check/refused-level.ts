@@ -1,6 +1,6 @@
 import { termsReport } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
-import { nameOfFile } from '../name-of-file.ts';
+import { nameOfFile } from '../io/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { CheckedLevel } from './checked-level.ts';
 

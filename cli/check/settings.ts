@@ -1,5 +1,5 @@
 import type { Configuration } from '../configuration.ts';
-import { Failure } from '../failure.ts';
+import { Failure } from '../io/index.ts';
 import { limitsOf, type SearchOptions } from '../search-options.ts';
 import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
 import type { CheckSettings } from './checked-level.ts';

@@ -7,19 +7,15 @@ import { drawDiagram, type Ground, levelDiagram } from '../../picture/accuracy/i
 import type { Hold } from '../../schema/index.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from '../accuracy/index.ts';
 import { chooseRun } from '../chosen-run.ts';
-import { colorsFor, widthOf } from '../colors.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
-import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
+import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../io/index.ts';
 import { openLevel } from '../level-source.ts';
 import { formatOption } from '../options.ts';
-import { expectOutput, levelsRead } from '../output-file.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { addTermsOptions, customAccuracy, type TermsOptions, termsFrom } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
-import { visibleLine } from '../visible.ts';
-import { writeWhole } from '../write-file.ts';
 
 /** ms for the timing */
 const BUDGET = 3000;

@@ -5,10 +5,9 @@ import { GAME } from '../build/index.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
+import { catchSignals, visible } from '../io/index.ts';
 import { wholeNumberOption } from '../options.ts';
 import { readConfiguration } from '../read-configuration.ts';
-import { catchSignals } from '../signals.ts';
-import { visible } from '../visible.ts';
 
 interface EditOptions extends ConfigOptions {
   readonly port?: number;

@@ -1,8 +1,7 @@
 import { type Command, Option } from 'commander';
 import type { CommandResult } from '../command.ts';
-import { Failure } from '../failure.ts';
 import { missing, type OnBrokenRun, setUp, undo } from '../git-setup/index.ts';
-import { visibleLine } from '../visible.ts';
+import { Failure, visibleLine } from '../io/index.ts';
 
 interface Options {
   readonly undo?: true;

@@ -4,15 +4,11 @@ import { plural } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CommandResult } from '../command.ts';
 import { noConfiguration } from '../configuration.ts';
-import { Failure, systemReason } from '../failure.ts';
+import { Failure, readBytes, shellPath, systemReason, visibleLine, writeWhole } from '../io/index.ts';
 import { type MergedFile, mergeFiles, mergeText, playAgain } from '../merge-driver/index.ts';
 import { wholeNumberOption } from '../options.ts';
-import { readBytes } from '../read-bytes.ts';
 import { readConfiguration } from '../read-configuration.ts';
-import { shellPath } from '../shown-path.ts';
 import { termsFrom } from '../terms.ts';
-import { visibleLine } from '../visible.ts';
-import { writeWhole } from '../write-file.ts';
 
 interface Options {
   readonly markerSize: number;

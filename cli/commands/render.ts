@@ -9,11 +9,10 @@ import { SOFTLOCK_EFFORT } from '../check/index.ts';
 import { type ChosenRun, chooseRun } from '../chosen-run.ts';
 import type { CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
-import { Failure } from '../failure.ts';
 import { parseHolds } from '../holds-option.ts';
+import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../io/index.ts';
 import { openLevel } from '../level-source.ts';
 import { seedOption, wholeNumberOption } from '../options.ts';
-import { expectOutput, levelsRead } from '../output-file.ts';
 import { loadPngRenderer } from '../png.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import {
@@ -27,12 +26,9 @@ import {
   viewSolved,
 } from '../render/index.ts';
 import { expectMinerals, mineralsOption } from '../search-options.ts';
-import { namedPath, shellPath } from '../shown-path.ts';
 import { type Solved, solveLevel } from '../solve/index.ts';
 import { addTermsOptions, type TermsOptions, termsFrom } from '../terms.ts';
 import { refuseUnused } from '../unused-options.ts';
-import { visibleLine } from '../visible.ts';
-import { writeWhole } from '../write-file.ts';
 
 const DEFAULT_WIDTH = 1200;
 

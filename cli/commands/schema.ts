@@ -10,7 +10,7 @@ import {
 } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
 import { didYouMean } from '../did-you-mean.ts';
-import { Failure } from '../failure.ts';
+import { Failure } from '../io/index.ts';
 
 interface PrintedSchema {
   readonly about: string;

@@ -1,7 +1,5 @@
 import { existsSync } from 'node:fs';
-import { Failure } from '../failure.ts';
-import { namedPath } from '../shown-path.ts';
-import { siblingHint } from '../sibling-hint.ts';
+import { Failure, namedPath, siblingHint } from '../io/index.ts';
 import { compareInGit, mergeBase, type Revisions } from './compare-git.ts';
 import { comparePaths } from './compare-paths.ts';
 import type { Comparison } from './comparison.ts';

@@ -1,8 +1,7 @@
 import { dirname, relative, resolve } from 'node:path';
 import { isSame } from '../../schema/index.ts';
-import { Failure } from '../failure.ts';
-import { findLevelFiles, statOrError } from '../files.ts';
-import { readBytes } from '../read-bytes.ts';
+import { findLevelFiles } from '../find/index.ts';
+import { Failure, readBytes, statOrError } from '../io/index.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { termsSaid } from '../terms.ts';
 import type { Comparison, FileVersion, Pair } from './comparison.ts';

@@ -1,5 +1,5 @@
 import { isSame, RULE_NAMES } from '../../schema/index.ts';
-import { runInPool } from '../pool.ts';
+import { runInPool } from '../io/index.ts';
 import type { Comparison, Pair } from './comparison.ts';
 import type { DiffedLevel, DiffSettings, DiffTask } from './diffed-level.ts';
 import { pairRenamed } from './pair-renamed.ts';

@@ -12,7 +12,7 @@ import {
 } from '../../review/index.ts';
 import { conflictProblems, isSame, type LevelReading, readLevel } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
-import { nameOfFile } from '../name-of-file.ts';
+import { nameOfFile } from '../io/index.ts';
 import type { FileVersion } from './comparison.ts';
 import type { DiffedLevel, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
 

@@ -1,4 +1,4 @@
-import { FETCH_MORE, Git } from '../git.ts';
+import { FETCH_MORE, Git } from '../io/index.ts';
 
 /** git in the working directory. */
 export const GIT = new Git('.', 'gq diff', 'give two files or two folders to compare');

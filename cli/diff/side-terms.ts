@@ -3,7 +3,7 @@ import process from 'node:process';
 import { readConfig } from '../../schema/index.ts';
 import { CONFIG_NAME, findConfig } from '../config-file.ts';
 import { noConfiguration } from '../configuration.ts';
-import { readBytes } from '../read-bytes.ts';
+import { readBytes } from '../io/index.ts';
 import { termsIn } from '../read-configuration.ts';
 import { type ConfiguredTerms, termsSaid } from '../terms.ts';
 import { readObjects } from './git.ts';

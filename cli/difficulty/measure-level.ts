@@ -5,8 +5,7 @@ import { compile, joinHolds, maxTicksOf, type Scene } from '../../engine/index.t
 import { type Hold, type Level, readLevel } from '../../schema/index.ts';
 import { findRuns, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
-import { Failure } from '../failure.ts';
-import { readBytes } from '../read-bytes.ts';
+import { Failure, readBytes } from '../io/index.ts';
 import { closestRunInWords } from '../report-parts/index.ts';
 import {
   type MeasuredLevel,

@@ -1,4 +1,4 @@
-import { runInPool } from '../pool.ts';
+import { runInPool } from '../io/index.ts';
 import type { MeasuredLevel, MeasureSettings, MeasureTask } from './measured-level.ts';
 import type { LevelPlays } from './plays/index.ts';
 

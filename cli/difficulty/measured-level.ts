@@ -3,8 +3,7 @@ import { termsReport } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { Hold, TermsReport } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
-import type { Failure } from '../failure.ts';
-import { nameOfFile } from '../name-of-file.ts';
+import { type Failure, nameOfFile } from '../io/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import type { LevelPlays } from './plays/index.ts';
 

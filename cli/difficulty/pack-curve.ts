@@ -1,8 +1,7 @@
 import { jumpsOf } from '../../check/pack/index.ts';
 import { levelsOfPack } from '../../schema/index.ts';
-import { type FoundPack, levelIdOf } from '../found-pack.ts';
+import { type FoundPack, levelIdOf, visibleLine } from '../io/index.ts';
 import { readPackFile } from '../pack-file/index.ts';
-import { visibleLine } from '../visible.ts';
 import type { MeasuredLevel } from './measured-level.ts';
 
 /** The curve of difficulty of a pack. */

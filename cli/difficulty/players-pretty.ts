@@ -8,9 +8,8 @@ import {
 } from '../../check/plays/index.ts';
 import { plural } from '../../check/words/index.ts';
 import { objectName, touchedName } from '../../schema/index.ts';
-import type { Colors } from '../colors.ts';
+import { type Colors, visibleLine } from '../io/index.ts';
 import { alignColumns, percent } from '../report-parts/index.ts';
-import { visibleLine } from '../visible.ts';
 import { fitLines } from './forecast-pretty.ts';
 import type { MeasuredLevel, Players } from './measured-level.ts';
 import type { CollectedPlays } from './plays/index.ts';

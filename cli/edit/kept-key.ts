@@ -1,10 +1,7 @@
 import { closeSync, constants, fstatSync, lstatSync, mkdirSync, rmSync, type Stats } from 'node:fs';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
-import { createPrivateFile } from '../disk.ts';
-import { systemReason } from '../failure.ts';
-import { makeFolders } from '../make-folders.ts';
-import { openRegularFile, readBeyond } from '../regular-file.ts';
+import { createPrivateFile, makeFolders, openRegularFile, readBeyond, systemReason } from '../io/index.ts';
 import { newKey } from './access.ts';
 import { forgetOldest, stateFolder } from './user-state.ts';
 

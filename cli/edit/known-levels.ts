@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
 import type { EditEvent, FolderTerms, LevelEntry, ListResponse, PackOnDisk } from '../../schema/index.ts';
-import { systemReason } from '../failure.ts';
+import { systemReason } from '../io/index.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { changesBetween } from './changes.ts';
 import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';

@@ -1,7 +1,5 @@
 import { dirname, join } from 'node:path';
-import { replaceFile } from '../disk.ts';
-import { makeFolders } from '../make-folders.ts';
-import { readRegularFile } from '../regular-file.ts';
+import { makeFolders, readRegularFile, replaceFile } from '../io/index.ts';
 import { forgetOldest, stateFolder } from './user-state.ts';
 
 /** bytes; a port number is shorter */

@@ -1,6 +1,6 @@
 import { lstatSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
-import { moveFile, UNFINISHED } from '../disk.ts';
+import { moveFile, UNFINISHED } from '../io/index.ts';
 import { namesIn, pathOfNew } from './level-files.ts';
 import { ASIDE } from './one-at-a-time.ts';
 import { makeStampFolder, TRASH } from './trash.ts';

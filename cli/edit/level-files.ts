@@ -1,7 +1,6 @@
-import { type Dirent, lstatSync, readdirSync } from 'node:fs';
+import { lstatSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { systemReason } from '../failure.ts';
-import { inOrderOfPlay, sortedByPlay } from '../order-of-play.ts';
+import { inOrderOfPlay, isShown, sortedByPlay, systemReason, walk } from '../io/index.ts';
 
 export const SUFFIX = '.level.json';
 
@@ -28,36 +27,15 @@ export interface LevelFilesFound {
  * request ever becomes the path of a file that is read, moved or overwritten.
  */
 export function findLevels(root: string): LevelFilesFound {
-  const files: LevelFileFound[] = [];
-  const folders: string[] = [];
-  const troubles: string[] = [];
-  const pending = [''];
-  for (let folder = pending.pop(); folder !== undefined; folder = pending.pop()) {
-    const directory = join(root, folder);
-    let entries: Dirent[];
-    try {
-      entries = readdirSync(directory, { withFileTypes: true });
-    } catch (error) {
-      troubles.push(`${directory}: the folder can't be read: ${systemReason(error)}`);
-      continue;
-    }
-    folders.push(folder);
-    for (const entry of entries) {
-      const below = folder === '' ? entry.name : `${folder}/${entry.name}`;
-      const isFile = entry.isFile() || entry.isSymbolicLink();
-      if (isFile && entry.name.endsWith(SUFFIX) && entry.name.length > SUFFIX.length) {
-        files.push({ id: below.slice(0, -SUFFIX.length), path: join(root, below), isLink: entry.isSymbolicLink() });
-      } else if (entry.isDirectory() && isShown(entry.name)) pending.push(below);
-    }
-  }
+  const passes = (below: string): boolean => /[^/]\.level\.json$/.test(below);
+  const { files, folders, unreadable } = walk(root, { links: 'listed', hidden: 'passed by', passes });
+  const found = files.map(({ below, isLink }) => ({ id: below.slice(0, -SUFFIX.length), path: join(root, below), isLink }));
   return {
-    files: new Map(sortedByPlay(files, ({ id }) => id).map((file) => [file.id, file])),
-    folders: folders.sort(inOrderOfPlay),
-    troubles,
+    files: new Map(sortedByPlay(found, ({ id }) => id).map((file) => [file.id, file])),
+    folders: [...folders].sort(inOrderOfPlay),
+    troubles: unreadable.map(({ below, error }) => `${join(root, below)}: the folder can't be read: ${systemReason(error)}`),
   };
 }
-
-const isShown = (folder: string): boolean => !folder.startsWith('.') && folder !== 'node_modules';
 
 /** The names in a folder, spelt as on the disk even if the system ignores case; none if the folder can't be read. */
 export function namesIn(root: string, folder: string): string[] {

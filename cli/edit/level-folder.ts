@@ -9,7 +9,7 @@ import {
   type ReadResponse,
   type TrashResponse,
 } from '../../schema/index.ts';
-import { createFile, moveFile, replaceFile } from '../disk.ts';
+import { createFile, moveFile, replaceFile } from '../io/index.ts';
 import type { Base } from './base.ts';
 import { createKnownLevels, type KnownLevels } from './known-levels.ts';
 import { collectLeftovers } from './leftovers.ts';

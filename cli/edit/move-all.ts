@@ -1,4 +1,4 @@
-import { isTaken, moveFile } from '../disk.ts';
+import { isTaken, moveFile } from '../io/index.ts';
 import { pathOfNew } from './level-files.ts';
 import { nameTaken } from './refusals.ts';
 import { inSafeOrder, type Move } from './reorder.ts';

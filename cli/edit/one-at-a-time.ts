@@ -4,7 +4,7 @@ import { hostname } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { setTimeout } from 'node:timers/promises';
-import { readRegularFile } from '../regular-file.ts';
+import { readRegularFile } from '../io/index.ts';
 import { Refusal } from './refusal.ts';
 
 const LOCK = '.gq-edit.lock';

@@ -1,6 +1,6 @@
 import { spawn } from 'node:child_process';
 import process from 'node:process';
-import { systemReason } from '../failure.ts';
+import { systemReason } from '../io/index.ts';
 
 /** The command that opens an address in the user's default browser; no shell interprets it. */
 function opener(address: string): [command: string, args: string[]] {

@@ -1,10 +1,7 @@
 import { realpathSync } from 'node:fs';
 import { basename, dirname, join, relative, sep } from 'node:path';
 import type { EditorPlace } from '../../schema/index.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
-import { namedPath, shellPath } from '../shown-path.ts';
-import { siblingHint } from '../sibling-hint.ts';
+import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
 import { findLevel, SUFFIX } from './level-files.ts';
 
 /** The folder to edit, and the place to open in it; null: the page decides. */

@@ -1,10 +1,7 @@
 import { accessSync, constants, lstatSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { MAX_FILE_SIZE, PACK_NAME, type PackOnDisk, readPack } from '../../schema/index.ts';
-import { createFile, replaceFile } from '../disk.ts';
-import { systemReason } from '../failure.ts';
-import { readRegularFile } from '../regular-file.ts';
-import { whyNotWritable } from '../writable.ts';
+import { createFile, readRegularFile, replaceFile, systemReason, whyNotWritable } from '../io/index.ts';
 import type { Base } from './base.ts';
 import { etagOf } from './read-entry.ts';
 import { Refusal } from './refusal.ts';

@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { extname } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { readBuilt } from '../built-files.ts';
+import { readBuilt } from '../io/index.ts';
 
 /** A file of the page. */
 export interface PageFile {

@@ -16,8 +16,8 @@ import {
   writeSite,
 } from '../build/index.ts';
 import type { ConfigOptions } from '../config-file.ts';
-import { Failure } from '../failure.ts';
 import { FileFailure } from '../file-failure.ts';
+import { Failure } from '../io/index.ts';
 import { readConfiguration } from '../read-configuration.ts';
 import { findLevel } from './level-files.ts';
 import { Refusal } from './refusal.ts';

@@ -6,7 +6,7 @@ import {
   type ReadResponse,
   type RefusedLevel,
 } from '../../schema/index.ts';
-import { systemReason } from '../failure.ts';
+import { systemReason } from '../io/index.ts';
 
 interface Details {
   readonly problems?: Problem[];

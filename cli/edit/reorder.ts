@@ -1,4 +1,4 @@
-import { inOrderOfPlay } from '../order-of-play.ts';
+import { inOrderOfPlay } from '../io/index.ts';
 
 // at most nine digits, so that the numbers are exact
 const NUMBERED = /^(\d{1,9})(?=$|[ ._-])(.*)$/;

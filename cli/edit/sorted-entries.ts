@@ -1,5 +1,5 @@
 import type { LevelEntry } from '../../schema/index.ts';
-import { inOrderOfPlay } from '../order-of-play.ts';
+import { inOrderOfPlay } from '../io/index.ts';
 
 /** The levels of a folder in order of play. */
 export class SortedEntries {

@@ -1,8 +1,7 @@
 import { isAccuracyName } from '../../engine/index.ts';
 import { type ConfigFile, type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
 import { type ConfigOptions, chosenConfig } from '../config-file.ts';
-import { Failure } from '../failure.ts';
-import { readBytes } from '../read-bytes.ts';
+import { Failure, readBytes } from '../io/index.ts';
 import { termsFrom } from '../terms.ts';
 
 /** Returns the terms that the configuration sets now. */

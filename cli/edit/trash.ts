@@ -1,8 +1,7 @@
 import { lstatSync, mkdirSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { TrashEntry } from '../../schema/index.ts';
-import { createFile, isTaken, moveFile } from '../disk.ts';
-import { makeFolders } from '../make-folders.ts';
+import { createFile, isTaken, makeFolders, moveFile } from '../io/index.ts';
 import { findLevels, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
 import { Refusal } from './refusal.ts';
 

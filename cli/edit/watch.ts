@@ -2,7 +2,7 @@ import { type FSWatcher, lstatSync, watch } from 'node:fs';
 import { basename, join, sep } from 'node:path';
 import process from 'node:process';
 import { PACK_NAME } from '../../schema/index.ts';
-import { systemReason } from '../failure.ts';
+import { systemReason } from '../io/index.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
 

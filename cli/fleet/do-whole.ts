@@ -1,9 +1,14 @@
 import { join } from 'node:path';
-import { Failure, systemReason } from '../failure.ts';
-import { LineWriter } from '../line-writer.ts';
-import { type Batch, readSet } from '../packs/index.ts';
-import { namedPath } from '../shown-path.ts';
-import { type StoppingSignal, stoppable } from '../signals.ts';
+import {
+  type Batch,
+  Failure,
+  LineWriter,
+  namedPath,
+  readSet,
+  type StoppingSignal,
+  stoppable,
+  systemReason,
+} from '../io/index.ts';
 import type { ShardRecord } from './job.ts';
 import { contentsOf, type JobName } from './job-names.ts';
 import { jobOf } from './jobs/index.ts';

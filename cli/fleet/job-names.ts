@@ -1,4 +1,4 @@
-import type { Contents } from '../packs/index.ts';
+import type { Contents } from '../io/index.ts';
 
 /** What can be done with a large set; each is the command of that name. */
 export const JOBS = ['check', 'solve', 'difficulty', 'verify'] as const;

@@ -1,4 +1,4 @@
-import type { Entry } from '../packs/index.ts';
+import type { Entry } from '../io/index.ts';
 
 /** A plain JSON object. */
 export type Json = Readonly<Record<string, unknown>>;

@@ -1,5 +1,5 @@
 import { closeSync, readSync } from 'node:fs';
-import { openRegularFile } from '../regular-file.ts';
+import { openRegularFile } from '../io/index.ts';
 
 const NEWLINE = 0x0a;
 

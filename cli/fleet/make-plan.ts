@@ -1,9 +1,15 @@
 import { createHash } from 'node:crypto';
-import { Failure } from '../failure.ts';
-import { type Batch, type Contents, entriesOf, packFormat, readSet } from '../packs/index.ts';
-import { readBytes } from '../read-bytes.ts';
-import { namedPath } from '../shown-path.ts';
-import { hearSignals } from '../signals.ts';
+import {
+  type Batch,
+  type Contents,
+  entriesOf,
+  Failure,
+  hearSignals,
+  namedPath,
+  packFormat,
+  readBytes,
+  readSet,
+} from '../io/index.ts';
 import { type Balanced, balance, type Costs } from './balance.ts';
 import { contentHash, entryHash, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf, type JobName } from './job-names.ts';

@@ -3,10 +3,7 @@ import * as z from 'zod';
 import { ENGINE_ID } from '../../game/index.ts';
 import { strictJson } from '../../schema/json/index.ts';
 import { codeFingerprint } from '../cache/index.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { readRegularFile } from '../regular-file.ts';
-import { namedPath } from '../shown-path.ts';
-import { readVersion } from '../version.ts';
+import { Failure, namedPath, readRegularFile, readVersion, systemReason } from '../io/index.ts';
 import { JOBS } from './job-names.ts';
 
 export const PLAN_VERSION = 1;

@@ -1,4 +1,4 @@
-import { Failure } from '../failure.ts';
+import { Failure } from '../io/index.ts';
 
 /**
  * Whole numbers in the notation of job arrays, sorted and each once: `2,5-7`. Three or more in a row become a range, as in

@@ -1,9 +1,6 @@
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
-import { readRegularFile } from '../regular-file.ts';
-import { namedPath } from '../shown-path.ts';
+import { Failure, namedPath, readRegularFile, statOrError, systemReason } from '../io/index.ts';
 import { Costs } from './balance.ts';
 import { LineReader } from './line-reader.ts';
 import { RESULT_FILE } from './result.ts';

@@ -1,7 +1,5 @@
 import { createHash } from 'node:crypto';
-import { Failure } from '../failure.ts';
-import { type Batch, readSet, sizeOf } from '../packs/index.ts';
-import { namedPath } from '../shown-path.ts';
+import { type Batch, Failure, namedPath, readSet, sizeOf } from '../io/index.ts';
 import type { ShardRecord } from './job.ts';
 import { contentsOf } from './job-names.ts';
 import { jobOf } from './jobs/index.ts';

@@ -1,7 +1,6 @@
 import type { CommandResult } from '../command.ts';
-import { createStatusLine } from '../progress.ts';
+import { createStatusLine, exitCodeAfter } from '../io/index.ts';
 import type { Destination } from '../reporters/index.ts';
-import { exitCodeAfter } from '../signals.ts';
 import { doWhole } from './do-whole.ts';
 import type { Json } from './job.ts';
 import type { JobName } from './job-names.ts';

@@ -1,9 +1,7 @@
 import { createHash, type Hash } from 'node:crypto';
 import { linkSync, renameSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { Failure } from '../failure.ts';
-import { LineWriter } from '../line-writer.ts';
-import { namedPath } from '../shown-path.ts';
+import { Failure, LineWriter, namedPath } from '../io/index.ts';
 import { entryHash, ShardDigest } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { LineReader } from './line-reader.ts';

@@ -1,9 +1,5 @@
 import { lstatSync } from 'node:fs';
-import { Failure, systemReason } from '../failure.ts';
-import { makeFolders } from '../make-folders.ts';
-import { type Batch, entriesOf, readSet, sizeOf } from '../packs/index.ts';
-import { readBytes } from '../read-bytes.ts';
-import { namedPath } from '../shown-path.ts';
+import { type Batch, entriesOf, Failure, makeFolders, namedPath, readBytes, readSet, sizeOf, systemReason } from '../io/index.ts';
 import { DIGEST, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf } from './job-names.ts';
 import { jobOf } from './jobs/index.ts';

@@ -1,6 +1,6 @@
 import { spawnSync } from 'node:child_process';
 import process from 'node:process';
-import { Failure } from '../failure.ts';
+import { Failure } from '../io/index.ts';
 import type { SlurmJob } from './slurm.ts';
 
 /** Slurm's own default of MaxArraySize. */

@@ -1,8 +1,7 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { Failure, systemReason } from '../failure.ts';
-import { onSignal } from '../signals.ts';
+import { Failure, onSignal, systemReason } from '../io/index.ts';
 
 /** A folder for what is too large for memory. */
 export interface Scratch {

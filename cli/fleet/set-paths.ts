@@ -1,9 +1,6 @@
 import { relative, resolve } from 'node:path';
-import { Failure, systemReason } from '../failure.ts';
-import { findLevelFiles, once, statOrError, unreadableFolders, walk } from '../files.ts';
-import { ignoreOf } from '../ignore.ts';
-import type { Contents } from '../packs/index.ts';
-import { namedPath } from '../shown-path.ts';
+import { findLevelFiles, ignoreOf, unreadableFolders } from '../find/index.ts';
+import { type Contents, Failure, filesBelow, namedPath, once, statOrError, systemReason } from '../io/index.ts';
 import type { Plan } from './plan.ts';
 
 /** The files and packs of a set, in its order. */
@@ -38,7 +35,7 @@ function playPaths(paths: readonly string[]): string[] {
     if (stats instanceof Error)
       throw new Failure(`${namedPath(path)}: ${systemReason(stats)}; expected plays (.gqr), directories of them, or packs`);
     if (!stats.isDirectory()) files.push(path);
-    else files.push(...walk(path, (name) => name.endsWith('.gqr'), unreadable));
+    else files.push(...filesBelow(path, (name) => name.endsWith('.gqr'), unreadable));
   }
   if (unreadable.length > 0) throw unreadableFolders(unreadable);
   if (files.length === 0) throw new Failure(`no plays: expected *.gqr in ${paths.map(namedPath).join(', ')}`);

@@ -1,10 +1,7 @@
 import process from 'node:process';
 import type { CommandResult } from '../command.ts';
-import { Failure } from '../failure.ts';
-import { createProgress } from '../progress.ts';
+import { createProgress, exitCodeAfter, Failure, namedPath, stoppable } from '../io/index.ts';
 import type { ShardOptions } from '../shard-options.ts';
-import { namedPath } from '../shown-path.ts';
-import { exitCodeAfter, stoppable } from '../signals.ts';
 import { contentsOf } from './job-names.ts';
 import { jobOf } from './jobs/index.ts';
 import { readPlan } from './plan.ts';

@@ -1,4 +1,4 @@
-import { Failure } from '../failure.ts';
+import { Failure } from '../io/index.ts';
 
 /** The variables of a process, as in `process.env`. */
 export type Environment = Readonly<Record<string, string | undefined>>;

@@ -1,4 +1,4 @@
-import { shellWord } from '../shown-path.ts';
+import { shellWord } from '../io/index.ts';
 import { rangesOf } from './ranges.ts';
 
 /** What is to be submitted to Slurm. */

@@ -1,6 +1,4 @@
-import { type Batch, entriesOf, sizeOf } from '../packs/index.ts';
-import { openPool } from '../pool.ts';
-import { readBytes } from '../read-bytes.ts';
+import { type Batch, entriesOf, openPool, readBytes, sizeOf } from '../io/index.ts';
 import { contentHash, DIGEST, entryHash } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';

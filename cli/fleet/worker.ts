@@ -1,5 +1,4 @@
-import { type Batch, type Contents, entriesOf, sizeOf } from '../packs/index.ts';
-import { readBytes } from '../read-bytes.ts';
+import { type Batch, type Contents, entriesOf, readBytes, sizeOf } from '../io/index.ts';
 import { contentHash, DIGEST, entryHash } from './digest.ts';
 import type { ShardRecord, Work } from './job.ts';
 import { jobOf } from './jobs/index.ts';

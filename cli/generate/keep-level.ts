@@ -1,13 +1,18 @@
 import { basename, join, resolve } from 'node:path';
 import { formatLevel, formatPack, MAX_FILE_SIZE, PACK_NAME, PACK_VERSION } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
-import { createFile, tryFolder } from '../disk.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { levelIdOf } from '../found-pack.ts';
-import { makeFolders } from '../make-folders.ts';
-import { NotAFile, readRegularFile } from '../regular-file.ts';
+import {
+  createFile,
+  Failure,
+  levelIdOf,
+  makeFolders,
+  NotAFile,
+  namedPath,
+  readRegularFile,
+  systemReason,
+  tryFolder,
+} from '../io/index.ts';
 import { schemaReference } from '../schema-reference.ts';
-import { namedPath } from '../shown-path.ts';
 
 /** What happened to a generated level; `in the way`: another file has its name, which is not overwritten. */
 export type Kept = 'written' | 'unchanged' | 'in the way';

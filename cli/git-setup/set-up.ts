@@ -1,8 +1,6 @@
 import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
-import { Failure, systemReason } from '../failure.ts';
-import { Git } from '../git.ts';
-import { writeWhole } from '../write-file.ts';
+import { Failure, Git, systemReason, writeWhole } from '../io/index.ts';
 import { DRIVER, editedLines, hasAttributes, withAttributes, withoutAttributes } from './attributes.ts';
 import { ownFunction } from './own-command.ts';
 

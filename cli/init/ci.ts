@@ -1,8 +1,6 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
-import { tryGit } from '../git.ts';
-import { repositoryOf } from '../repository.ts';
-import { shellWord } from '../shown-path.ts';
+import { repositoryOf, shellWord, tryGit } from '../io/index.ts';
 import { readText } from './read-text.ts';
 import { readTemplate } from './templates.ts';
 

@@ -1,10 +1,8 @@
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { formatLevel, readLevel } from '../../schema/index.ts';
 import { CONFIG_NAME, configFolders } from '../config-file.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { statOrError } from '../files.ts';
-import { repositoryOf } from '../repository.ts';
+import { Failure, repositoryOf, statOrError, systemReason, walk } from '../io/index.ts';
 import { schemaReference } from '../schema-reference.ts';
 import { type Ci, type PlannedText, planCi } from './ci.ts';
 import { hasToolkit, planManifest } from './manifest.ts';
@@ -43,8 +41,9 @@ function whyNoLevels(folder: string): string | null {
   if (stats instanceof Error) return null;
   if (!stats.isDirectory()) return 'it is a file';
   try {
-    const names = readdirSync(folder, { recursive: true });
-    return names.some((name) => String(name).endsWith('.level.json')) ? 'it has levels already' : null;
+    const walked = walk(folder, { links: 'listed', hidden: 'entered', passes: (below) => below.endsWith('.level.json') });
+    for (const { error } of walked.unreadable) throw error;
+    return walked.files.length > 0 ? 'it has levels already' : null;
   } catch (error) {
     throw new Failure(`${folder}: can't be read: ${systemReason(error)}; gq init looks for levels here`);
   }

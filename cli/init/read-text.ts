@@ -1,5 +1,4 @@
-import { Failure, systemReason } from '../failure.ts';
-import { readRegularFile } from '../regular-file.ts';
+import { Failure, readRegularFile, systemReason } from '../io/index.ts';
 
 /** Files of a project that are read here are small: configuration, workflows, a manifest. Bytes. */
 export const LARGEST = 4 * 1024 * 1024;

@@ -1,6 +1,6 @@
 import { resultChange } from '../../check/lock/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { shellPath } from '../shown-path.ts';
+import { shellPath } from '../io/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
 import { entryOf, hasResult } from './entry.ts';
 import { lockKey, type OpenedLock } from './lock-file.ts';

@@ -1,8 +1,7 @@
 import { plural } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { Failure } from '../failure.ts';
-import { shellPath } from '../shown-path.ts';
+import { Failure, shellPath } from '../io/index.ts';
 import { compareLevels } from './compare-levels.ts';
 import { goneInWords, goneUnder } from './gone.ts';
 import { lockKey, type OpenedLock, openLock } from './lock-file.ts';

@@ -1,7 +1,6 @@
 import { resolve, sep } from 'node:path';
-import { statOrError } from '../files.ts';
-import type { OpenedLock } from './lock-file.ts';
-import { lockedFile } from './lock-file.ts';
+import { statOrError } from '../io/index.ts';
+import { lockedFile, type OpenedLock } from './lock-file.ts';
 
 /** The part of a path before its first special character, up to a whole folder. */
 const fixedPart = (path: string): string => {

@@ -2,13 +2,8 @@ import { dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { formatLock, LOCK_VERSION, type Lock, readLock } from '../../schema/index.ts';
 import { showProblems } from '../code-frames.ts';
-import { colorsFor } from '../colors.ts';
-import { Failure } from '../failure.ts';
-import { statOrError } from '../files.ts';
-import { readBytes } from '../read-bytes.ts';
+import { colorsFor, Failure, readBytes, shellPath, statOrError, writeWhole } from '../io/index.ts';
 import { showFileProblems } from '../report-parts/index.ts';
-import { shellPath } from '../shown-path.ts';
-import { writeWhole } from '../write-file.ts';
 
 /** A lock file that was read. */
 export interface OpenedLock {

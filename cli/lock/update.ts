@@ -2,7 +2,7 @@ import { entryChange, isAgreed } from '../../check/lock/index.ts';
 import { plural } from '../../check/words/index.ts';
 import type { LockEntry } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { visibleLine } from '../visible.ts';
+import { visibleLine } from '../io/index.ts';
 import { entryOf, hasResult } from './entry.ts';
 import { lockedFile, lockKey, type OpenedLock, writeLock } from './lock-file.ts';
 

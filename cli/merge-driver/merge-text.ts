@@ -1,4 +1,4 @@
-import { tryGit } from '../git.ts';
+import { tryGit } from '../io/index.ts';
 
 /** The outcome of merging files line by line. */
 export type TextMerge = 'clean' | 'conflicts' | 'not merged';

@@ -1,8 +1,7 @@
 import { plural } from '../../check/words/index.ts';
 import { MORE_WARNINGS } from '../../engine/basics/index.ts';
-import type { Colors } from '../colors.ts';
+import { type Colors, visible, visibleLine } from '../io/index.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
-import { visible, visibleLine } from '../visible.ts';
 
 /** `file:line:col`, or only the file if a problem concerns all of it. */
 function place(file: string, { line, column }: ShownProblem): string {

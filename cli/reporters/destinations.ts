@@ -2,11 +2,7 @@ import { lstatSync, statSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { Option } from 'commander';
 import { didYouMean } from '../did-you-mean.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { type Inputs, Outputs, standing } from '../output-file.ts';
-import { realTarget } from '../real-target.ts';
-import { namedPath } from '../shown-path.ts';
-import { whyNotWritable } from '../writable.ts';
+import { Failure, type Inputs, namedPath, Outputs, realTarget, standing, systemReason, whyNotWritable } from '../io/index.ts';
 import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
 
 /** A report that is asked for. */

@@ -1,5 +1,5 @@
 import { plural } from '../../check/words/index.ts';
-import { visibleLine } from '../visible.ts';
+import { visibleLine } from '../io/index.ts';
 import type { Results } from './reporter.ts';
 
 /** The files that a report for people names at most. */

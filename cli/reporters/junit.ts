@@ -1,8 +1,8 @@
 import type { CheckedLevel } from '../check/index.ts';
+import { visibleLine } from '../io/index.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import type { ShownProblem } from '../shown-problem.ts';
-import { visibleLine } from '../visible.ts';
 import { unlistedInWords } from './early-end.ts';
 import { pathInRepository } from './paths.ts';
 import type { ReportContext, Results } from './reporter.ts';

@@ -1,4 +1,4 @@
-import { visibleLine } from '../visible.ts';
+import { visibleLine } from '../io/index.ts';
 
 /** Text on one line that is shown as it is: no markup, no HTML, no mention of a person or an issue, no end of a table's cell. */
 export const markdownText = (text: string): string =>

@@ -1,8 +1,8 @@
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
+import { visible } from '../io/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
 import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
-import { visible } from '../visible.ts';
 import { markdownBlock, markdownCode, markdownText } from './markdown-text.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { runInWords } from './run-in-words.ts';

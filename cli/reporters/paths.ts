@@ -1,5 +1,5 @@
 import { isAbsolute, relative, resolve, sep } from 'node:path';
-import { entryName } from '../packs/index.ts';
+import { entryName } from '../io/index.ts';
 import type { Places } from './reporter.ts';
 
 const withSlashes = (path: string): string => (sep === '/' ? path : path.split(sep).join('/'));

@@ -1,6 +1,6 @@
 import { realpathSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { repositoryOf } from '../repository.ts';
+import { repositoryOf } from '../io/index.ts';
 import type { Places } from './reporter.ts';
 
 /** The folders to which paths in reports are relative. */

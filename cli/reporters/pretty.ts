@@ -1,9 +1,9 @@
 import { plural, termsInWords, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { Verdict } from '../../schema/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
+import { visibleLine } from '../io/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
-import { visibleLine } from '../visible.ts';
 import { earlyEndInWords } from './early-end.ts';
 import type { ReportContext, Results } from './reporter.ts';
 import { runInWords } from './run-in-words.ts';

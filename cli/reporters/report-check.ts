@@ -1,9 +1,8 @@
 import process from 'node:process';
 import type { CheckedLevel } from '../check/index.ts';
-import { colorsFor, PLAIN, widthOf } from '../colors.ts';
 import type { CommandResult, ResultFile } from '../command.ts';
+import { colorsFor, PLAIN, readVersion, widthOf } from '../io/index.ts';
 import { inPieces } from '../report-parts/index.ts';
-import { readVersion } from '../version.ts';
 import type { Destination } from './destinations.ts';
 import { placesOf } from './places.ts';
 import type { ReportContext, Reporter, ReporterName, Results } from './reporter.ts';

@@ -1,6 +1,6 @@
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
-import type { Colors } from '../colors.ts';
+import type { Colors } from '../io/index.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
 import type { EditorLink } from '../show-failure/index.ts';
 

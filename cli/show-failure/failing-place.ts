@@ -1,7 +1,6 @@
 import type { EditorPlace } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { entryName } from '../packs/index.ts';
-import { shellPath } from '../shown-path.ts';
+import { entryName, shellPath } from '../io/index.ts';
 
 /** Where to look at the failure of a level. */
 export interface FailingPlace {

@@ -13,9 +13,7 @@ import {
 } from '../../schema/index.ts';
 import { createDecider, type Decider } from '../../solver/index.ts';
 import { showProblems } from '../code-frames.ts';
-import { Failure } from '../failure.ts';
-import { nameOfFile } from '../name-of-file.ts';
-import { readBytes } from '../read-bytes.ts';
+import { Failure, nameOfFile, readBytes } from '../io/index.ts';
 import { intervalAround } from './interval.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';
 import type { RuleInterval, TunedLevel, TunedValue, TuneSettings, TuneTask } from './tuned-level.ts';

@@ -1,4 +1,4 @@
-import { runInPool } from '../pool.ts';
+import { runInPool } from '../io/index.ts';
 import type { TunedLevel, TuneSettings, TuneTask } from './tuned-level.ts';
 
 /**

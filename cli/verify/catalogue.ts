@@ -1,6 +1,5 @@
 import type { Level, OwnRules } from '../../schema/index.ts';
-import { Failure } from '../failure.ts';
-import { readBytes } from '../read-bytes.ts';
+import { Failure, readBytes } from '../io/index.ts';
 import type { EngineModule } from './engine-module.ts';
 
 /** A level that plays may be of. */

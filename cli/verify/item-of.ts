@@ -1,5 +1,4 @@
-import { entryName, packFormat } from '../packs/index.ts';
-import { shellPath } from '../shown-path.ts';
+import { entryName, packFormat, shellPath } from '../io/index.ts';
 import { MOST_BYTES, readLine } from './lines.ts';
 import type { PlayItem } from './verify-plays.ts';
 

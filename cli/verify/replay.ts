@@ -1,6 +1,6 @@
 import type { PlayVerifier, VerifiedPlay, VerifyOptions } from '../../game/index.ts';
 import type { OwnRules } from '../../schema/index.ts';
-import { readBytes } from '../read-bytes.ts';
+import { readBytes } from '../io/index.ts';
 import { type EngineModule, loadEngine, ownEngine } from './engine-module.ts';
 
 /** A play to replay, for this thread or another. */

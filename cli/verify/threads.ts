@@ -1,5 +1,5 @@
 import type { VerifiedPlay } from '../../game/index.ts';
-import { openPool } from '../pool.ts';
+import { openPool } from '../io/index.ts';
 import { type ReplayTask, replayAll } from './replay.ts';
 
 /** Fewer plays than this are replayed before a thread has started. */

@@ -1,10 +1,7 @@
 import { resolve } from 'node:path';
 import process from 'node:process';
 import type { CommandResult } from '../command.ts';
-import { Failure, systemReason } from '../failure.ts';
-import { writeResultFiles } from '../result-files.ts';
-import { catchSignals } from '../signals.ts';
-import { visible } from '../visible.ts';
+import { catchSignals, Failure, systemReason, visible, writeResultFiles } from '../io/index.ts';
 import { type WatchedPaths, watchedPaths } from './watched-paths.ts';
 
 /** ms without a change after which a round begins: editors write a file in several steps */

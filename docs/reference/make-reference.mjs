@@ -24,7 +24,7 @@ const entryPoints = Object.entries(exports)
   .filter(([, { types }]) => types !== undefined)
   .map(([, { types }]) => types.replace(/^\.\/dist\/(.*)\.d\.ts$/, '../../$1.ts'));
 
-process.chdir(fileURLToPath(new URL('.', import.meta.url)));
+process.chdir(fileURLToPath(new URL('./', import.meta.url)));
 const app = await Application.bootstrapWithPlugins({ entryPoints }, [new TypeDocReader(), new TSConfigReader()]);
 const logger = new GapLogger();
 logger.level = LogLevel.Warn;

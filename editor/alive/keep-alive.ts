@@ -1,11 +1,11 @@
 import { joinHolds } from '../../engine/index.ts';
 import type { Hold, LevelFile } from '../../schema/index.ts';
 import type { Retimed } from '../../solver/index.ts';
+import type { Desk } from '../ask/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import { type DocumentEvent, replaceHolds, type StepMark } from '../document/index.ts';
 import { isWhole, type LiveProof } from '../proof/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
-import type { Workers } from '../workers/index.ts';
 import { type AliveState, aliveOf } from './alive-state.ts';
 import { type Former, formerOf, isSameGame } from './former.ts';
 import { createReplacedHolds } from './replaced-holds.ts';
@@ -35,9 +35,7 @@ interface Chase {
 interface AliveParts {
   readonly level: Pick<OpenLevel, 'document' | 'proof'>;
   readonly settings: SettingsStore;
-  readonly workers: Pick<Workers, 'start'>;
-  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
+  readonly desk: Desk;
 }
 
 /** @param isAbout whether the result is about the level as it is: otherwise its slack and minerals are not known */
@@ -53,10 +51,10 @@ function told(best: Retimed, run: string, isAbout: boolean, isFinal: boolean): A
  * worker seeks; the page takes nothing that does not complete the level as it is now.
  * @returns stops it
  */
-export function keepAlive({ level, settings, workers, afterRest }: AliveParts): () => void {
+export function keepAlive({ level, settings, desk }: AliveParts): () => void {
   const { document, proof } = level;
   const store = aliveOf(level);
-  const seeker = createHoldSeeker(proof, workers);
+  const seeker = createHoldSeeker(proof, desk);
   const replaced = createReplacedHolds(document, proof);
   /** The shown run of each file that was shown. */
   const formers = new WeakMap<LevelFile, Former | null>();
@@ -160,7 +158,7 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
   const finishOthers = (start: LevelFile, step: StepMark) => {
     const shown = proof.proof().run.name;
     const wasAlive = formers.get(start)?.name === shown;
-    forget = afterRest(REST, () => {
+    forget = desk.afterRest(REST, () => {
       if (document.lastStep() !== step || document.gesture() !== null) return;
       rescueOthers({ document, proof, seeker, replaced }, { start, shown: wasAlive ? shown : null, step }, (others) => {
         const state = store.getState();
@@ -188,7 +186,7 @@ export function keepAlive({ level, settings, workers, afterRest }: AliveParts): 
       if (chase !== current || document.lastStep() !== step) return;
       if (document.gesture() !== null) {
         // a click may change nothing; a gesture that does ends the search
-        if (answer.isLast) forget = afterRest(REST, () => hear(answer));
+        if (answer.isLast) forget = desk.afterRest(REST, () => hear(answer));
         return;
       }
       const isTaken = take(current, answer, step);

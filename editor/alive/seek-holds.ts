@@ -1,6 +1,7 @@
 import type { Hold } from '../../schema/index.ts';
+import { type Desk, question } from '../ask/index.ts';
 import type { LiveProof, ProofStore } from '../proof/index.ts';
-import { jobs, type Results, type Retiming, type Running, type Workers } from '../workers/index.ts';
+import { jobs, type Retiming } from '../workers/index.ts';
 import { type Former, indicesOf } from './former.ts';
 
 /** No press or release is shifted farther than this, ticks: it would be another run. */
@@ -34,36 +35,33 @@ export interface HoldSeeker {
 
 const NOTHING: Retiming = { best: null, effort: { runs: 0, ticks: 0 }, finished: false };
 
+/** Small shifts of a run with which it completes the level as it is. */
+export const retimeQuestion = question({
+  job: jobs.retime,
+  request: ({ about, former, warm, effort, certifies }: Question & { readonly about: LiveProof }) => ({
+    level: about.level,
+    terms: about.terms,
+    holds: former.holds,
+    minerals: indicesOf(about.file, former.minerals),
+    ...{ warm, within: WITHIN, formerEnd: former.tick, effort, certifies },
+  }),
+});
+
 /** Asks a worker. */
-export function createHoldSeeker(proof: ProofStore, workers: Pick<Workers, 'start'>): HoldSeeker {
-  let job: Running<Results['retime']> | null = null;
-  let about: LiveProof | null = null;
+export function createHoldSeeker(proof: ProofStore, desk: Desk): HoldSeeker {
+  const retiming = retimeQuestion(desk);
   return {
-    ask({ former, warm, effort, certifies }, hear) {
-      job?.cancel();
-      const now = proof.proof();
-      about = now;
-      const { level, terms } = now;
-      const minerals = indicesOf(now.file, former.minerals);
-      const request = { level, terms, holds: former.holds, minerals, warm, within: WITHIN, formerEnd: former.tick };
-      const mine = workers.start(jobs.retime, { ...request, effort, certifies }, (found) => {
-        if (job === mine) hear({ ...found, about: now, isLast: false });
-      });
-      job = mine;
-      void mine.end.then((end) => {
-        if (job !== mine) return;
-        job = null;
-        hear({ ...(end.kind === 'done' ? end.result : NOTHING), about: now, isLast: true });
+    ask(asked, hear) {
+      const about = proof.proof();
+      retiming.ask({ ...asked, about }, ({ phase, progress, answer }) => {
+        const isLast = phase !== 'asking';
+        hear({ ...((isLast ? answer : progress) ?? NOTHING), about, isLast });
       });
     },
-    stop() {
-      job?.cancel();
-      job = null;
-      about = null;
-    },
-    about: () => about,
+    stop: retiming.forget,
+    about: () => retiming.store.getState().of?.about ?? null,
     get isBusy() {
-      return job !== null;
+      return retiming.store.getState().phase === 'asking';
     },
   };
 }

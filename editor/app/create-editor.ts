@@ -80,8 +80,8 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     analysis: createStore<Analysis | null>(() => null),
     playtest: createStore<ReturnType<OpenLevel['playtest']['getState']>>(() => null),
   };
-  const { workers } = editor;
-  const parts = { level, settings, workers, afterRest };
+  const { desk } = editor;
+  const parts = { level, settings, desk };
   stops.push(keepAlive(parts), watchMend({ ...parts, session, alive: aliveOf(level) }));
   const close = () => {
     for (const stop of stops) stop();
@@ -183,7 +183,6 @@ export async function createEditor(): Promise<Editor> {
   workspace.store.subscribe(({ link }, before) => {
     if (link !== before.link) tellLink(link);
   });
-  const workers = createWorkers({ spawn: spawnPageWorker, after });
   const editor: Editor = {
     settings,
     terms: createPageTerms(workspace, settings),
@@ -198,8 +197,7 @@ export async function createEditor(): Promise<Editor> {
     incoming: createStore<LevelFile | null>(() => null),
     heldBack: createStore<string | null>(() => null),
     unchecked: new Set(),
-    workers,
-    desk: { workers, afterRest, after },
+    desk: { workers: createWorkers({ spawn: spawnPageWorker, after }), afterRest, after },
     open: createStore<OpenLevel | null>(() => null),
   };
   let last: { opened: OpenedLevel; close: () => void } | null = null;

@@ -59,8 +59,8 @@ export interface QuestionRecord<O, Q, A, P, F> {
 
 interface Follows<F, O> {
   readonly wait: Wait;
-  /** What it is about at the moment; null: it is not asked. */
-  readonly of: (from: F) => O | null;
+  /** What it is about at the moment; null: it is not asked. @param asked what it is about so far */
+  readonly of: (from: F, asked: O | null) => O | null;
   /** Whether an answer to the one is an answer to the other. */
   readonly same: (asked: O, now: O) => boolean;
   /** Calls back when something changes that `of` depends on. */
@@ -69,10 +69,10 @@ interface Follows<F, O> {
 
 const IDLE: Asked<never, never> = { phase: 'idle', of: null, progress: null, answer: null, message: null, gaveUp: false };
 
-/** Defines a question. @returns asks it, for as long as what it returns is not closed */
+/** Defines a question. @returns asks it, for as long as what it returns is not closed; without `from` on demand alone */
 export const question =
   <O, Q, A, P, F = void>({ job, request, follows }: QuestionRecord<O, Q, A, P, F>) =>
-  ({ workers, afterRest, after }: Desk, from: F): Question<O, A, P> => {
+  ({ workers, afterRest, after }: Desk, from: F | null): Question<O, A, P> => {
     const store = createStore<Asked<O, A, P>>(() => IDLE);
     let running: Running<A> | null = null;
     let waiting: (() => void) | null = null;
@@ -117,15 +117,15 @@ export const question =
 
     const begin = () => {
       waiting = null;
-      const now = follows?.of(from) ?? null;
+      const now = from === null ? null : (follows?.of(from, store.getState().of) ?? null);
       if (now === null) forget();
       else ask(now);
     };
     const look = () => {
-      if (follows === undefined) return;
+      if (follows === undefined || from === null) return;
       const { wait, of, same } = follows;
-      const now = of(from);
       const known = store.getState().of;
+      const now = of(from, known);
       if (now === null) forget();
       else if (known !== null && same(known, now)) return;
       else if ('rest' in wait) {
@@ -135,7 +135,7 @@ export const question =
       } else if (running === null) waiting ??= after(isFirst ? 0 : wait.pace, begin);
     };
     look();
-    const stops = follows?.on(from).map((subscribe) => subscribe(look)) ?? [];
+    const stops = from === null ? [] : (follows?.on(from).map((subscribe) => subscribe(look)) ?? []);
     return {
       store,
       ask,
@@ -151,3 +151,25 @@ export const question =
       },
     };
   };
+
+/** A question that was asked once. */
+export interface AskedOnce<O, A, P> {
+  /** How it ended: `stopped` if it was stopped. Never rejects. */
+  readonly end: Promise<Asked<O, A, P>>;
+  stop(): void;
+}
+
+/** Asks a question once. @param hear called with all news */
+export function askOnce<O, A, P>(
+  ask: (desk: Desk, from: null) => Question<O, A, P>,
+  desk: Desk,
+  of: O,
+  hear?: (now: Asked<O, A, P>) => void,
+): AskedOnce<O, A, P> {
+  const own = ask(desk, null);
+  const end = new Promise<Asked<O, A, P>>((resolve) => {
+    own.store.subscribe((now) => now.phase !== 'asking' && resolve(now));
+  });
+  own.ask(of, hear);
+  return { end, stop: own.stop };
+}

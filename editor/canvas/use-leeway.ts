@@ -1,6 +1,5 @@
 import { useEffect } from 'react';
 import type { StoreApi } from 'zustand';
-import { afterRest } from '../ask/index.ts';
 import { useEditor, useLevel } from '../context/index.ts';
 import { watchLeeway } from '../leeway/index.ts';
 import type { CanvasState } from './canvas-state.ts';
@@ -8,7 +7,7 @@ import { toLevel } from './view.ts';
 
 /** Samples where the selection may stand, in what the canvas shows, for as long as that is shown. */
 export function useLeeway(canvas: StoreApi<CanvasState>): void {
-  const { session, settings, workers } = useEditor();
+  const { session, settings, desk } = useEditor();
   const level = useLevel();
   useEffect(() => {
     const now = () => {
@@ -21,6 +20,6 @@ export function useLeeway(canvas: StoreApi<CanvasState>): void {
       canvas.subscribe((state, before) => {
         if (state.view !== before.view) call();
       });
-    return watchLeeway({ level, session, settings, workers, seen: { now, subscribe }, afterRest });
-  }, [canvas, level, session, settings, workers]);
+    return watchLeeway({ level, session, settings, desk, seen: { now, subscribe } });
+  }, [canvas, level, session, settings, desk]);
 }

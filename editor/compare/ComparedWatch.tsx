@@ -3,16 +3,11 @@ import { useEditor, useLevel } from '../context/index.ts';
 import { compareCommands } from './compare-commands.ts';
 import { watchCompared } from './watch-compared.ts';
 
-const after = (ms: number, call: () => void) => {
-  const timer = setTimeout(call, ms);
-  return () => clearTimeout(timer);
-};
-
 /** Renders nothing. Registers the commands of compared runs and keeps their trajectories up to date, whichever panel is open. */
 export function ComparedWatch() {
   const editor = useEditor();
   const level = useLevel();
-  useEffect(() => watchCompared({ level, workers: editor.workers, after }), [editor, level]);
+  useEffect(() => watchCompared(level, editor.desk), [editor, level]);
   useEffect(() => editor.commands.register(compareCommands(editor, level)), [editor, level]);
   return null;
 }

@@ -1,23 +1,59 @@
 import type { Hold } from '../../schema/index.ts';
+import { type Desk, question } from '../ask/index.ts';
 import type { OpenLevel } from '../context/index.ts';
-import type { LiveProof } from '../proof/index.ts';
-import { jobs, type Results, type Running, type Workers } from '../workers/index.ts';
+import { type LiveProof, withoutRuns } from '../proof/index.ts';
+import { jobs } from '../workers/index.ts';
 import { type ComparingStore, comparedOf, isCompared, isFresh, type Source, sourceHolds, sourceKey } from './compared.ts';
 
-/** ms between two requests while the level changes: sending a large level takes a part of a frame */
-const PACE = 50;
+type ComparedLevel = Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
 
-interface WatchParts {
-  readonly level: Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
-  readonly workers: Pick<Workers, 'start'>;
-  /** Calls back after `ms`. @returns cancels it */
-  readonly after: (ms: number, call: () => void) => () => void;
-}
-
-interface Wanted {
+/** A run whose trajectory is not known. */
+interface Unknown {
   readonly source: Source;
   readonly holds: readonly Hold[];
+  readonly now: LiveProof;
 }
+
+interface Comparisons {
+  readonly level: ComparedLevel;
+  readonly store: ComparingStore;
+  /** When each run was last asked for, counted in requests. */
+  readonly asked: ReadonlyMap<string, number>;
+}
+
+/** The run that waits longest for its trajectory; null: all are known, or the level is not simulated. */
+function nextOf({ level, store, asked }: Comparisons): Unknown | null {
+  const now = level.proof.proof();
+  if (now.limit === 'unchecked' || now.limit === 'everything') return null;
+  const { runs, trajectories } = store.getState();
+  let best: Unknown | null = null;
+  let least = Number.POSITIVE_INFINITY;
+  for (const { source } of runs) {
+    const holds = sourceHolds(level, source);
+    const key = sourceKey(source);
+    const turn = asked.get(key) ?? 0;
+    if (holds === null || isFresh(trajectories.get(key), now, holds) || turn >= least) continue;
+    least = turn;
+    best = { source, holds, now };
+  }
+  return best;
+}
+
+/** The trajectory of a compared run. */
+export const trajectoryQuestion = question({
+  job: jobs.trajectory,
+  request: ({ holds, now }: Unknown) => ({ level: withoutRuns(now.level), terms: now.terms, holds }),
+  follows: {
+    // sending a large level takes a part of a frame
+    wait: { pace: 50 },
+    of: nextOf,
+    same: (asked, now) =>
+      asked.now.scene === now.now.scene &&
+      sourceKey(asked.source) === sourceKey(now.source) &&
+      asked.holds.join() === now.holds.join(),
+    on: ({ level, store }) => [level.proof.store.subscribe, level.attempts.store.subscribe, store.subscribe],
+  },
+});
 
 /** What was there before a change. */
 interface Before {
@@ -31,12 +67,7 @@ interface Before {
  * Runs that are not there any more leave; one that was renamed stays, by its place. A compared run that is now the shown one
  * changes places with the one shown before.
  */
-function leave(
-  store: ComparingStore,
-  level: WatchParts['level'],
-  shown: string | null,
-  { names: before, shown: last }: Before,
-): void {
+function leave(store: ComparingStore, level: ComparedLevel, shown: string | null, { names: before, shown: last }: Before): void {
   const { runs } = store.getState();
   const names = (level.document.file().runs ?? []).map(({ name }) => name);
   const renamed = (name: string): string | null => {
@@ -61,79 +92,39 @@ function leave(
  * Keeps the trajectories of compared runs up to date, by a worker: one request at a time, for the level as it is when the last one is
  * answered. Nothing is done while no run is compared. @returns stops it
  */
-export function watchCompared({ level, workers, after }: WatchParts): () => void {
+export function watchCompared(level: ComparedLevel, desk: Desk): () => void {
   const store = comparedOf(level);
-  let running: Running<Results['trajectory']> | null = null;
-  let forget: (() => void) | null = null;
-  /** When each run was last asked for, counted in requests. */
   const asked = new Map<string, number>();
-  let requests = 0;
   const seen = (): Before => ({
     names: (level.document.file().runs ?? []).map(({ name }) => name),
     shown: level.proof.proof().run.name,
   });
   let before = seen();
-
-  /** The run that waits longest for its trajectory; null: all are known. */
-  const next = (now: LiveProof): Wanted | null => {
-    const { runs, trajectories } = store.getState();
-    let best: Wanted | null = null;
-    let least = Number.POSITIVE_INFINITY;
-    for (const { source } of runs) {
-      const holds = sourceHolds(level, source);
-      const key = sourceKey(source);
-      const turn = asked.get(key) ?? 0;
-      if (holds === null || isFresh(trajectories.get(key), now, holds) || turn >= least) continue;
-      least = turn;
-      best = { source, holds };
-    }
-    return best;
-  };
-  const ask = () => {
-    forget = null;
-    const now = level.proof.proof();
-    const wanted = now.limit === 'unchecked' || now.limit === 'everything' ? null : next(now);
-    if (wanted === null) return;
-    const key = sourceKey(wanted.source);
-    asked.set(key, ++requests);
-    const { scene, terms } = now;
-    const { holds } = wanted;
-    const mine = workers.start(jobs.trajectory, { level: { ...now.level, runs: [] }, terms, holds });
-    running = mine;
-    void mine.end.then((end) => {
-      if (running !== mine) return;
-      running = null;
-      if (end.kind === 'cancelled') return;
-      const found = end.kind === 'done' ? end.result : null;
-      const trajectories = new Map(store.getState().trajectories).set(key, { scene, holds: holds.join(), found });
-      store.setState({ trajectories });
-      look();
-    });
-  };
-  const look = () => {
-    const { runs, trajectories } = store.getState();
-    if (runs.length === 0) {
-      running?.cancel();
-      running = null;
-      forget?.();
-      forget = null;
-      if (trajectories.size > 0) store.setState({ trajectories: new Map(), chosen: null });
-      return;
-    }
-    if (running !== null || forget !== null || next(level.proof.proof()) === null) return;
-    forget = after(requests === 0 ? 0 : PACE, ask);
-  };
   const settle = () => {
     if (store.getState().runs.length > 0) leave(store, level, level.proof.proof().run.name, before);
     before = seen();
-    look();
+  };
+  const empty = () => {
+    const { runs, trajectories } = store.getState();
+    if (runs.length === 0 && trajectories.size > 0) store.setState({ trajectories: new Map(), chosen: null });
   };
   settle();
-  const stops = [level.proof.store.subscribe(settle), level.attempts.store.subscribe(settle), store.subscribe(look)];
+  empty();
+  // first, as the question is about the runs that are left
+  const stops = [level.proof.store.subscribe(settle), level.attempts.store.subscribe(settle), store.subscribe(empty)];
+  const trajectory = trajectoryQuestion(desk, { level, store, asked });
+  stops.push(
+    trajectory.store.subscribe(({ phase, of, answer }) => {
+      if (of === null) return;
+      const key = sourceKey(of.source);
+      if (phase === 'asking') asked.set(key, asked.size === 0 ? 1 : Math.max(...asked.values()) + 1);
+      if (phase !== 'done' && phase !== 'failed') return;
+      const found = { scene: of.now.scene, holds: of.holds.join(), found: answer };
+      store.setState(({ trajectories }) => ({ trajectories: new Map(trajectories).set(key, found) }));
+    }),
+  );
   return () => {
     for (const stop of stops) stop();
-    running?.cancel();
-    running = null;
-    forget?.();
+    trajectory.close();
   };
 }

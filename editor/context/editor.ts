@@ -12,7 +12,6 @@ import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
 import type { TermsStore } from '../terms/index.ts';
 import type { VersionKeeper } from '../versions/index.ts';
-import type { Workers } from '../workers/index.ts';
 import type { Ghost } from './ghost.ts';
 import type { Pose } from './pose.ts';
 
@@ -75,8 +74,7 @@ export interface Editor {
   readonly heldBack: StoreApi<string | null>;
   /** Ids of levels that are opened without being simulated. */
   readonly unchecked: Set<string>;
-  readonly workers: Workers;
-  /** Where questions are asked: these workers. */
+  /** Where questions to workers are asked. */
   readonly desk: Desk;
   /** null while no level is open */
   readonly open: StoreApi<OpenLevel | null>;

@@ -1,11 +1,12 @@
 import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { enteringFolder, formatLevel, type LevelFile } from '../../schema/index.ts';
+import { useQuestion } from '../ask/index.ts';
 import { useEditor, useFolderTerms, usePageTerms, usePageTheme } from '../context/index.ts';
 import { addLevels } from '../panels/levels/index.ts';
+import { pictureQuestion, urlOf } from '../pictures/index.ts';
 import { slugOf } from '../share/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
-import { jobs } from '../workers/index.ts';
 import { surveyLink } from './survey-link.ts';
 
 /** width of the picture, px */
@@ -30,29 +31,24 @@ export function LinkDialog() {
 
 /** A picture and the verdict of the level, made by a worker so that a costly level does not block the page. */
 function usePicture(text: string): { readonly url: string | null; readonly words: string } {
-  const { workers } = useEditor();
+  const { desk } = useEditor();
   const theme = usePageTheme();
-  const { folder: terms } = usePageTerms();
-  const [shown, setShown] = useState<{ url: string | null; words: string }>({ url: null, words: 'checking…' });
+  const { folder } = usePageTerms();
+  // Rules of a folder do not apply to a level from a link.
+  const drawing = useMemo(() => ({ text, terms: { ...folder, rules: {} }, width: WIDTH, theme }), [text, folder, theme]);
+  const { phase, answer } = useQuestion(pictureQuestion, desk, drawing) ?? { phase: 'idle', answer: null };
+  const [url, setUrl] = useState<string | null>(null);
   useEffect(() => {
-    let url: string | null = null;
-    // Rules of a folder do not apply to a level from a link.
-    const job = workers.start(jobs.thumbnail, { text, terms: { ...terms, rules: {} }, width: WIDTH, theme });
-    void job.end.then((end) => {
-      if (end.kind === 'cancelled') return;
-      if (end.kind !== 'done') {
-        setShown({ url: null, words: 'unknown: it takes too long to simulate' });
-        return;
-      }
-      url = URL.createObjectURL(new Blob([end.result.svg], { type: 'image/svg+xml' }));
-      setShown({ url, words: end.result.verdict });
-    });
+    if (answer === null) return;
+    const made = urlOf(answer.svg);
+    setUrl(made);
     return () => {
-      job.cancel();
-      if (url !== null) URL.revokeObjectURL(url);
+      setUrl(null);
+      if (made !== null) URL.revokeObjectURL(made);
     };
-  }, [workers, text, terms, theme]);
-  return shown;
+  }, [answer]);
+  if (answer !== null) return { url, words: answer.verdict };
+  return { url: null, words: phase === 'failed' ? 'unknown: it takes too long to simulate' : 'checking…' };
 }
 
 function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: () => void }) {

@@ -1,8 +1,9 @@
 import { packedLevel } from '../../check/pack/index.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { LevelEntry, LevelFile, RefusedLevel } from '../../schema/index.ts';
+import { askOnce, type Desk } from '../ask/index.ts';
 import { errorInWords, type LevelStorage, readText } from '../files/index.ts';
-import { jobs, type Workers } from '../workers/index.ts';
+import { pictureQuestion } from '../pictures/index.ts';
 
 /** Levels for a page, and those that are not known to be completable. */
 export interface CollectedLevels {
@@ -12,7 +13,7 @@ export interface CollectedLevels {
 
 interface Collecting {
   readonly storage: LevelStorage;
-  readonly workers: Workers;
+  readonly desk: Desk;
   /** Those of the folder. */
   readonly terms: Terms;
   readonly withRuns: boolean;
@@ -34,7 +35,7 @@ const WORDS: Readonly<Record<RefusedLevel['verdict'], string>> = {
  * @throws (rejects) in words if one can't be read
  */
 export async function collectLevels(entries: readonly LevelEntry[], options: Collecting): Promise<CollectedLevels> {
-  const { storage, workers, terms, withRuns, onProgress } = options;
+  const { storage, desk, terms, withRuns, onProgress } = options;
   const levels: { id: string; level: unknown }[] = [];
   const refused: RefusedLevel[] = [];
   for (const [i, { id, name }] of entries.entries()) {
@@ -50,8 +51,8 @@ export async function collectLevels(entries: readonly LevelEntry[], options: Col
       continue;
     }
     const looks = { width: 16, theme: 'dark' } as const;
-    const end = await workers.start(jobs.thumbnail, { text: answer.value.text, terms, ...looks }).end;
-    const verdict = end.kind === 'done' ? end.result.verdict : 'unproven';
+    const drawn = await askOnce(pictureQuestion, desk, { text: answer.value.text, terms, ...looks }).end;
+    const verdict = drawn.answer?.verdict ?? 'unproven';
     if (verdict !== 'completable') refuse(verdict);
     levels.push({ id, level: packedLevel(file, { rules: terms.rules, withRuns, found: null }) });
   }

@@ -61,7 +61,7 @@ async function intoFolder({ workspace }: Editor, { target, site, title, withRuns
 }
 
 async function asFile(editor: Editor, { target, title, withRuns, force, onProgress }: PublishWish): Promise<Published> {
-  const { workspace, workers } = editor;
+  const { workspace, desk } = editor;
   const { list, opened } = workspace.store.getState();
   const pack = folderPackIn({ list });
   if (target === 'file' && (pack.kind === 'invalid' || pack.kind === 'unreadable'))
@@ -73,7 +73,7 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
   const { folder: terms } = editor.terms.getState();
   const { levels, refused } = await collectLevels(entries, {
     storage: workspace.storage,
-    workers,
+    desk,
     terms,
     withRuns,
     onProgress: (checked) => onProgress(checked, entries.length),

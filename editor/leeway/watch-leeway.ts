@@ -1,153 +1,114 @@
+import { type Desk, question } from '../ask/index.ts';
 import type { OpenLevel } from '../context/index.ts';
-import { endInWords, isWhole } from '../proof/index.ts';
+import { endInWords, isWhole, withoutRuns } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
-import { jobs, type Leeway, type Results, type Running, type Workers } from '../workers/index.ts';
-import { leewayOf } from './leeway-store.ts';
+import { jobs } from '../workers/index.ts';
+import { type LeewayFindings, leewayOf } from './leeway-store.ts';
 import { asksSame, contains, isOnlyMoved, objectsAsked, type Question, questionOf, type Seen } from './question.ts';
 
 /** Shows or hides where the selection may stand. */
 export const LEEWAY_KEY = 'Shift+l';
 
-/** ms without a change before anything is sampled */
-const SETTLE = 120;
-
 interface LeewayParts {
   readonly level: Pick<OpenLevel, 'document' | 'proof' | 'selection'>;
   readonly session: SessionStore;
   readonly settings: Pick<SettingsStore, 'getState' | 'subscribe'>;
-  readonly workers: Pick<Workers, 'start'>;
   /** What the canvas shows, px of the level. */
   readonly seen: { now(): Seen; subscribe(call: () => void): () => void };
-  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
 }
+
+const isOn = ({ session }: LeewayParts) => session.getState().layers.leeway && session.getState().mode === 'edit';
+const isInHand = ({ level: { document } }: LeewayParts) => document.settledFile() !== document.file();
+
+/** What is asked at the moment; null: nothing is selected. */
+function questionNow({ level, settings, seen }: LeewayParts): Question | null {
+  const { snapToGrid, grid } = settings.getState();
+  const { only } = leewayOf(level).getState();
+  return questionOf(level.proof.proof(), level.selection.keys(), { only, grid: snapToGrid ? grid : null, seen: seen.now() });
+}
+
+/** What the question and its answer depend on. */
+const leewayLooks = (parts: LeewayParts): ((look: () => void) => () => void)[] => [
+  parts.level.proof.store.subscribe,
+  parts.level.document.onStep,
+  parts.level.selection.store.subscribe,
+  parts.settings.subscribe,
+  parts.seen.subscribe,
+  (look) => {
+    let wasOn = isOn(parts);
+    return parts.session.subscribe(() => {
+      if (isOn(parts) === wasOn) return;
+      wasOn = isOn(parts);
+      look();
+    });
+  },
+  (look) => leewayOf(parts.level).subscribe((now, before) => now.only !== before.only && look()),
+];
+
+/** Where the selection may stand. */
+export const leewayQuestion = question({
+  job: jobs.leeway,
+  request(of: Question) {
+    const { level, terms, holds, only, lead, grid, seen } = of;
+    const objects = objectsAsked(of).map(({ kind, index }) => ({ kind, index }));
+    return { level: withoutRuns(level), terms, holds, objects, only, lead, grid, seen };
+  },
+  follows: {
+    wait: { rest: 120 },
+    of(parts: LeewayParts, asked) {
+      const { proof } = parts.level;
+      if (!isOn(parts)) return null;
+      // holds may be re-timed in the same gesture: the answer is about those when it began
+      if (isInHand(parts)) return asked !== null && isOnlyMoved(asked, proof.proof()) ? asked : null;
+      return isWhole(proof.proof()) ? questionNow(parts) : null;
+    },
+    same: (asked, now) => asked.file === now.file && asksSame(asked, now) && contains(asked.seen, now.seen),
+    on: leewayLooks,
+  },
+});
 
 /**
  * While the layer is shown, samples where the selection may stand. What was found stays for as long as it is true: also while the
  * selection is dragged, as everything else is unchanged.
  */
-export function watchLeeway({ level, session, settings, workers, seen, afterRest }: LeewayParts): () => void {
-  const { document, proof, selection } = level;
-  const store = leewayOf(level);
-  let job: Running<Results['leeway']> | null = null;
-  /** What is being sampled, or was. */
-  let asked: Question | null = null;
-  /** What was found while something is dragged: drawing it would delay the drag. */
-  let held: Leeway | null = null;
-  let forget = () => {};
+export function watchLeeway({ desk, ...parts }: LeewayParts & { readonly desk: Desk }): () => void {
+  const { proof } = parts.level;
+  const store = leewayOf(parts.level);
+  const leeway = leewayQuestion(desk, parts);
+  const put = (now: Partial<LeewayFindings>) => store.setState({ message: null, answer: null, ...now });
 
-  const isOn = () => session.getState().layers.leeway && session.getState().mode === 'edit';
-  const isInHand = () => document.settledFile() !== document.file();
-  const grid = () => {
-    const { snapToGrid, grid: size } = settings.getState();
-    return snapToGrid ? size : null;
-  };
-  const question = () =>
-    questionOf(proof.proof(), selection.keys(), { only: store.getState().only, grid: grid(), seen: seen.now() });
-  const stop = () => {
-    forget();
-    job?.cancel();
-    job = null;
-    asked = null;
-    held = null;
-  };
-  const put = (leeway: Leeway) => {
-    if (asked === null) return;
-    if (isInHand()) held = leeway;
-    else {
-      held = null;
-      const isTooLarge = leeway.base === 'unknown';
-      store.setState({
-        phase: isTooLarge ? 'too large' : leeway.isFinished ? 'done' : 'sampling',
-        message: null,
-        answer: isTooLarge ? null : { question: asked, leeway },
-      });
-    }
-  };
-  const begin = () => {
-    const now = question();
-    if (now === null || !isWhole(proof.proof())) return;
-    job?.cancel();
-    asked = now;
-    held = null;
-    const { level: played, terms, holds, only, lead, grid: size, seen: region } = now;
-    const objects = objectsAsked(now).map(({ kind, index }) => ({ kind, index }));
-    const mine = workers.start(
-      jobs.leeway,
-      { level: { ...played, runs: [] }, terms, holds, objects, only, lead, grid: size, seen: region },
-      (leeway) => {
-        if (job === mine) put(leeway);
-      },
-    );
-    job = mine;
-    void mine.end.then((end) => {
-      if (job !== mine) return;
-      if (end.kind === 'done') put(end.result);
-      else if (end.kind !== 'cancelled') store.setState({ phase: 'failed', message: end.message, answer: null });
-    });
-  };
-  /** @returns whether what is known is still true */
-  const isTrue = (known: Question, now: Question): boolean => asksSame(known, now) && isOnlyMoved(known, now);
-
-  const look = () => {
-    if (!isOn()) {
-      stop();
-      if (store.getState().phase !== 'off') store.setState({ phase: 'off', message: null, answer: null });
+  const show = () => {
+    if (!isOn(parts)) {
+      if (store.getState().phase !== 'off') put({ phase: 'off' });
       return;
     }
-    const now = question();
+    const now = questionNow(parts);
     if (now === null) {
-      stop();
-      if (store.getState().phase !== 'nothing selected')
-        store.setState({ phase: 'nothing selected', message: null, answer: null });
+      if (store.getState().phase !== 'nothing selected') put({ phase: 'nothing selected' });
       return;
     }
-    const known = store.getState().answer?.question ?? null;
-    if (isInHand()) {
-      // holds may be re-timed in the same gesture: the answer is about those when it began
-      const start = asked ?? known;
-      if (start !== null && isOnlyMoved(start, proof.proof())) return;
-      stop();
-      store.setState({ phase: 'waiting', message: null, answer: null });
+    const { phase, of, progress, answer, message } = leeway.store.getState();
+    if (isInHand(parts)) {
+      // drawing what is found while something is dragged would delay the drag
+      if (phase === 'idle') put({ phase: 'waiting' });
       return;
     }
-    if (asked !== null && asked.file === now.file && asksSame(asked, now) && contains(asked.seen, now.seen)) {
-      if (held !== null) put(held);
-      return;
-    }
-    stop();
-    if (!isWhole(proof.proof())) {
-      store.setState({ phase: 'too large', message: endInWords(proof.proof()), answer: null });
-      return;
-    }
+    const found = answer ?? progress;
+    const known = store.getState().answer;
     // what was found is shown until something newer is known
-    store.setState({ phase: 'waiting', message: null, ...(known !== null && isTrue(known, now) ? {} : { answer: null }) });
-    forget = afterRest(SETTLE, begin);
+    const isTrue = known !== null && asksSame(known.question, now) && isOnlyMoved(known.question, now);
+    if (!isWhole(proof.proof())) put({ phase: 'too large', message: endInWords(proof.proof()) });
+    else if (phase === 'failed') put({ phase, message });
+    else if (of === null || found === null) put({ phase: 'waiting', answer: isTrue ? known : null });
+    else if (found.base === 'unknown') put({ phase: 'too large' });
+    else put({ phase: found.isFinished ? 'done' : 'sampling', answer: { question: of, leeway: found } });
   };
-  look();
-  let wasOn = isOn();
-  let { only } = store.getState();
-  const stops = [
-    proof.store.subscribe(look),
-    document.onStep(look),
-    selection.store.subscribe(look),
-    settings.subscribe(look),
-    seen.subscribe(look),
-    session.subscribe(() => {
-      if (isOn() === wasOn) return;
-      wasOn = isOn();
-      look();
-    }),
-    store.subscribe((now) => {
-      if (now.only === only) return;
-      only = now.only;
-      look();
-    }),
-  ];
+  show();
+  const stops = [...leewayLooks(parts).map((subscribe) => subscribe(show)), leeway.store.subscribe(show)];
   return () => {
     for (const end of stops) end();
-    stop();
-    store.setState({ phase: 'off', message: null, answer: null });
+    leeway.close();
+    put({ phase: 'off' });
   };
 }

@@ -1,12 +1,13 @@
 import { type AccuracyName, joinHolds, type Scene, type Terms } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { type Desk, question } from '../ask/index.ts';
 import type { Attempt } from '../attempts/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import { isWhole } from '../proof/index.ts';
 import type { SessionStore } from '../session/index.ts';
 import { hashNow, shelfOf } from '../shelf/index.ts';
 import { accuracyNameOf } from '../terms/index.ts';
-import { jobs, type Losses, type Results, type Running, type Workers } from '../workers/index.ts';
+import { jobs } from '../workers/index.ts';
 import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
 
 /** Shows or hides the shade. */
@@ -22,9 +23,6 @@ const EFFORT_OF_RUNS = 20_000_000;
 /** At most so many runs that fail are examined: the shown one, then the attempts, those that are selected first. */
 const MOST_RUNS = 12;
 
-/** ms without a change before anything is examined */
-const SETTLE = 500;
-
 /** The examination of where one level is already lost. */
 export interface LostSession {
   /** Stops the examination and keeps what it has found. */
@@ -35,174 +33,188 @@ export interface LostSession {
 }
 
 interface LostParts {
-  readonly level: Pick<OpenLevel, 'document' | 'proof' | 'attempts'>;
+  readonly level: LostLevel;
   readonly session: SessionStore;
-  readonly workers: Pick<Workers, 'start'>;
-  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
+  readonly desk: Desk;
 }
 
+type LostLevel = Pick<OpenLevel, 'document' | 'proof' | 'attempts'>;
+
 const completed = ({ end }: Attempt): boolean => end?.outcome === 'completed';
+
+/** The level under terms, and what it takes time to say of it, found out once if at all. */
+interface Examined {
+  readonly scene: Scene;
+  readonly terms: Terms;
+  /** With runs that complete it, its own and attempts; null if there are none. */
+  readonly level: () => Level | null;
+  /** The runs that fail, each once. */
+  readonly failing: () => readonly (readonly Hold[])[];
+}
+
+const once = <T>(make: () => T): (() => T) => {
+  let made: { readonly value: T } | null = null;
+  return () => {
+    made ??= { value: make() };
+    return made.value;
+  };
+};
+
+/** The level as it is now. */
+function examinedNow(level: LostLevel): Examined {
+  const known = level.proof.proof();
+  const { scene, terms } = known;
+  const isOurs = (accuracy: AccuracyName): boolean => accuracy === terms.accuracy.name;
+  const all = level.attempts.store.getState();
+  const { selected, plays, of } = shelfOf(level).store.getState();
+  const hash = once(() => hashNow({ proof: level.proof }));
+  /** The attempts at the level as it is now, the latest first. */
+  const own = once(() => all.filter(({ played, ...one }) => played.hash === hash() && isOurs(one.accuracy)).reverse());
+  return {
+    scene,
+    terms,
+    level: once(() => {
+      const more = own()
+        .filter(completed)
+        .map(({ number, holds }) => ({ name: `attempt ${number}`, holds: [...holds] }));
+      if (known.provenBy === null && more.length === 0) return null;
+      return { ...known.level, runs: [...known.level.runs, ...more] as Level['runs'] };
+    }),
+    failing: once(() => {
+      const isSelected = ({ number }: Attempt) => selected.has(`attempt-${number}`);
+      const failed = own().filter((one) => one.end !== null && !completed(one));
+      const opened = plays.filter(
+        ({ key, play, replayed }) =>
+          selected.has(key) && of?.hash === hash() && isOurs(play.accuracy) && replayed?.outcome !== 'completed',
+      );
+      const wanted = [
+        ...(isWhole(known) && known.run.outcome !== 'completed' ? [known.run.holds] : []),
+        ...failed.filter(isSelected).map(({ holds }) => joinHolds(holds)),
+        ...opened.map(({ play }) => joinHolds(play.holds)),
+        ...failed.filter((one) => !isSelected(one)).map(({ holds }) => joinHolds(holds)),
+      ];
+      return [...new Map(wanted.map((holds) => [holds.join(), holds])).values()].slice(0, MOST_RUNS);
+    }),
+  };
+}
+
+interface Shade {
+  readonly level: LostLevel;
+  readonly session: SessionStore;
+}
+
+const whenShown = ({ session }: Shade, look: () => void): (() => void) =>
+  session.subscribe((now, before) => {
+    if (now.layers.lost !== before.layers.lost) look();
+  });
+
+/** What decides what is lost: the level, and runs that come and go. */
+const changesOf = (from: Shade) => [
+  from.level.proof.store.subscribe,
+  from.level.attempts.store.subscribe,
+  shelfOf(from.level).store.subscribe,
+  (look: () => void) => whenShown(from, look),
+];
+
+/** Where the level is already lost, with so much effort, ticks. */
+export const lostQuestion = question({
+  job: jobs.lost,
+  request({ level, terms, effort }: Examined & { readonly effort: number }) {
+    const from = level();
+    return from === null ? null : { level: from, terms, effort };
+  },
+  follows: {
+    wait: { rest: 500 },
+    of: ({ level, session }: Shade) => (session.getState().layers.lost ? { ...examinedNow(level), effort: EFFORT } : null),
+    // without a run that completes the level everything could be lost, so the first one matters
+    same: (asked, now) => asked.scene === now.scene && (asked.level() !== null || now.level() === null),
+    on: changesOf,
+  },
+});
+
+/** The runs of which it is asked since when they were lost. */
+interface Traced extends Examined {
+  readonly traced: () => readonly (readonly Hold[])[];
+}
+
+interface Losers extends Shade {
+  /** The runs of which nothing more is found, by {@link lossKey}. */
+  readonly settled: ReadonlySet<string>;
+}
+
+const tracedKey = ({ level, traced }: Traced): string => (level() === null ? '' : traced().join(';'));
+
+/** Since when runs were lost that fail. */
+export const lossesQuestion = question({
+  job: jobs.losses,
+  request({ level, terms, traced }: Traced) {
+    const from = level();
+    return from === null || traced().length === 0 ? null : { level: from, terms, traced: traced(), effort: EFFORT_OF_RUNS };
+  },
+  follows: {
+    wait: { rest: 500 },
+    of({ level, session, settled }: Losers): Traced | null {
+      if (!session.getState().layers.lost) return null;
+      const examined = examinedNow(level);
+      const name = accuracyNameOf(examined.terms);
+      return { ...examined, traced: once(() => examined.failing().filter((holds) => !settled.has(lossKey(holds, name)))) };
+    },
+    same: (asked, now) => asked.scene === now.scene && tracedKey(asked) === tracedKey(now),
+    on: changesOf,
+  },
+});
+
+const PHASES = { idle: 'off', nothing: 'needs a run', asking: 'examining' } as const;
 
 /**
  * While the layer is shown, examines where the level is already lost, and since when the shown run and attempts were lost. What
  * was found is thrown away when the level changes.
  */
-export function watchLost({ level, session, workers, afterRest }: LostParts): LostSession {
-  const { proof, attempts } = level;
+export function watchLost({ level, session, desk }: LostParts): LostSession {
   const store = lostOf(level);
-  const shelf = shelfOf(level);
-  let scene: Scene | null = null;
-  let terms: Terms | null = null;
-  let states: Running<Results['lost']> | null = null;
-  let runs: Running<Results['losses']> | null = null;
-  /** The runs that are being examined. */
-  let asked = '';
-  /** The runs of which nothing more is found. */
   const settled = new Set<string>();
-  let forget = () => {};
+  const states = lostQuestion(desk, { level, session });
+  const runs = lossesQuestion(desk, { level, session, settled });
+  let scene: Scene | null = null;
 
-  const drop = () => {
-    forget();
-    states?.cancel();
-    runs?.cancel();
-    states = null;
-    runs = null;
-    asked = '';
-    settled.clear();
-  };
-  const isOurs = (accuracy: AccuracyName): boolean => accuracy === terms?.accuracy.name;
-  /** The attempts at the level as it is now, the latest first. */
-  const ownAttempts = (): Attempt[] => {
-    const now = hashNow(level);
-    const here = attempts.store.getState().filter(({ played, ...one }) => played.hash === now && isOurs(one.accuracy));
-    return here.reverse();
-  };
-  /** The level with runs that complete it, its own and attempts; null if there are none. */
-  const completable = (): Level | null => {
-    const { level: now, provenBy } = proof.proof();
-    const more = ownAttempts()
-      .filter(completed)
-      .map(({ number, holds }) => ({ name: `attempt ${number}`, holds: [...holds] }));
-    return provenBy === null && more.length === 0 ? null : { ...now, runs: [...now.runs, ...more] as Level['runs'] };
-  };
-  /** The runs that fail, each once. */
-  const failing = (): (readonly Hold[])[] => {
-    const known = proof.proof();
-    const { selected, plays, of } = shelf.store.getState();
-    const isSelected = ({ number }: Attempt) => selected.has(`attempt-${number}`);
-    const failed = ownAttempts().filter((one) => one.end !== null && !completed(one));
-    const opened = plays.filter(
-      ({ key, play, replayed }) =>
-        selected.has(key) && of?.hash === hashNow(level) && isOurs(play.accuracy) && replayed?.outcome !== 'completed',
-    );
-    const wanted = [
-      ...(isWhole(known) && known.run.outcome !== 'completed' ? [known.run.holds] : []),
-      ...failed.filter(isSelected).map(({ holds }) => joinHolds(holds)),
-      ...opened.map(({ play }) => joinHolds(play.holds)),
-      ...failed.filter((one) => !isSelected(one)).map(({ holds }) => joinHolds(holds)),
-    ];
-    const once = new Map(wanted.map((holds) => [holds.join(), holds]));
-    return [...once.values()].slice(0, MOST_RUNS);
-  };
-
-  const examineRuns = (from: Level, under: Terms) => {
-    const name = accuracyNameOf(under);
-    const traced = failing().filter((holds) => !settled.has(lossKey(holds, name)));
-    const key = traced.map((holds) => lossKey(holds, name)).join(';');
-    if (key === asked) return;
-    runs?.cancel();
-    runs = null;
-    asked = key;
-    if (traced.length === 0) return;
-    const show = ({ losses }: Losses) => {
-      const known = new Map(store.getState().losses);
-      for (const [i, loss] of losses.entries()) known.set(lossKey(traced[i], name), loss);
-      store.setState({ losses: known });
-    };
-    const mine = workers.start(jobs.losses, { level: from, terms: under, traced, effort: EFFORT_OF_RUNS }, (found) => {
-      if (runs === mine) show(found);
-    });
-    runs = mine;
-    void mine.end.then((end) => {
-      if (runs !== mine || end.kind !== 'done') return;
-      show(end.result);
-      for (const holds of traced) settled.add(lossKey(holds, name));
-    });
-  };
-  const examineStates = (from: Level, under: Terms, effort: number) => {
-    store.setState({ phase: 'examining', message: null, effort });
-    const mine = workers.start(jobs.lost, { level: from, terms: under, effort }, (losing) => {
-      if (states === mine) store.setState({ losing });
-    });
-    states = mine;
-    void mine.end.then((end) => {
-      if (states !== mine) return;
-      states = null;
-      if (end.kind === 'done') store.setState({ phase: 'done', losing: end.result });
-      else if (end.kind !== 'cancelled') store.setState({ phase: 'failed', message: end.message });
-    });
-  };
-
-  const begin = () => {
-    const from = completable();
-    if (terms === null) return;
-    if (from === null) {
-      store.setState({ phase: 'needs a run' });
-      return;
+  const show = () => {
+    const { phase, of, progress, answer, message } = states.store.getState();
+    if (of === null || of.scene !== scene) {
+      scene = of?.scene ?? null;
+      settled.clear();
+      store.setState(NOTHING_LOST);
     }
-    examineRuns(from, terms);
-    const { phase } = store.getState();
-    if (phase === 'waiting' || phase === 'needs a run') examineStates(from, terms, EFFORT);
+    const isAsked = phase !== 'idle' && phase !== 'waiting' && phase !== 'nothing';
+    const losing = answer ?? progress ?? store.getState().losing;
+    const is = phase === 'idle' || phase === 'nothing' || phase === 'asking' ? PHASES[phase] : phase;
+    store.setState({ phase: is, message, losing, effort: isAsked && of !== null ? of.effort : 0 });
   };
-  const look = () => {
-    const isShown = session.getState().layers.lost;
-    if (!isShown) {
-      if (store.getState().phase === 'off') return;
-      drop();
-      scene = null;
-      store.setState({ phase: 'off', effort: 0, ...NOTHING_LOST }, true);
-      return;
-    }
-    const now = proof.proof();
-    if (now.scene !== scene) {
-      drop();
-      scene = now.scene;
-      terms = now.terms;
-      store.setState({ phase: 'waiting', effort: 0, ...NOTHING_LOST }, true);
-    }
-    forget();
-    forget = afterRest(SETTLE, begin);
-  };
-  look();
-  let layers = session.getState().layers;
+  show();
   const stops = [
-    proof.store.subscribe(look),
-    attempts.store.subscribe(look),
-    shelf.store.subscribe(look),
-    session.subscribe((now) => {
-      if (now.layers.lost === layers.lost) return;
-      layers = now.layers;
-      look();
+    states.store.subscribe(show),
+    runs.store.subscribe(({ of, progress, answer, phase }) => {
+      const found = answer ?? progress;
+      if (of === null || found === null || of.scene !== scene) return;
+      const name = accuracyNameOf(of.terms);
+      const known = new Map(store.getState().losses);
+      for (const [i, loss] of found.losses.entries()) known.set(lossKey(of.traced()[i], name), loss);
+      store.setState({ losses: known });
+      if (phase === 'done') for (const holds of of.traced()) settled.add(lossKey(holds, name));
     }),
   ];
   return {
     stop() {
-      if (store.getState().phase !== 'examining') return;
-      states?.cancel();
-      states = null;
-      store.setState({ phase: 'stopped' });
+      if (states.store.getState().phase === 'asking') states.stop();
     },
     goOn() {
-      const from = completable();
-      if (from === null || terms === null) return;
-      states?.cancel();
-      const { effort, phase } = store.getState();
-      examineStates(from, terms, phase === 'stopped' ? effort : MORE * effort);
+      const { phase, of } = states.store.getState();
+      if (of === null) return;
+      states.ask({ ...examinedNow(level), effort: phase === 'stopped' ? of.effort : MORE * of.effort });
     },
     close() {
       for (const stop of stops) stop();
-      drop();
+      states.close();
+      runs.close();
       store.setState({ phase: 'off', effort: 0, ...NOTHING_LOST }, true);
     },
   };

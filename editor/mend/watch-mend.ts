@@ -4,12 +4,13 @@ import { outcomeAsPredicate } from '../../check/words/index.ts';
 import { joinHolds, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import type { AliveState } from '../alive/index.ts';
+import { type Desk, question } from '../ask/index.ts';
 import type { OpenLevel } from '../context/index.ts';
 import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../document/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 import { createPreview, type SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
-import { jobs, type Mending, type Results, type Running, type Workers } from '../workers/index.ts';
+import { type AskedOf, jobs, type Mending } from '../workers/index.ts';
 
 /** Seeks what mends the level. */
 export const MEND_KEY = 'Shift+m';
@@ -52,12 +53,13 @@ interface MendParts {
   readonly level: Pick<OpenLevel, 'document' | 'proof'>;
   readonly session: SessionStore;
   readonly settings: SettingsStore;
-  readonly workers: Pick<Workers, 'start'>;
+  readonly desk: Desk;
   /** What is done to keep the run alive, which comes first. */
   readonly alive: StoreApi<AliveState>;
-  /** Calls back once the page has been at rest for `ms`. @returns cancels it */
-  readonly afterRest: (ms: number, call: () => void) => () => void;
 }
+
+/** What mends a level that a change has broken. */
+export const mendQuestion = question({ job: jobs.mend, request: (of: AskedOf<typeof jobs.mend>) => of });
 
 const NONE: MendState = { phase: 'none', sentence: '', mending: null, previewed: null, after: null };
 
@@ -80,7 +82,7 @@ function brokenInWords({ scene, level }: LiveProof, name: string): string {
  * Offers to mend the level when a finished change has broken it. The offer is gone as soon as the level changes.
  * @returns stops it
  */
-export function watchMend({ level, session, settings, workers, alive, afterRest }: MendParts): () => void {
+export function watchMend({ level, session, settings, desk, alive }: MendParts): () => void {
   const { document, proof } = level;
   const store = createStore<MendState>(() => NONE);
   /** The run that completed each file that was shown. */
@@ -89,14 +91,13 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   let pending: { readonly start: LevelFile; readonly step: StepMark } | null = null;
   /** What was broken. */
   let broken: { readonly start: LevelFile; readonly run: string } | null = null;
-  let job: Running<Results['mend']> | null = null;
+  const mending = mendQuestion(desk);
   const preview = createPreview(document, session);
   let forget = () => {};
 
   const clear = () => {
     forget();
-    job?.cancel();
-    job = null;
+    mending.forget();
     pending = null;
     broken = null;
     if (store.getState() !== NONE) store.setState(NONE, true);
@@ -119,7 +120,7 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
   const consider = () => {
     if (pending === null || isBeingKeptAlive()) return;
     forget();
-    forget = afterRest(REST, () => {
+    forget = desk.afterRest(REST, () => {
       const now = proof.proof();
       if (pending === null || isBeingKeptAlive() || document.lastStep() !== pending.step) return;
       const { start } = pending;
@@ -156,14 +157,9 @@ export function watchMend({ level, session, settings, workers, alive, afterRest 
       const { terms } = proof.proof();
       const newRun = freeRunName(after, FOUND);
       store.setState({ phase: 'seeking', mending: null });
-      const mine = workers.start(jobs.mend, { before: broken.start, after, terms, run: broken.run, newRun }, (mending) => {
-        if (job === mine) store.setState({ mending });
-      });
-      job = mine;
-      void mine.end.then((end) => {
-        if (job !== mine) return;
-        job = null;
-        store.setState(end.kind === 'done' ? { phase: 'done', mending: end.result } : { phase: 'failed' });
+      mending.ask({ before: broken.start, after, terms, run: broken.run, newRun }, ({ phase, progress, answer }) => {
+        if (phase === 'asking') store.setState({ mending: progress });
+        else store.setState(phase === 'done' ? { phase: 'done', mending: answer } : { phase: 'failed' });
       });
     },
     preview(mended) {

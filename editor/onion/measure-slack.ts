@@ -1,4 +1,4 @@
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { StoreApi } from 'zustand/vanilla';
 import type { EdgeSlack } from '../../solver/index.ts';
 import type { Desk } from '../ask/index.ts';
 import { slackQuestion } from '../proof/index.ts';
@@ -32,10 +32,7 @@ export interface FormerSlack {
 /** @param robustness of the shown run: its goal applies to former runs, too */
 export function createFormerSlack(desk: Desk, robustness: Pick<StoreApi<ShownSlack>, 'getState'>): FormerSlack {
   const kept = new WeakMap<FormerRun, { readonly known: SlackKnown; readonly withMinerals: boolean }>();
-  const slack = slackQuestion(
-    desk,
-    createStore(() => null),
-  );
+  const slack = slackQuestion(desk, null);
   const keep = (run: FormerRun, known: SlackKnown) => {
     if (known.is !== 'measuring') kept.set(run, { known, withMinerals: robustness.getState().withMinerals });
   };

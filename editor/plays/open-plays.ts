@@ -1,10 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { plural } from '../../check/words/index.ts';
+import { askOnce, question } from '../ask/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
 import { keptWith } from '../kept/index.ts';
 import { openListed } from '../panels/levels/index.ts';
 import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../shelf/index.ts';
-import { jobs, type Results, type Running } from '../workers/index.ts';
+import { type AskedOf, jobs } from '../workers/index.ts';
 import { levelsByHash } from './find-levels.ts';
 import { groupPlays, type ReadPlay, refusedInWords } from './group-plays.ts';
 
@@ -87,9 +88,12 @@ async function take(
   notices.show('error', given.length + refused.length > 1 ? `${title}\n${text}` : text, REFUSED);
 }
 
+/** Whether plays are what they claim, and what they teach. */
+export const playsQuestion = question({ job: jobs.plays, request: (of: AskedOf<typeof jobs.plays>) => of });
+
 /** Verifies plays of the open level and adds them to its shelf. */
 async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: readonly ReadPlay[]): Promise<void> {
-  const { notices, workers, commands } = editor;
+  const { notices, desk, commands } = editor;
   const { reading } = deskOf(editor);
   const shelf = shelfOf(level);
   const { plays: before, statistics, of } = shelf.store.getState();
@@ -100,29 +104,25 @@ async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: r
     notices.show('info', plays.length === 1 ? `${plays[0].name} is open already.` : 'These plays are open already.', OPENED);
     return;
   }
-  const tell = (done: number) => reading.setState({ what: 'plays', done, of: fresh.length, cancel: () => job.cancel() }, true);
+  const tell = (done: number) => reading.setState({ what: 'plays', done, of: fresh.length, cancel: () => asking.stop() }, true);
   const { level: played, terms } = level.proof.proof();
-  const job: Running<Results['plays']> = workers.start(
-    jobs.plays,
-    {
-      level: played,
-      terms,
-      plays: fresh.map(({ bytes }) => bytes),
-      known: isOutdated || statistics === null ? [] : statistics.all,
-      first: isOutdated ? 0 : before.length,
-    },
-    ({ done }) => tell(done),
-  );
+  const about = {
+    level: played,
+    terms,
+    plays: fresh.map(({ bytes }) => bytes),
+    known: isOutdated || statistics === null ? [] : statistics.all,
+    first: isOutdated ? 0 : before.length,
+  };
+  const asking = askOnce(playsQuestion, desk, about, ({ phase, progress }) => {
+    if (phase === 'asking' && progress !== null) tell(progress.done);
+  });
   tell(0);
-  const end = await job.end;
+  const { answer, message } = await asking.end;
   reading.setState(null, true);
-  if (end.kind === 'cancelled') return;
-  if (end.kind !== 'done') {
-    notices.show('error', `The plays can’t be verified: ${end.message}.`, OPENED);
-    return;
-  }
-  const opened = fresh.map(({ name, ...play }, i) => ({ ...play, source: name, ...end.result.plays[i] }));
-  const added = shelf.add(opened, end.result.statistics, { level: played, hash });
+  if (message !== null) notices.show('error', `The plays can’t be verified: ${message}.`, OPENED);
+  if (answer === null) return;
+  const opened = fresh.map(({ name, ...play }, i) => ({ ...play, source: name, ...answer.plays[i] }));
+  const added = shelf.add(opened, answer.statistics, { level: played, hash });
   if (added.length === 1) shelf.select([added[0].key]);
   notices.show('info', openedInWords(added, plays.length - fresh.length, isOutdated), OPENED);
 }

@@ -19,7 +19,6 @@ export {
   type Setting,
   type Solving,
   type Thumbnail,
-  type Trajectory,
 } from './jobs/index.ts';
 export type { JobKind, Requests, Results } from './kinds.ts';
 export {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from '../../bench/chains/index.ts';
 import { compile, createSimulation, STATE_SIZE, simulate, TICK_RATE } from '../../engine/index.ts';
 import { createRandom } from '../../solver/index.ts';
+import { FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from '../scenes/chains/index.ts';
 
 describe.each(FAMILIES)('a chain that is %s', (family) => {
   it('is completed by its own run, and has one gap in each wall', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { atLeast, atMost, compare, figure, spread } from '../../bench/harness.ts';
+import { atLeast, atMost, compare, figure, keeps, spread } from '../../bench/harness/index.ts';
 
 describe('harness', () => {
   it('takes quartiles between ranks', () => {
@@ -31,12 +31,12 @@ describe('harness', () => {
   });
 
   it('holds a claim to its limit, and a measurement that is no number to none', () => {
-    expect(atMost('a', 1.3, 1.3).met).toBe(true);
-    expect(atMost('a', 1.31, 1.3).met).toBe(false);
-    expect(atMost('a', Number.NaN, 1.3).met).toBe(false);
-    expect(atLeast('a', 0.7, 0.7).met).toBe(true);
-    expect(atLeast('a', 0.69, 0.7).met).toBe(false);
-    expect(atLeast('a', Number.NaN, 0.7).met).toBe(false);
+    expect(keeps(atMost(1.3, 'a'), 1.3)).toBe(true);
+    expect(keeps(atMost(1.3, 'a'), 1.31)).toBe(false);
+    expect(keeps(atMost(1.3, 'a'), Number.NaN)).toBe(false);
+    expect(keeps(atLeast(0.7, 'a'), 0.7)).toBe(true);
+    expect(keeps(atLeast(0.7, 'a'), 0.69)).toBe(false);
+    expect(keeps(atLeast(0.7, 'a'), Number.NaN)).toBe(false);
   });
 
   it('prints four figures', () => {

@@ -1,11 +1,11 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { movedLevel } from '../../bench/moved-level.ts';
+import { movedLevel } from '../../bench/harness/index.ts';
 import { compile, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 
-// `bench:check` and `bench:tune` take it for granted that a level moved as a whole is another one with the same verdict.
+// The benchmarks `check` and `tune` take it for granted that a level moved as a whole is another one with the same verdict.
 
 const SHIPPED = join(import.meta.dirname, '../../levels');
 const files = readdirSync(SHIPPED).filter((name) => name.endsWith('.level.json'));

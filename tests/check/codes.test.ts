@@ -4,7 +4,7 @@ import type { CheckCode } from '../../check/words/index.ts';
 import { CHECK_CODES } from '../../cli/check/codes.ts';
 import { commandHints } from '../../cli/check/hints.ts';
 import { crashedLevel, unreadableLevel } from '../../cli/check/refused-level.ts';
-import { shellPath } from '../../cli/shown-path.ts';
+import { shellPath } from '../../cli/io/messages.ts';
 import { explanationOf } from '../../editor/panels/problems/explanations.ts';
 import { PAGE_HINTS } from '../../editor/proof/hints.ts';
 import { ACCURACIES, DEFAULT_MAX_TIME, DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';

@@ -1,7 +1,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, describe, expect, it } from 'vitest';
-import { ignoreOf } from '../../cli/ignore.ts';
+import { ignoreOf } from '../../cli/find/index.ts';
 import * as fc from '../fast-check.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 

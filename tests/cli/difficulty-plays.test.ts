@@ -2,7 +2,7 @@ import { readFileSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
-import { inOrderOfPlay } from '../../cli/order-of-play.ts';
+import { inOrderOfPlay } from '../../cli/io/level-names.ts';
 import { encodePlay, playToText } from '../../game/index.ts';
 import { type DifficultyReport, difficultyReportSchema, type Hold, readLevel } from '../../schema/index.ts';
 import { playedBy } from '../check/played.ts';

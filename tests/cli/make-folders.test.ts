@@ -3,7 +3,7 @@ import { join, resolve } from 'node:path';
 import process from 'node:process';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
-import { makeFolders } from '../../cli/make-folders.ts';
+import { makeFolders } from '../../cli/io/disk.ts';
 import { gqProcess, makeFiles } from './gq.ts';
 
 const place = makeFiles({});

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { runInPool } from '../../cli/pool.ts';
+import { runInPool } from '../../cli/io/pool.ts';
 
 const module = (source: string): URL => new URL(`data:text/javascript,${encodeURIComponent(source)}`);
 

@@ -3,7 +3,7 @@ import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, w
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
-import { findLevelFiles } from '../../cli/files.ts';
+import { findLevelFiles } from '../../cli/find/index.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 

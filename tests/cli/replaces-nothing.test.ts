@@ -2,7 +2,7 @@ import { existsSync, linkSync, mkdirSync, readFileSync, symlinkSync, writeFileSy
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeEach, describe, expect, it } from 'vitest';
-import { SUMMED_UP } from '../../cli/own-report.ts';
+import { SUMMED_UP } from '../../cli/io/replaceable.ts';
 import { REPORTER_NAMES } from '../../cli/reporters/reporter.ts';
 import { PLAY_VERDICTS } from '../../game/index.ts';
 import { VERDICTS } from '../../schema/reports/check.ts';

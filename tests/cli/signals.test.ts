@@ -4,7 +4,7 @@ import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../interrupted/signalled
 import { once } from '../once.ts';
 
 // A signal ends every command with 130 or 143, at whatever step it arrives, and nothing is written afterwards. This test draws
-// a step of a command of each kind, with one thread; `npm run bench:soak -- --attack signals` tries all of them.
+// a step of a command of each kind, with one thread; `npm run bench -- soak --attack signals` tries all of them.
 
 const wholeRun = once((name: keyof typeof SIGNALLED_COMMANDS) =>
   runWhole(SIGNALLED_COMMANDS[name].replace('--jobs 2', '--jobs 1')),

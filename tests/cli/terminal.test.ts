@@ -1,8 +1,7 @@
 import process from 'node:process';
 import fc from 'fast-check';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { widthOf } from '../../cli/colors.ts';
-import { createStatusLine } from '../../cli/progress.ts';
+import { createStatusLine, widthOf } from '../../cli/io/terminal.ts';
 import { alignColumns } from '../../cli/report-parts/index.ts';
 import { checkPretty } from '../../cli/reporters/pretty.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf } from './reporters/context.ts';

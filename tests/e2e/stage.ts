@@ -5,16 +5,19 @@ import { fileURLToPath } from 'node:url';
 import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
 import { describe, expect } from 'vitest';
 import { startServer } from '../../cli/edit/index.ts';
-import type { LevelFile } from '../../schema/index.ts';
+import { type LevelFile, readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { gqEdit } from '../server/command.ts';
 import { makeFolder, put } from '../server/running.ts';
 import { type Canvas, canvasOf } from './canvas.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
+import { BETWEEN, type KeptPage, keepPage } from './kept-page.ts';
 import { PATIENCE } from './until.ts';
 
 export interface StageOptions {
   readonly context?: BrowserContextOptions;
+  /** Whether the test needs a page that no other has used: it changes what can't be seen on it. */
+  readonly ownPage?: boolean;
   /** Whether this user opens the editor for the first time. */
   readonly firstTime?: boolean;
   /** Whether the level files are read-only. */
@@ -146,6 +149,12 @@ async function enter(context: BrowserContext, address: string, complaints: strin
 
 const textOf = (content: unknown): string => (typeof content === 'string' ? content : `${JSON.stringify(content, null, 2)}\n`);
 
+const isLevel = (name: string): boolean => name.endsWith('.level.json');
+
+const DESK = { width: 1280, height: 800 };
+/** Decorations stand still: to draw them thirty times a second takes more processor time than most tests. */
+const CALM = { reducedMotion: 'reduce' } as const;
+
 /** The id of the user `nobody`. */
 const NOBODY = 65534;
 
@@ -187,6 +196,137 @@ async function tellPages(context: BrowserContext, complaints: readonly string[])
   if (complaints.length > 0) console.error('complaints of the pages:', complaints);
 }
 
+/** A folder of levels, a server on it, and a page in a browser context. */
+interface Place {
+  readonly folder: string;
+  readonly context: BrowserContext;
+  readonly page: Page;
+  readonly canvas: Canvas;
+  readonly complaints: string[];
+  server(): StageServer;
+  open(): Promise<{ page: Page; canvas: Canvas }>;
+  startServer(port?: number): Promise<void>;
+  close(): Promise<void>;
+}
+
+type Files = Readonly<Record<string, string>>;
+
+/** Opens a page on a folder of its own. */
+async function openPlace(files: Files, options: StageOptions): Promise<Place> {
+  const { context: wanted = {}, firstTime = false, readOnly = false, ownProcess = readOnly, query = '', fragment = '' } = options;
+  const { folder, remove } = makeFolder(files);
+  if (readOnly) for (const name of Object.keys(files)) if (isLevel(name)) chmodSync(join(folder, name), 0o444);
+  // root may write everything, so the server runs as another user
+  const user = readOnly && process.getuid?.() === 0 ? NOBODY : undefined;
+  if (user !== undefined) chmodSync(folder, 0o755);
+  let server = ownProcess ? await serveThere(folder, 0, user) : await serveHere(folder);
+  const browser = await sharedChromium();
+  const context = await browser.newContext({ viewport: DESK, ...CALM, ...wanted });
+  await context.addInitScript(paceFrames);
+  // the tour would cover the page
+  if (!firstTime) await context.addInitScript(KNOWN);
+  const complaints: string[] = [];
+  const open = () => {
+    const asked = new URL(server.address);
+    asked.search = query;
+    if (fragment !== '') asked.hash += `&${fragment}`;
+    return enter(context, asked.href, complaints);
+  };
+  const close = async () => {
+    await context.close();
+    await server.end('SIGTERM');
+    remove();
+  };
+  try {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(server.address).origin });
+    const opened = await open();
+    return {
+      ...opened,
+      folder,
+      context,
+      complaints,
+      server: () => server,
+      open,
+      async startServer(port = server.port) {
+        server = await serveThere(folder, port, user);
+      },
+      close,
+    };
+  } catch (error) {
+    await tellPages(context, complaints);
+    await close();
+    throw error;
+  }
+}
+
+let kept: (KeptPage & { readonly place: Place }) | null = null;
+
+/** Options that a page can change while it is open. */
+const CHANGEABLE = ['colorScheme', 'reducedMotion', 'forcedColors', 'viewport'];
+
+/** Whether the page can open the first level of a list by a click. */
+function isFirstValid(files: Files): boolean {
+  const [first] = Object.keys(files).filter(isLevel).sort();
+  return first !== undefined && readLevel(Buffer.from(files[first])).ok;
+}
+
+/** Whether a test can work in the page that others have used. */
+const canShare = (files: Files, { context = {}, ...options }: StageOptions): boolean =>
+  !options.ownPage &&
+  Object.keys(options).every((name) => name === 'others' || name === 'complaints') &&
+  Object.keys(context).every((name) => CHANGEABLE.includes(name)) &&
+  isFirstValid(files);
+
+/** The place of a test: that of the last one if possible. */
+async function placeFor(files: Files, options: StageOptions): Promise<Place> {
+  if (!canShare(files, options)) return openPlace(files, options);
+  if (kept === null) {
+    const place = await openPlace(BETWEEN, {});
+    kept = { ...(await keepPage(place.context, place.page, place.folder)), place };
+  }
+  const { place, page } = kept;
+  const { colorScheme = 'light', reducedMotion = 'reduce', forcedColors = 'none', viewport = DESK } = options.context ?? {};
+  try {
+    await page.emulateMedia({ colorScheme, reducedMotion, forcedColors });
+    await page.setViewportSize(viewport ?? DESK);
+    await hurry(page, 1);
+    await kept.show(files);
+  } catch (error) {
+    await tellPages(place.context, place.complaints);
+    kept = null;
+    await place.close();
+    throw error;
+  }
+  place.complaints.length = 0;
+  return place;
+}
+
+/** @param isGood whether the test has passed, and left the page usable */
+async function leave(place: Place, isGood: boolean): Promise<void> {
+  if (place !== kept?.place) return place.close();
+  const { page, context, complaints } = place;
+  try {
+    for (const other of context.pages()) if (other !== page) await other.close();
+    if (isGood && !page.isClosed()) {
+      await page.unrouteAll();
+      await page.setViewportSize(DESK);
+      await page.emulateMedia({ colorScheme: 'light', ...CALM, forcedColors: 'none' });
+      await hurry(page, 1);
+      if (await kept.clear()) {
+        complaints.length = 0;
+        return;
+      }
+    }
+    kept = null;
+    await place.close();
+  } catch (error) {
+    kept = null;
+    await tellPages(context, complaints);
+    await place.close();
+    throw error;
+  }
+}
+
 /** Declares a suite in the Chromium of the worker; each test has its own folder, server and browser context. */
 export function inChromium(suite: string, declare: (browsers: Browsers) => void): void {
   if (!existsSync(CHROMIUM)) {
@@ -196,51 +336,27 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
   describe(suite, () => {
     declare({
       on:
-        (
-          levels,
-          play,
-          {
-            context: wanted = {},
-            firstTime = false,
-            complaints: expected,
-            readOnly = false,
-            ownProcess = readOnly,
-            query = '',
-            fragment = '',
-            others = {},
-          } = {},
-        ) =>
+        (levels, play, options = {}) =>
         async () => {
-          const files = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
-          const { folder, remove } = makeFolder({ ...others, ...Object.fromEntries(files) });
-          if (readOnly) for (const [name] of files) chmodSync(join(folder, name), 0o444);
-          // root may write everything, so the server runs as another user
-          const user = readOnly && process.getuid?.() === 0 ? NOBODY : undefined;
-          if (user !== undefined) chmodSync(folder, 0o755);
-          let server = ownProcess ? await serveThere(folder, 0, user) : await serveHere(folder);
-          const browser = await sharedChromium();
-          const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...wanted });
-          await context.addInitScript(paceFrames);
-          // the tour would cover the page
-          if (!firstTime) await context.addInitScript(KNOWN);
-          const complaints: string[] = [];
-          const address = () => {
-            const asked = new URL(server.address);
-            asked.search = query;
-            if (fragment !== '') asked.hash += `&${fragment}`;
-            return asked.href;
-          };
+          const { complaints: expected, readOnly = false, ownProcess = readOnly, others = {} } = options;
+          const texts = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
+          const place = await placeFor({ ...others, ...Object.fromEntries(texts) }, options);
+          const { folder, page, canvas, complaints, server } = place;
+          const text = (id: string) => readFileSync(join(folder, `${id}.level.json`), 'utf8');
+          let isGood = false;
+          let isTouched = false;
           try {
-            await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(server.address).origin });
-            const { page, canvas } = await enter(context, address(), complaints);
-            const text = (id: string) => readFileSync(join(folder, `${id}.level.json`), 'utf8');
             await play({
               folder,
-              context,
               page,
               canvas,
-              server: () => server,
-              open: () => enter(context, address(), complaints),
+              server,
+              get context() {
+                // nobody knows what a test does with it
+                isTouched = true;
+                return place.context;
+              },
+              open: place.open,
               text,
               file: (id) => JSON.parse(text(id)) as LevelFile,
               write: (id, content) => put(folder, `${id}.level.json`, textOf(content)),
@@ -251,21 +367,18 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
                   .waitFor(),
               async killServer() {
                 expect(ownProcess, 'only a server that is a process can be killed').toBe(true);
-                await server.end('SIGKILL');
+                await server().end('SIGKILL');
               },
-              async startServer(port = server.port) {
-                server = await serveThere(folder, port, user);
-              },
+              startServer: place.startServer,
             });
             expect(complaints.filter((complaint) => expected?.test(complaint) !== true)).toEqual([]);
-            expect(server.complaints(), 'complaints of the server').toBe('');
+            expect(server().complaints(), 'complaints of the server').toBe('');
+            isGood = !isTouched;
           } catch (error) {
-            await tellPages(context, complaints);
+            await tellPages(place.context, complaints);
             throw error;
           } finally {
-            await context.close();
-            await server.end('SIGTERM');
-            remove();
+            await leave(place, isGood);
           }
         },
     });

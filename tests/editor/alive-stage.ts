@@ -44,7 +44,7 @@ export function aliveStage(file: LevelFile, { isOn = true } = {}) {
     };
   };
   const level = { document, proof };
-  const stop = keepAlive({ level, settings, workers, afterRest });
+  const stop = keepAlive({ level, settings, desk: { workers, afterRest, after: afterRest } });
   const breathe = async () => {
     for (let i = 0; i < 4; i++) await Promise.resolve();
   };

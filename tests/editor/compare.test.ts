@@ -86,6 +86,7 @@ function stage(file: LevelFile = FILE): Stage {
   const attempts = createAttempts();
   const level = { document, proof, attempts } as unknown as OpenLevel;
   const clock = new TurnedClock();
+  const after = (ms: number, call: () => void) => clock.after(ms, call);
   const jobs: Asked[] = [];
   const start = (_: 'trajectory', request: Requests['trajectory']) => {
     let end: (end: JobEnd<Results['trajectory']>) => void = () => {};
@@ -107,7 +108,8 @@ function stage(file: LevelFile = FILE): Stage {
       },
     };
   };
-  const stop = watchCompared({ level, workers: { start: start as unknown as Workers['start'] }, after: clock.after.bind(clock) });
+  const desk = { workers: { start: start as unknown as Workers['start'] }, afterRest: after, after };
+  const stop = watchCompared(level, desk);
   return { document, proof, attempts, level, clock, jobs, stop, store: comparedOf(level) };
 }
 

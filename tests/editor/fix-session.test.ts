@@ -9,6 +9,7 @@ import { JOBS } from '../../editor/workers/kinds.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { createRepair, proveImpossible } from '../../solver/index.ts';
+import { fakeDesk } from './fake-desk.ts';
 
 const TIME_ENOUGH = 1e9;
 
@@ -39,8 +40,8 @@ function stage(file: LevelFile = ASIDE) {
     });
     return { end: ended, cancel: () => void cancelled.push(true) };
   };
-  const workers = { start: start as never as Workers['start'] };
-  const fixes = createFixSession({ level: { document, proof }, session, workers, settings: createSearchSettings() });
+  const desk = { ...fakeDesk().desk, workers: { start: start as never as Workers['start'] } };
+  const fixes = createFixSession({ level: { document, proof }, session, desk, settings: createSearchSettings() });
   /** Does the job as a worker does. */
   const work = (): Fixing => {
     if (asked === null) throw new Error('no job was started');

@@ -15,17 +15,10 @@ import { watchLeeway } from '../../editor/leeway/watch-leeway.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
 import { createSettings } from '../../editor/settings/index.ts';
-import {
-  type JobEnd,
-  type Leeway,
-  MOST_REACH,
-  type Reach,
-  type Requests,
-  type Results,
-  type Workers,
-} from '../../editor/workers/index.ts';
+import { type Leeway, MOST_REACH, type Reach, type Requests } from '../../editor/workers/index.ts';
 import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { type FakeJob, FakeWorkers } from './fake-desk.ts';
 import { breathe } from './stage.ts';
 import { SWING } from './swing-level.ts';
 
@@ -58,47 +51,29 @@ function stage() {
   const selection = createSelection(document);
   const session = createSession();
   const settings = createSettings(null);
-  const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Seen, call: () => {} };
-  const jobs: {
-    request: Requests['leeway'];
-    tell: (leeway: Leeway) => void;
-    end: (end: JobEnd<Results['leeway']>) => void;
-    isCancelled: boolean;
-  }[] = [];
-  const start = ({ name: kind }: { name: string }, request: Requests['leeway'], tell: (leeway: Leeway) => void) => {
-    expect(kind).toBe('leeway');
-    let end: (end: JobEnd<Results['leeway']>) => void = () => {};
-    const ended = new Promise<JobEnd<Results['leeway']>>((resolve) => {
-      end = resolve;
-    });
-    const job = { request, tell, end, isCancelled: false };
-    jobs.push(job);
-    const cancel = () => {
-      job.isCancelled = true;
-      end({ kind: 'cancelled' });
-    };
-    return { end: ended, cancel };
-  };
+  const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Seen, calls: [] as (() => void)[] };
+  const workers = new FakeWorkers();
+  const jobs = workers.jobs as (FakeJob & { readonly request: Requests['leeway'] })[];
   let waiting: (() => void) | null = null;
+  const afterRest = (_: number, call: () => void) => {
+    waiting = call;
+    return () => {
+      if (waiting === call) waiting = null;
+    };
+  };
   const level = { document, proof, selection };
   const close = watchLeeway({
     level,
     session,
     settings,
-    workers: { start } as unknown as Pick<Workers, 'start'>,
     seen: {
       now: () => view.seen,
       subscribe: (call) => {
-        view.call = call;
+        view.calls.push(call);
         return () => {};
       },
     },
-    afterRest: (_, call) => {
-      waiting = call;
-      return () => {
-        if (waiting === call) waiting = null;
-      };
-    },
+    desk: { workers, afterRest, after: afterRest },
   });
   return {
     document,
@@ -116,7 +91,7 @@ function stage() {
     show: (leeway: boolean) => session.setState(({ layers }) => ({ layers: { ...layers, leeway } })),
     see(seen: Seen) {
       view.seen = seen;
-      view.call();
+      for (const call of view.calls) call();
     },
     shown: () => leewayOf(level).getState(),
     store: leewayOf(level),

@@ -10,11 +10,12 @@ import { LOST_SQUARE, squaresOf } from '../../editor/lost/squares.ts';
 import { watchLost } from '../../editor/lost/watch-lost.ts';
 import { createProofStore } from '../../editor/proof/index.ts';
 import { createSession } from '../../editor/session/index.ts';
-import type { JobEnd, JobKind, Losing, Loss, Losses, LostMoment, Requests, Workers } from '../../editor/workers/index.ts';
+import type { JobKind, Losing, Loss, Losses, LostMoment, Requests } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/kinds.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { type FakeJob, FakeWorkers } from './fake-desk.ts';
 
 /** She drifts into the black hole unless the weak gun bends her way; past it she is too fast to come back. */
 const PAST: LevelFile = {
@@ -120,64 +121,32 @@ describe('the picture of a loss', () => {
   });
 });
 
-interface Started {
-  readonly kind: JobKind;
-  readonly request: unknown;
-  readonly tell: (progress: unknown) => void;
-  readonly end: (end: JobEnd<unknown>) => void;
-  isCancelled: boolean;
-}
-
 function stage(file: LevelFile = PAST) {
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
   const session = createSession();
   session.subscribe(({ run }) => proof.showRun(run));
   const attempts = createAttempts();
-  const jobs: Started[] = [];
-  const start = ({ name }: { name: string }, request: unknown, onProgress: (progress: never) => void) => {
-    let end: (end: JobEnd<unknown>) => void = () => {};
-    const ended = new Promise<JobEnd<unknown>>((resolve) => {
-      end = resolve;
-    });
-    const job: Started = {
-      kind: name as JobKind,
-      request,
-      tell: onProgress as (progress: unknown) => void,
-      end,
-      isCancelled: false,
-    };
-    jobs.push(job);
-    return {
-      end: ended,
-      cancel: () => {
-        job.isCancelled = true;
-        end({ kind: 'cancelled' });
-      },
-    };
-  };
-  let waiting: (() => void) | null = null;
+  const workers = new FakeWorkers();
+  const { jobs } = workers;
+  let waiting: (() => void)[] = [];
   const afterRest = (_: number, call: () => void) => {
-    waiting = call;
+    waiting.push(call);
     return () => {
-      if (waiting === call) waiting = null;
+      waiting = waiting.filter((one) => one !== call);
     };
   };
   const level = { document, proof, attempts };
-  const watch = watchLost({ level, session, workers: { start: start as never as Workers['start'] }, afterRest });
+  const watch = watchLost({ level, session, desk: { workers, afterRest, after: afterRest } });
   /** Lets the page rest. */
   const rest = () => {
-    const call = waiting;
-    waiting = null;
-    call?.();
+    const due = waiting;
+    waiting = [];
+    for (const call of due) call();
   };
   const show = (lost: boolean) => session.setState(({ layers }) => ({ layers: { ...layers, lost } }));
   /** What the latest job of a kind was asked for. */
-  const asked = <K extends JobKind>(kind: K): Requests[K] => {
-    const job = jobs.findLast((one) => one.kind === kind);
-    if (job === undefined) throw new Error(`no job ${kind} was started`);
-    return job.request as Requests[K];
-  };
+  const asked = <K extends JobKind>(kind: K): Requests[K] => workers.last(kind).request;
   const running = () => jobs.filter(({ isCancelled }) => !isCancelled).map(({ kind }) => kind);
   return { document, proof, session, attempts, jobs, watch, rest, show, running, asked, found: () => lostOf(level).getState() };
 }
@@ -212,7 +181,7 @@ describe('the examination of where a level is lost', () => {
     const { document, jobs, rest, show, running, asked, found } = stage();
     show(true);
     rest();
-    const [losses, lost] = ['losses', 'lost'].map((kind) => jobs.find((job) => job.kind === kind) as Started);
+    const [losses, lost] = ['losses', 'lost'].map((kind) => jobs.find((job) => job.kind === kind) as FakeJob);
     lost.tell(LOSING);
     losses.tell({
       losses: [loss({ lost: moment(9, 'proved'), proved: moment(9, 'proved') })],
@@ -278,7 +247,7 @@ describe('the examination of where a level is lost', () => {
     const { watch, jobs, rest, show, asked, found } = stage();
     show(true);
     rest();
-    const lost = jobs.find(({ kind }) => kind === 'lost') as Started;
+    const lost = jobs.find(({ kind }) => kind === 'lost') as FakeJob;
     lost.tell(LOSING);
     watch.stop();
     await settle();

@@ -48,7 +48,8 @@ function stage(file: LevelFile = FALL) {
       rests = rests.filter((other) => other !== call);
     };
   };
-  const stop = watchMend({ level: { document, proof }, session, settings, workers, alive, afterRest });
+  const desk = { workers, afterRest, after: afterRest };
+  const stop = watchMend({ level: { document, proof }, session, settings, desk, alive });
   const mend = mendSessionOf({ document }) as MendSession;
   return {
     document,

@@ -6,7 +6,7 @@ import { effectsToMeet, moveEntries } from '../../check/pack/index.ts';
 import { findPack } from '../../cli/build/find-pack.ts';
 import { noConfiguration } from '../../cli/configuration.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
-import { findLevelFiles } from '../../cli/files.ts';
+import { findLevelFiles } from '../../cli/find/index.ts';
 import { checkPackFile } from '../../cli/pack-file/index.ts';
 import { folderPackIn, inOrderOfPack } from '../../editor/files/folder-pack.ts';
 import { moveByKey } from '../../editor/panels/pack/card-order.ts';

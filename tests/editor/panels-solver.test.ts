@@ -50,7 +50,7 @@ function stage(name = '04-slingshot', withRuns = true) {
   const { desk, workers, clock } = fakeDesk();
   const settings = createSearchSettings();
   const overlay = createOverlay();
-  const search = createSearchSession({ level, session, workers, settings, overlay, now: clock.now });
+  const search = createSearchSession({ level, session, desk, settings, overlay, now: clock.now });
   const holds = (runs ?? [])[0].holds;
   const scene = compile(proof.proof().level);
   const solutionOf = (held: readonly Hold[]): Solution => {
@@ -211,24 +211,24 @@ describe('a search', () => {
     }
   });
 
-  it('stops when the level changes, and tries its runs in the changed level', () => {
-    const { search, workers, document, holds, solving, overlay } = stage();
+  it('stops when the level changes, and tries its runs in the changed level', async () => {
+    const { search, workers, clock, document, holds, solving, overlay } = stage();
     search.start();
     workers.last('proofs').tell(NOTHING_PROVED);
     workers.last('solve').tell(solving(holds));
     // a new name does not affect the motion
     document.change('rename', setLevelProperty('name', 'Another'));
-    vi.advanceTimersByTime(1000);
+    await clock.pass(1000);
     expect(search.store.getState()).toMatchObject({ phase: 'running', found: [{ works: true }] });
     document.change('away', (draft) => {
       draft.blackHole.x += 400;
     });
-    vi.advanceTimersByTime(1000);
+    await clock.pass(1000);
     expect(workers.last('solve').isCancelled()).toBe(true);
     expect(search.store.getState()).toMatchObject({ phase: 'stale', found: [{ works: false }] });
     expect(overlay.getState().heat).toBeNull();
     document.undo();
-    vi.advanceTimersByTime(1000);
+    await clock.pass(1000);
     expect(search.store.getState().found).toMatchObject([{ works: true }]);
   });
 
@@ -461,8 +461,8 @@ describe('the watch over proofs', () => {
 
 describe('difficulty', () => {
   it('is measured with the shown run if it completes the level, else with one from a search, and becomes outdated with changes', async () => {
-    const { level, workers, settings, holds, document } = stage();
-    const difficulty = createDifficultySession({ level, workers, settings });
+    const { level, desk, workers, settings, holds, document } = stage();
+    const difficulty = createDifficultySession({ level, desk, settings });
     difficulty.start();
     expect(workers.last('difficulty').request.holds).toEqual(holds);
     workers.last('difficulty').end({ kind: 'done', result: null });

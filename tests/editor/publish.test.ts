@@ -87,7 +87,7 @@ describe('what is published', () => {
     });
     const editor = {
       workspace: { storage, store: { getState: () => ({ list: { levels, folder: { id: '' } }, opened }) } },
-      workers: { start },
+      desk: { workers: { start } },
       terms: { getState: () => ({ folder: DEFAULT_TERMS, shown: DEFAULT_TERMS }) },
     } as unknown as Editor;
     const shown: number[] = [];

@@ -5,11 +5,11 @@ import * as zlib from 'node:zlib';
 import fc from 'fast-check';
 import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { Failure } from '../../cli/failure.ts';
-import { BatchMaker, sizeOf } from '../../cli/packs/batch.ts';
-import { readEntry, readSet } from '../../cli/packs/index.ts';
-import { readTar } from '../../cli/packs/read-tar.ts';
-import { ZstdFrame } from '../../cli/packs/zstd-frame.ts';
+import { Failure } from '../../cli/io/messages.ts';
+import { BatchMaker, sizeOf } from '../../cli/io/packs/batch.ts';
+import { readEntry, readSet } from '../../cli/io/packs/index.ts';
+import { readTar } from '../../cli/io/packs/read-tar.ts';
+import { ZstdFrame } from '../../cli/io/packs/zstd-frame.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 
 let place: ReturnType<typeof makeFiles>;

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { Failure } from '../../cli/failure.ts';
+import { Failure } from '../../cli/io/messages.ts';
 import { loadPngRenderer } from '../../cli/png.ts';
 import { renderSvg } from '../../picture/index.ts';
 import { FULL, level, play } from './scenes.ts';

@@ -143,7 +143,7 @@ describe('the reader for games and that of the schema agree', () => {
     );
   });
 
-  // 10,000 files in `npm run bench:soak`, and with PROPERTY_RUNS=10
+  // 10,000 files in `npm run bench -- soak`, and with PROPERTY_RUNS=10
   test('about mutated files', () => {
     const seen = { valid: 0, invalid: 0 };
     const text = fc.oneof(

@@ -7,7 +7,7 @@ import { createKnownLevels } from '../../cli/edit/known-levels.ts';
 import { findLevel, findLevels, findLike, hasFolder, joinId, splitId } from '../../cli/edit/level-files.ts';
 import { createEntryReader } from '../../cli/edit/read-entry.ts';
 import { findTrash, makeStampFolder, moveToTrash } from '../../cli/edit/trash.ts';
-import { inOrderOfPlay } from '../../cli/order-of-play.ts';
+import { inOrderOfPlay } from '../../cli/io/level-names.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
 

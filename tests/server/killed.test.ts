@@ -12,7 +12,7 @@ import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, pageOf } from './running.ts';
 
 // kill -9 at any step: every file is whole, what was acknowledged is there, and the next run goes on. A few steps are tried here;
-// `npm run bench:soak -- --attack writers` tries all of them.
+// `npm run bench -- soak --attack writers` tries all of them.
 
 it('a writer that nobody kills leaves every file whole', async () => {
   expect((await killWriterAt(0)).wrong).toEqual([]);

@@ -2,7 +2,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, symlinkSync
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createFile, isTaken, moveFile, replaceFile, tryFolder, UNFINISHED } from '../../cli/disk.ts';
+import { createFile, isTaken, moveFile, replaceFile, tryFolder, UNFINISHED } from '../../cli/io/disk.ts';
 import { makeFolder } from './running.ts';
 
 // Disks and systems other than the one of the tests: without links, ignoring case, with scanners that lock files.

@@ -20,7 +20,7 @@ import { pack } from '../levels/shipped-pack.ts';
 
 const CONTINUOUS = ALL_ACCURACIES.filter((name) => name !== 'arcade');
 
-/** Levels per kind and accuracy. `npm run bench:soak` tries thousands of claims more. */
+/** Levels per kind and accuracy. `npm run bench -- soak` tries thousands of claims more. */
 const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
   flowpipe: 2,
   doomed: 2,
@@ -31,7 +31,7 @@ const SEEDS: Readonly<Partial<Record<Prover, number>>> = {
   orbits: 2,
 };
 
-/** The first seed, where the levels of earlier ones take seconds each. `npm run bench:soak` attacks those as well. */
+/** The first seed, where the levels of earlier ones take seconds each. `npm run bench -- soak` attacks those as well. */
 const FIRST: Readonly<Partial<Record<Prover, number>>> = { flowpipe: 12, orbits: 2 };
 
 const ENOUGH = 6;

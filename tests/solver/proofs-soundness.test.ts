@@ -29,7 +29,7 @@ function proofsFor(level: Level, accuracy: AccuracyName, work = Number.POSITIVE_
 
 /**
  * Pieces of work for a random level. Most doomed levels are proved with less; where nothing can be proved, the search for a proof
- * would take ten times as long. Flowpipes need more: see attack.test.ts and `npm run bench:soak -- --attack proofs`.
+ * would take ten times as long. Flowpipes need more: see attack.test.ts and `npm run bench -- soak --attack proofs`.
  */
 const LITTLE = 3000;
 

@@ -2,10 +2,8 @@ import { join } from 'node:path';
 import { plural } from '../../../check/words/index.ts';
 import type { BuildReport } from '../../../schema/index.ts';
 import { type BuiltPack, isUnplayable, type SiteFile, whyRefused } from '../../build/index.ts';
-import type { Colors } from '../../colors.ts';
+import { type Colors, shellPath, visibleLine } from '../../io/index.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
-import { shellPath } from '../../shown-path.ts';
-import { visibleLine } from '../../visible.ts';
 
 type Levels = BuiltPack['levels'];
 

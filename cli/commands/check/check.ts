@@ -1,8 +1,10 @@
 import { availableParallelism } from 'node:os';
 import type { Command } from 'commander';
 import { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from '../../cache/index.ts';
-import type { AskedOptions, CheckedLevel, CheckSettings } from '../../check/index.ts';
 import {
+  type AskedOptions,
+  type CheckedLevel,
+  type CheckSettings,
   checkContent,
   checkFiles,
   exitCodeFor,
@@ -21,15 +23,10 @@ import {
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, chosenConfig } from '../../config-file.ts';
 import { type Configuration, noConfiguration } from '../../configuration.ts';
-import { Failure } from '../../failure.ts';
-import { unreadableFolders } from '../../files.ts';
-import type { FoundPack } from '../../found-pack.ts';
-import { PATHS, pathsOr } from '../../level-paths.ts';
+import { PATHS, pathsOr, unreadableFolders } from '../../find/index.ts';
+import { createProgress, exitCodeAfter, Failure, type FoundPack, firstPack, levelsRead, STDIN } from '../../io/index.ts';
 import { jobsOption, wholeNumberOption } from '../../options.ts';
-import { levelsRead } from '../../output-file.ts';
 import type { CheckedPack } from '../../pack-file/index.ts';
-import { firstPack } from '../../packs/index.ts';
-import { createProgress } from '../../progress.ts';
 import {
   chooseReports,
   expectReportFiles,
@@ -41,8 +38,6 @@ import {
 import { addSearchOptions } from '../../search-options.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
-import { exitCodeAfter } from '../../signals.ts';
-import { STDIN } from '../../stdin.ts';
 import { addTermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import { chooseFiles } from './choose-files.ts';

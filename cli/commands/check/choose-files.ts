@@ -1,8 +1,6 @@
 import type { Configuration } from '../../configuration.ts';
-import { Failure } from '../../failure.ts';
-import type { FoundFiles } from '../../files.ts';
-import { findConfigured } from '../../level-paths.ts';
-import { readStdin, STDIN_NAME, stdinName } from '../../stdin.ts';
+import { type FoundFiles, findConfigured } from '../../find/index.ts';
+import { Failure, readStdin, STDIN_NAME, stdinName } from '../../io/index.ts';
 
 /** What the options say about the files to check. */
 export interface ChoiceOptions {

@@ -1,5 +1,4 @@
-import { Failure } from '../../failure.ts';
-import { namedPath } from '../../shown-path.ts';
+import { Failure, namedPath } from '../../io/index.ts';
 
 /** Options that follow single files. */
 export interface OfFiles {

@@ -3,7 +3,6 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
-import { colorsFor, PLAIN } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { findConfig } from '../../config-file.ts';
 import {
@@ -15,13 +14,9 @@ import {
   playVersions,
   termsOfSides,
 } from '../../diff/index.ts';
-import { Failure } from '../../failure.ts';
+import { colorsFor, expectOutput, Failure, PLAIN, readBytes, visible, visibleLine, writeWhole } from '../../io/index.ts';
 import { formatOption, jobsOption } from '../../options.ts';
-import { expectOutput } from '../../output-file.ts';
-import { readBytes } from '../../read-bytes.ts';
 import { addTermsOptions, type TermsOptions } from '../../terms.ts';
-import { visible, visibleLine } from '../../visible.ts';
-import { writeWhole } from '../../write-file.ts';
 import { diffJson } from './json.ts';
 import { diffText } from './text.ts';
 import { textOfLevel } from './textconv.ts';

@@ -4,12 +4,9 @@ import { basename, join } from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
 import type { Command } from 'commander';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions, termsOfSides } from '../../diff/index.ts';
-import { Failure } from '../../failure.ts';
-import { visibleLine } from '../../visible.ts';
-import { writeWhole } from '../../write-file.ts';
+import { colorsFor, Failure, visibleLine, writeWhole } from '../../io/index.ts';
 import { diffText } from './text.ts';
 
 interface Options {

@@ -4,7 +4,6 @@ import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import { type DifficultyPicture, drawDifficulty, type Ground } from '../../../picture/difficulty/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
 import {
@@ -20,22 +19,27 @@ import {
   measureSettings,
   refusedPlays,
 } from '../../difficulty/index.ts';
-import { Failure } from '../../failure.ts';
-import { unreadableFolders } from '../../files.ts';
+import { findConfigured, PATHS, unreadableFolders } from '../../find/index.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
-import { findConfigured, PATHS } from '../../level-paths.ts';
+import {
+  colorsFor,
+  createProgress,
+  createStatusLine,
+  expectOutput,
+  Failure,
+  firstPack,
+  levelsRead,
+  namedPath,
+  visibleLine,
+  widthOf,
+  writeWhole,
+} from '../../io/index.ts';
 import { collect, formatOption, jobsOption, seedOption, wholeNumberOption } from '../../options.ts';
-import { expectOutput, levelsRead } from '../../output-file.ts';
-import { firstPack } from '../../packs/index.ts';
-import { createProgress, createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { mineralsOption, USUAL_EFFORT } from '../../search-options.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { namedPath } from '../../shown-path.ts';
 import { addTermsOptions, type TermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
-import { visibleLine } from '../../visible.ts';
-import { writeWhole } from '../../write-file.ts';
 import { drawPlayers } from './draw-players.ts';
 
 interface Options extends ConfigOptions, TermsOptions, ShardOptions {

@@ -3,7 +3,7 @@ import { compile, simulate, type Terms } from '../../../engine/index.ts';
 import { renderSvg } from '../../../picture/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import { causeInWords, type MeasuredLevel } from '../../difficulty/index.ts';
-import { readBytes } from '../../read-bytes.ts';
+import { readBytes } from '../../io/index.ts';
 import { percent } from '../../report-parts/index.ts';
 
 /** More rings than this hide the level. */

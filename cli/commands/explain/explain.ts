@@ -1,11 +1,10 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import type { ExplainReport } from '../../../schema/index.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { didYouMean } from '../../did-you-mean.ts';
 import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
-import { Failure } from '../../failure.ts';
+import { colorsFor, Failure } from '../../io/index.ts';
 import { formatOption } from '../../options.ts';
 import { explainPretty, explainProof, listCodes } from './pretty.ts';
 import { PROOF_KINDS } from './proofs.ts';

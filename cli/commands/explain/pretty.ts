@@ -1,5 +1,5 @@
 import type { CodeExplanation } from '../../../schema/index.ts';
-import type { Colors } from '../../colors.ts';
+import type { Colors } from '../../io/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
 import type { ProofExplanation } from './proofs.ts';
 

@@ -3,20 +3,25 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.ts';
 import { showProblems } from '../../code-frames.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure } from '../../failure.ts';
-import { statOrError } from '../../files.ts';
-import { findConfigured } from '../../level-paths.ts';
+import { findConfigured } from '../../find/index.ts';
+import {
+  colorsFor,
+  differing,
+  expectOutput,
+  Failure,
+  levelsRead,
+  namedPath,
+  planFile,
+  readBytes,
+  statOrError,
+  writeAll,
+  writeWhole,
+} from '../../io/index.ts';
 import { formatOption } from '../../options.ts';
-import { expectOutput, levelsRead } from '../../output-file.ts';
-import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
-import { namedPath } from '../../shown-path.ts';
-import { differing, planFile, writeAll } from '../../write-all.ts';
-import { writeWhole } from '../../write-file.ts';
 import type { Made, ReadFile, Refused } from './made.ts';
 import { type ExportedFile, exportJson, exportPretty, warningsInWords } from './report.ts';
 import { type OriginalOptions, toOriginal } from './to-original.ts';

@@ -1,7 +1,6 @@
 import { plural } from '../../../check/words/index.ts';
 import type { ExportReport } from '../../../schema/index.ts';
-import { visibleLine } from '../../visible.ts';
-import type { FileStatus } from '../../write-all.ts';
+import { type FileStatus, visibleLine } from '../../io/index.ts';
 import type { Made } from './made.ts';
 
 export interface ExportedFile {

@@ -1,6 +1,6 @@
 import { basename, extname } from 'node:path';
 import { exportOriginal, formatOriginal, type TitledOriginal } from '../../../schema/index.ts';
-import { Failure } from '../../failure.ts';
+import { Failure } from '../../io/index.ts';
 import type { Made, ReadFile, Refused } from './made.ts';
 
 export interface OriginalOptions {

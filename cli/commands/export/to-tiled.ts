@@ -1,6 +1,6 @@
 import { basename, extname, join } from 'node:path';
 import { exportTiled, formatTiled, formatTmx } from '../../../schema/index.ts';
-import { Failure } from '../../failure.ts';
+import { Failure } from '../../io/index.ts';
 import type { Made, ReadFile } from './made.ts';
 
 interface TiledOptions {

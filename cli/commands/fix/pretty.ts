@@ -8,8 +8,7 @@ import {
   SIZE_MEANS,
 } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
-import type { Colors } from '../../colors.ts';
-import { visible, visibleLine } from '../../visible.ts';
+import { type Colors, visible, visibleLine } from '../../io/index.ts';
 import type { Fixed, FixSettings } from './fixed.ts';
 
 /** What `gq fix` prints for people. */

@@ -3,25 +3,29 @@ import type { Command } from 'commander';
 import { formatLevel, formatPack, type Problem, readPack, withIds } from '../../../schema/index.ts';
 import { readContent } from '../../../schema/level/index.ts';
 import { showProblems } from '../../code-frames.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure } from '../../failure.ts';
-import { type FoundFiles, once } from '../../files.ts';
-import { isPackFile } from '../../found-pack.ts';
-import { findConfigured, PATHS, pathsOr } from '../../level-paths.ts';
+import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../../find/index.ts';
+import {
+  colorsFor,
+  Failure,
+  hearSignals,
+  isPackFile,
+  namedPath,
+  once,
+  packFormat,
+  readBytes,
+  readStdin,
+  stdinName,
+  visible,
+  visibleLine,
+  whyNotWritable,
+  writeWhole,
+} from '../../io/index.ts';
 import { formatOption } from '../../options.ts';
-import { packFormat } from '../../packs/index.ts';
-import { readBytes } from '../../read-bytes.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { placesOf } from '../../reporters/index.ts';
-import { namedPath } from '../../shown-path.ts';
-import { hearSignals } from '../../signals.ts';
-import { readStdin, stdinName } from '../../stdin.ts';
-import { visible, visibleLine } from '../../visible.ts';
-import { whyNotWritable } from '../../writable.ts';
-import { writeWhole } from '../../write-file.ts';
 import { type FormattedFile, fmtGithub, fmtJson, fmtPretty } from './report.ts';
 
 interface FmtOptions extends ConfigOptions {

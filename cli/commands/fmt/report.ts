@@ -1,11 +1,9 @@
 import { plural } from '../../../check/words/index.ts';
 import type { FmtReport } from '../../../schema/index.ts';
-import type { Colors } from '../../colors.ts';
+import { type Colors, shellPath, visibleLine } from '../../io/index.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
 import { type Annotation, type Places, pathInWorkspace, workflowCommands } from '../../reporters/index.ts';
-import { shellPath } from '../../shown-path.ts';
 import type { ShownProblem } from '../../shown-problem.ts';
-import { visibleLine } from '../../visible.ts';
 
 export interface FormattedFile {
   readonly file: string;

@@ -18,18 +18,24 @@ import {
   type WantedDifficulty,
   type WantedSize,
 } from '../../../solver/index.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure } from '../../failure.ts';
-import type { GenerateTask, KeptPack, MadeLevel } from '../../generate/index.ts';
-import { generatedPath, keepLevel, keepPack, makeDirectory, makeLevels, makePack, packPath } from '../../generate/index.ts';
+import {
+  type GenerateTask,
+  generatedPath,
+  type KeptPack,
+  keepLevel,
+  keepPack,
+  type MadeLevel,
+  makeDirectory,
+  makeLevels,
+  makePack,
+  packPath,
+} from '../../generate/index.ts';
+import { colorsFor, createProgress, Failure, uncut, visibleLine } from '../../io/index.ts';
 import { formatOption, jobsOption, LARGEST_SEED, seedOption, wholeNumberOption } from '../../options.ts';
-import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { uncut } from '../../signals.ts';
 import { addTermsOptions, type TermsOptions, termsFrom } from '../../terms.ts';
-import { visibleLine } from '../../visible.ts';
 import { generateJson, generatePretty } from './report.ts';
 
 /** The default effort for each level, ticks: takes minutes. */

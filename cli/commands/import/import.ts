@@ -10,16 +10,21 @@ import {
   MAX_FILE_SIZE,
 } from '../../../schema/index.ts';
 import { showProblems } from '../../code-frames.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
-import { Failure } from '../../failure.ts';
+import {
+  colorsFor,
+  differing,
+  Failure,
+  namedPath,
+  Outputs,
+  type PlannedFile,
+  planFile,
+  readBytes,
+  writeAll,
+} from '../../io/index.ts';
 import { formatOption } from '../../options.ts';
-import { Outputs } from '../../output-file.ts';
-import { readBytes } from '../../read-bytes.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { schemaReference } from '../../schema-reference.ts';
-import { namedPath } from '../../shown-path.ts';
-import { differing, type PlannedFile, planFile, writeAll } from '../../write-all.ts';
 import { type ImportedFile, importJson, importPretty } from './report.ts';
 
 interface ImportOptions {

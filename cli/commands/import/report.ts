@@ -1,6 +1,6 @@
 import { plural } from '../../../check/words/index.ts';
 import type { ImportReport } from '../../../schema/index.ts';
-import { visibleLine } from '../../visible.ts';
+import { visibleLine } from '../../io/index.ts';
 
 export interface ImportedFile {
   readonly file: string;

@@ -3,9 +3,8 @@ import { type Command, Option } from 'commander';
 import type { InitReport } from '../../../schema/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { type Ci, chooseCi, type Plan, planProject } from '../../init/index.ts';
+import { planFile, shellPath, writeAll } from '../../io/index.ts';
 import { formatOption } from '../../options.ts';
-import { shellPath } from '../../shown-path.ts';
-import { planFile, writeAll } from '../../write-all.ts';
 import { initJson, initPretty } from './report.ts';
 
 interface InitOptions {

@@ -1,5 +1,5 @@
 import type { InitReport } from '../../../schema/index.ts';
-import { visibleLine } from '../../visible.ts';
+import { visibleLine } from '../../io/index.ts';
 
 /** The results of `init` as JSON. */
 export const initJson = (report: InitReport): string => `${JSON.stringify(report)}\n`;

@@ -1,8 +1,7 @@
 import { plural } from '../../../check/words/index.ts';
-import type { Colors } from '../../colors.ts';
 import { COUNTED, type Inspection } from '../../inspection.ts';
+import { type Colors, visibleLine } from '../../io/index.ts';
 import { alignColumns, showFileProblems } from '../../report-parts/index.ts';
-import { visibleLine } from '../../visible.ts';
 
 /** The results of `inspect` for people. */
 export function inspectPretty(

@@ -2,7 +2,6 @@ import { availableParallelism } from 'node:os';
 import { type Command, InvalidArgumentError, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import type { CommandResult } from '../../command.ts';
-import { Failure } from '../../failure.ts';
 import {
   contentsOf,
   type Gathered,
@@ -18,8 +17,8 @@ import {
   resultsIn,
   setPaths,
 } from '../../fleet/index.ts';
+import { exitCodeAfter, Failure, levelsRead, namedPath, shellPath, stoppable } from '../../io/index.ts';
 import { jobsOption } from '../../options.ts';
-import { levelsRead } from '../../output-file.ts';
 import {
   chooseReports,
   type Destination,
@@ -28,8 +27,6 @@ import {
   reporterOption,
   reportFormatOption,
 } from '../../reporters/index.ts';
-import { namedPath, shellPath } from '../../shown-path.ts';
-import { exitCodeAfter, stoppable } from '../../signals.ts';
 
 const LISTS = ['list', 'slurm', 'k8s'] as const;
 

@@ -4,9 +4,9 @@ import { type AskedOptions, refuseLimitsWithoutSearch, settingsFor } from '../..
 import type { ConfigOptions } from '../../config-file.ts';
 import type { Configuration } from '../../configuration.ts';
 import { measureSettings } from '../../difficulty/index.ts';
-import { Failure } from '../../failure.ts';
-import { unreadableFolders } from '../../files.ts';
+import { unreadableFolders } from '../../find/index.ts';
 import type { JobName } from '../../fleet/index.ts';
+import { Failure } from '../../io/index.ts';
 import { limitsOf, USUAL_EFFORT } from '../../search-options.ts';
 import { askedRuns } from '../../solve/index.ts';
 import { refuseUnused } from '../../unused-options.ts';

@@ -1,21 +1,15 @@
-import type { Command } from 'commander';
-import { Option } from 'commander';
+import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions } from '../../config-file.ts';
-import { Failure } from '../../failure.ts';
-import { statOrError } from '../../files.ts';
+import { PATHS, pathsOr } from '../../find/index.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
-import { PATHS, pathsOr } from '../../level-paths.ts';
+import { createStatusLine, Failure, namedPath, readRegularFile, shellPath, statOrError, writeWhole } from '../../io/index.ts';
 import { wholeNumberOption } from '../../options.ts';
-import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { readRegularFile } from '../../regular-file.ts';
 import { addSearchOptions, mineralsOption, objectiveOption } from '../../search-options.ts';
-import { namedPath, shellPath } from '../../shown-path.ts';
 import { accuracyOption, addTermsOptions } from '../../terms.ts';
 import { addPlayOptions } from '../../verify/index.ts';
-import { writeWhole } from '../../write-file.ts';
 import { ORDERS, type PlanOptions, refuseOfOthers } from './orders.ts';
 
 interface Options extends PlanOptions {

@@ -1,8 +1,7 @@
 import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../../check/words/index.ts';
 import { effectEventInWords, type Run, type RunEvent } from '../../../engine/index.ts';
 import { type Level, objectName, type RunReport } from '../../../schema/index.ts';
-import type { Colors } from '../../colors.ts';
-import { visibleLine } from '../../visible.ts';
+import { type Colors, visibleLine } from '../../io/index.ts';
 
 /** One run in full for people. */
 export function simulatePretty(level: Level, runName: string, run: Run, report: RunReport, colors: Colors): string {

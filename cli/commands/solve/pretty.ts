@@ -1,8 +1,7 @@
 import { accuracyInWords, countMinerals, effortInWords, holdsInWords, outcomeInWords } from '../../../check/words/index.ts';
-import type { Colors } from '../../colors.ts';
+import { type Colors, visible, visibleLine } from '../../io/index.ts';
 import { closestRunInWords, robustnessLines } from '../../report-parts/index.ts';
 import type { Solved, SolvedRun, SolveSettings } from '../../solve/index.ts';
-import { visible, visibleLine } from '../../visible.ts';
 
 /** The results of `solve` for people. */
 export function solvePretty(settings: SolveSettings, solved: Solved, colors: Colors): string {

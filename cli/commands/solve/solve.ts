@@ -3,17 +3,13 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal, Objective } from '../../../solver/index.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure } from '../../failure.ts';
-import { statOrError, unreadableFolders } from '../../files.ts';
+import { findConfigured, unreadableFolders } from '../../find/index.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
-import { findConfigured } from '../../level-paths.ts';
+import { colorsFor, createStatusLine, entryName, Failure, packFormat, statOrError, uncut, visibleLine } from '../../io/index.ts';
 import { type OpenedFile, openLevel } from '../../level-source.ts';
 import { formatOption, jobsOption, wholeNumberOption } from '../../options.ts';
-import { entryName, packFormat } from '../../packs/index.ts';
-import { createStatusLine } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { expectWritable } from '../../replace-level.ts';
 import {
@@ -25,7 +21,6 @@ import {
   type SearchOptions,
 } from '../../search-options.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { uncut } from '../../signals.ts';
 import {
   addRuns,
   askedRuns,
@@ -37,7 +32,6 @@ import {
   solveReport,
 } from '../../solve/index.ts';
 import { addTermsOptions, type TermsOptions } from '../../terms.ts';
-import { visibleLine } from '../../visible.ts';
 import { solvePretty } from './pretty.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptions {

@@ -3,7 +3,6 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { Argument, type Command } from 'commander';
 import type { CommandResult } from '../../command.ts';
-import { Failure, systemReason } from '../../failure.ts';
 import {
   arrayJob,
   gather,
@@ -20,11 +19,8 @@ import {
   submitJob,
   USUAL_ARRAY_SIZE,
 } from '../../fleet/index.ts';
-import { makeFolders } from '../../make-folders.ts';
+import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../../io/index.ts';
 import { wholeNumberOption } from '../../options.ts';
-import { namedPath, shellPath } from '../../shown-path.ts';
-import { hearSignals } from '../../signals.ts';
-import { visibleLine } from '../../visible.ts';
 
 interface Options {
   readonly plan: string;

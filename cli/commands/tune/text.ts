@@ -1,8 +1,7 @@
 import { accuracyInWords, plural } from '../../../check/words/index.ts';
 import { RULES } from '../../../schema/index.ts';
-import type { Colors } from '../../colors.ts';
+import { type Colors, visibleLine } from '../../io/index.ts';
 import type { Change, RuleInterval, Sweep, TunedLevel, TunedState, TuneSettings } from '../../tune/index.ts';
-import { visibleLine } from '../../visible.ts';
 import { independentRules } from './independent-rules.ts';
 
 /** The largest number of columns of the matrix: a line with name and interval has 80 characters. */

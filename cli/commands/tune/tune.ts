@@ -3,14 +3,20 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { accuracyInWords } from '../../../check/words/index.ts';
 import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
-import { colorsFor, widthOf } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure } from '../../failure.ts';
-import { findConfigured, PATHS } from '../../level-paths.ts';
+import { findConfigured, PATHS } from '../../find/index.ts';
+import {
+  colorsFor,
+  createProgress,
+  expectOutput,
+  Failure,
+  levelsRead,
+  visibleLine,
+  widthOf,
+  writeWhole,
+} from '../../io/index.ts';
 import { formatOption, jobsOption } from '../../options.ts';
-import { expectOutput, levelsRead } from '../../output-file.ts';
-import { createProgress } from '../../progress.ts';
 import { readConfiguration } from '../../read-configuration.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
 import { addSearchOptions, limitsOf, type SearchOptions } from '../../search-options.ts';
@@ -26,8 +32,6 @@ import {
   tuneLevels,
 } from '../../tune/index.ts';
 import { refuseUnused } from '../../unused-options.ts';
-import { visibleLine } from '../../visible.ts';
-import { writeWhole } from '../../write-file.ts';
 import { tuneJson } from './json.ts';
 import { tuneText } from './text.ts';
 

@@ -4,22 +4,29 @@ import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { PLAY_LIMITS } from '../../../game/index.ts';
 import type { VerifyReport } from '../../../schema/index.ts';
-import { colorsFor } from '../../colors.ts';
 import type { CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions } from '../../config-file.ts';
-import { Failure, systemReason } from '../../failure.ts';
-import { once, statOrError, unreadableFolders, walk } from '../../files.ts';
+import { unreadableFolders } from '../../find/index.ts';
 import { reportWhole, shardOfPlan } from '../../fleet/index.ts';
+import {
+  colorsFor,
+  Failure,
+  filesBelow,
+  firstPack,
+  hearSignals,
+  namedPath,
+  once,
+  print,
+  readRegularFile,
+  STDIN,
+  siblingHint,
+  statOrError,
+  systemReason,
+  visibleLine,
+} from '../../io/index.ts';
 import { jobsOption } from '../../options.ts';
-import { firstPack } from '../../packs/index.ts';
-import { print } from '../../print.ts';
 import { readConfiguration } from '../../read-configuration.ts';
-import { readRegularFile } from '../../regular-file.ts';
 import { addShardOptions, refuseBesidesPlan, type ShardOptions } from '../../shard-options.ts';
-import { namedPath } from '../../shown-path.ts';
-import { siblingHint } from '../../sibling-hint.ts';
-import { hearSignals } from '../../signals.ts';
-import { STDIN } from '../../stdin.ts';
 import { maxWorkOption, type TermsOptions } from '../../terms.ts';
 import { refuseUnused } from '../../unused-options.ts';
 import {
@@ -40,7 +47,6 @@ import {
   unusableLevels,
   verifyInOrder,
 } from '../../verify/index.ts';
-import { visibleLine } from '../../visible.ts';
 
 /** Plays in files that are read together. */
 const TOGETHER = 32;
@@ -153,7 +159,7 @@ function findPlays(paths: readonly string[]): FoundPlays {
       unmatched.push(`${namedPath(path)}: ${systemReason(stats)}${hint}`);
     } else if (stats.isDirectory()) {
       const before = unreadable.length;
-      const found = walk(path, (name) => PLAY_FILE.test(name), unreadable);
+      const found = filesBelow(path, (name) => PLAY_FILE.test(name), unreadable);
       if (found.length === 0 && unreadable.length === before)
         unmatched.push(`${namedPath(path)}: the directory contains no *.gqr`);
       files.push(...found);

@@ -1,11 +1,6 @@
 import { resolve } from 'node:path';
 import process from 'node:process';
-import { Failure, systemReason } from '../../failure.ts';
-import { statOrError, walk } from '../../files.ts';
-import { sortedByPlay } from '../../order-of-play.ts';
-import { namedPath } from '../../shown-path.ts';
-import { siblingHint } from '../../sibling-hint.ts';
-import { STDIN } from '../../stdin.ts';
+import { Failure, filesBelow, namedPath, STDIN, siblingHint, sortedByPlay, statOrError, systemReason } from '../../io/index.ts';
 
 /** A file with plays. */
 export interface PlayFile {
@@ -51,7 +46,7 @@ export function findPlays(paths: readonly string[]): FoundPlays {
       files.push({ path, hasLines: !PLAY.test(path), player: null });
     } else {
       const before = unreadable.length;
-      const all = walk(path, () => true, unreadable);
+      const all = filesBelow(path, () => true, unreadable);
       const plays = all.filter((file) => PLAY.test(file) || LINES.test(file));
       const others = all.length - plays.length;
       ignored += others;

@@ -3,9 +3,7 @@ import type { Terms } from '../../../engine/index.ts';
 import { decodePlay, PLAY_LIMITS, whyOtherEngine } from '../../../game/play/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { Failure, systemReason } from '../../failure.ts';
-import { readBytes } from '../../read-bytes.ts';
-import { readRegularFile } from '../../regular-file.ts';
+import { Failure, readBytes, readRegularFile, systemReason } from '../../io/index.ts';
 import { readLine } from '../../verify/index.ts';
 import type { PlayedLevel, PlayFinding, PlaySource, PlayTask } from './play-task.ts';
 

@@ -1,6 +1,6 @@
 import process from 'node:process';
-import { type Colors, colorsFor, PLAIN, widthOf } from '../../colors.ts';
 import type { CommandResult, ResultFile } from '../../command.ts';
+import { type Colors, colorsFor, PLAIN, widthOf } from '../../io/index.ts';
 import { inPieces } from '../../report-parts/index.ts';
 import type { Destination, ReporterName } from '../../reporters/index.ts';
 

@@ -1,7 +1,9 @@
-import { useCallback, useEffect, useRef, useState } from 'react';
+import { useCallback, useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { question } from '../../ask/index.ts';
 import { useEditor, useLevel } from '../../context/index.ts';
-import type { PlayedFile } from '../../proof/index.ts';
-import { jobs, type Results, type Running, type Setting } from '../../workers/index.ts';
+import { type PlayedFile, withoutRuns } from '../../proof/index.ts';
+import { type AskedOf, jobs, type Setting } from '../../workers/index.ts';
 
 /** The measured cost of all settings for one level and run. */
 export interface MeasuredSettings {
@@ -20,38 +22,24 @@ export interface Measuring {
   readonly cancel: () => void;
 }
 
+/** What every setting costs for a level and run. */
+export const accuracyQuestion = question({ job: jobs.accuracy, request: (of: AskedOf<typeof jobs.accuracy>) => of });
+
 /** Measures all settings in a worker on demand; the job ends when the component unmounts. */
 export function useMeasured(): Measuring {
-  const { workers } = useEditor();
+  const { desk } = useEditor();
   const { proof } = useLevel();
-  const [state, setState] = useState<Pick<Measuring, 'phase' | 'message' | 'measured'>>({
-    phase: 'idle',
-    message: null,
-    measured: null,
-  });
-  const job = useRef<Running<Results['accuracy']> | null>(null);
-  const drop = useCallback(() => {
-    job.current?.cancel();
-    job.current = null;
-  }, []);
-  useEffect(() => drop, [drop]);
+  const [measured, setMeasured] = useState<MeasuredSettings | null>(null);
+  const accuracy = useMemo(() => accuracyQuestion(desk), [desk]);
+  useEffect(() => accuracy.close, [accuracy]);
+  const { phase, message } = useStore(accuracy.store);
   const start = useCallback(() => {
-    drop();
     const { level, terms, run, file } = proof.proof();
     const about = { level: level.name, run: run.name, played: { file, level }, holds: run.holds.join() };
-    const mine = workers.start(jobs.accuracy, { level: { ...level, runs: [] }, terms, holds: run.holds });
-    job.current = mine;
-    setState(({ measured }) => ({ phase: 'measuring', message: null, measured }));
-    void mine.end.then((end) => {
-      if (job.current !== mine) return;
-      if (end.kind === 'failed' || end.kind === 'gaveUp')
-        setState(({ measured }) => ({ phase: 'failed', message: end.message, measured }));
-      if (end.kind === 'done') setState({ phase: 'idle', message: null, measured: { ...about, settings: end.result.settings } });
+    accuracy.ask({ level: withoutRuns(level), terms, holds: run.holds }, ({ answer }) => {
+      if (answer !== null) setMeasured({ ...about, settings: answer.settings });
     });
-  }, [drop, proof, workers]);
-  const cancel = useCallback(() => {
-    drop();
-    setState(({ measured }) => ({ phase: 'idle', message: null, measured }));
-  }, [drop]);
-  return { ...state, start, cancel };
+  }, [accuracy, proof]);
+  const is = phase === 'asking' ? 'measuring' : phase === 'failed' ? 'failed' : 'idle';
+  return { phase: is, message, measured, start, cancel: accuracy.forget };
 }

@@ -6,14 +6,14 @@ import { createSelectedGhosts } from './selected-ghosts.ts';
 
 /** Shows what is selected in the list of attempts on the canvas, whichever panel is in front. */
 export function AttemptsWatch() {
-  const { workers } = useEditor();
+  const { desk } = useEditor();
   const level = useLevel();
   const { store } = shelfOf(level);
   const attempts = useStore(level.attempts.store);
   const plays = useStore(store, (state) => state.plays);
   const selected = useStore(store, (state) => state.selected);
   const of = useStore(store, (state) => state.of);
-  const ghosts = useMemo(() => createSelectedGhosts({ ghosts: level.ghosts, workers }), [level, workers]);
+  const ghosts = useMemo(() => createSelectedGhosts({ ghosts: level.ghosts, desk }), [level, desk]);
   useEffect(() => {
     const { level: now, terms } = level.proof.proof();
     const own = attempts.filter(({ number }) => selected.has(`attempt-${number}`));

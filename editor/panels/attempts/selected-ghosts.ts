@@ -1,17 +1,21 @@
 import type { StoreApi } from 'zustand/vanilla';
+import { type Desk, keepAnswers, question } from '../../ask/index.ts';
 import type { Attempt } from '../../attempts/index.ts';
 import type { Ghost } from '../../context/index.ts';
 import { attemptGhosts } from '../../play/index.ts';
 import type { LiveProof } from '../../proof/index.ts';
 import type { OpenedPlay } from '../../shelf/index.ts';
 import { termsAt } from '../../terms/index.ts';
-import { jobs, type Workers } from '../../workers/index.ts';
+import { type AskedOf, jobs } from '../../workers/index.ts';
 
 /** Paths that are shown at once: more of them are a tangle. */
 const MOST = 40;
 
 /** Paths of plays that are kept, to show them again at once. */
 const KEPT = 200;
+
+/** Her path in a play. */
+export const pathQuestion = question({ job: jobs.path, request: (of: AskedOf<typeof jobs.path>) => of });
 
 export interface SelectedGhosts {
   /** Shows the paths of these attempts and plays. Those of plays are computed by a worker. @param played the level that was played */
@@ -21,49 +25,46 @@ export interface SelectedGhosts {
 
 interface Parts {
   readonly ghosts: StoreApi<readonly Ghost[]>;
-  readonly workers: Pick<Workers, 'start'>;
+  readonly desk: Desk;
 }
 
-export function createSelectedGhosts({ ghosts, workers }: Parts): SelectedGhosts {
-  const paths = new Map<string, Float32Array>();
-  let started: (() => void)[] = [];
-  const cancel = () => {
-    for (const stop of started) stop();
-    started = [];
-  };
+export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
+  const paths = keepAnswers(desk, {
+    ask: pathQuestion,
+    of: (wanted: AskedOf<typeof jobs.path>) => wanted,
+    value: ({ answer }) => answer?.points ?? null,
+    first: 'earliest',
+    most: KEPT,
+  });
   const put = (wanted: readonly Ghost[]) => {
     const now = ghosts.getState();
     const others = now.filter(({ look }) => look !== 'selected');
     if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
   };
+  let draw = () => {};
+  paths.store.subscribe(({ byKey }, before) => byKey !== before.byKey && draw());
   return {
     show({ level, terms }, attempts, plays) {
-      cancel();
+      paths.stop();
       const own = attemptGhosts(attempts).map((ghost): Ghost => ({ ...ghost, id: `selected-${ghost.id}`, look: 'selected' }));
-      const wanted = plays.slice(0, MOST);
-      const draw = () => {
-        const others = wanted.flatMap(({ key, source }): Ghost[] => {
-          const points = paths.get(key);
+      const shown = plays.slice(0, MOST);
+      draw = () => {
+        const { byKey } = paths.store.getState();
+        const others = shown.flatMap(({ key, source }): Ghost[] => {
+          const points = byKey.get(key);
           return points === undefined ? [] : [{ id: `selected-${key}`, label: source, points, look: 'selected' }];
         });
         put([...own, ...others]);
       };
       draw();
-      for (const { key, play } of wanted) {
-        if (paths.has(key)) continue;
+      for (const { key, play } of shown) {
         const { accuracy, holds, claim } = play;
-        const job = workers.start(jobs.path, { level, terms: termsAt(terms, accuracy), holds, until: claim.tick });
-        started.push(job.cancel);
-        void job.end.then((end) => {
-          if (end.kind !== 'done') return;
-          if (paths.size >= KEPT) paths.delete(paths.keys().next().value ?? '');
-          paths.set(key, end.result.points);
-          draw();
-        });
+        paths.want(key, { level, terms: termsAt(terms, accuracy), holds, until: claim.tick });
       }
     },
     close() {
-      cancel();
+      paths.stop();
+      draw = () => {};
       put([]);
     },
   };

@@ -2,9 +2,10 @@ import { Bookmark, HardDrive } from 'lucide-react';
 import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useLevel, usePageTerms, usePageTheme } from '../../context/index.ts';
+import { picturesOf } from '../../pictures/index.ts';
 import type { Version } from '../../versions/index.ts';
 import { VerdictSign } from '../levels/index.ts';
-import { pictureKey, picturesOf } from './version-pictures.ts';
+import { versionKey, wantPicture } from './version-pictures.ts';
 import { stepsInWords } from './version-words.ts';
 import { agoInWords, clockTime } from './when.ts';
 
@@ -15,14 +16,14 @@ export function VersionLine({ version, now }: { readonly version: Version; reado
   const theme = usePageTheme();
   const { folder: terms } = usePageTerms();
   const by = useMemo(() => ({ theme, terms }), [theme, terms]);
-  const pictures = picturesOf(editor, level);
-  const key = pictureKey(version, by);
-  const picture = useStore(pictures.store, (made) => made.get(key)) ?? null;
+  const pictures = picturesOf(editor);
+  const key = versionKey(version, by);
+  const picture = useStore(pictures.store, ({ byKey }) => byKey.get(key)) ?? null;
   // biome-ignore lint/correctness/useExhaustiveDependencies: a renamed version looks the same
   useEffect(() => {
-    pictures.want(version, by);
+    wantPicture(editor, level, version, by);
     return () => pictures.drop(key);
-  }, [pictures, key, by]);
+  }, [editor, level, pictures, key, by]);
   const steps = stepsInWords(version);
   // the first line has the most telling of the three, the second the next
   const [title, about] = [version.name, version.changes, steps].filter((words) => words !== null && words !== '');

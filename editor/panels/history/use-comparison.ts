@@ -1,10 +1,11 @@
 import { useEffect, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
+import { question, useQuestion, type Wanted } from '../../ask/index.ts';
 import { useDocument, useEditor, useLevel, usePageTerms, usePageTheme } from '../../context/index.ts';
 import { levelText } from '../../document/index.ts';
 import { readText } from '../../files/index.ts';
 import type { Version } from '../../versions/index.ts';
-import { jobs, type Results } from '../../workers/index.ts';
+import { type AnswerOf, type AskedOf, jobs } from '../../workers/index.ts';
 import { type Difference, differencesBetween } from './differences.ts';
 
 /** A version that is compared: loading, damaged, or there. */
@@ -43,10 +44,22 @@ export interface Comparison {
   /** null while it is not known */
   readonly differences: readonly Difference[] | null;
   /** The picture and what is true of both; null while it is made; a text if it can't be made. */
-  readonly drawn: Results['compare'] | string | null;
+  readonly drawn: AnswerOf<typeof jobs.compare> | string | null;
 }
 
 const fileOf = (read: ReadVersion): LevelFile | null => (typeof read === 'string' ? null : read);
+
+/** Two versions in one picture. */
+export const comparisonQuestion = question({
+  job: jobs.compare,
+  request: (of: AskedOf<typeof jobs.compare>) => of,
+  follows: {
+    wait: { rest: 0 },
+    of: (wanted: Wanted<AskedOf<typeof jobs.compare>>) => wanted.getState(),
+    same: (asked, now) => asked === now,
+    on: (wanted) => [wanted.subscribe],
+  },
+});
 
 /** Compares a version with the present level, or with the version before it. */
 export function useComparison(version: Version, previous: Version | null, compared: ComparedWith): Comparison {
@@ -62,17 +75,11 @@ export function useComparison(version: Version, previous: Version | null, compar
     () => (before === null || after === null ? null : differencesBetween(before, after)),
     [before, after],
   );
-  const [made, setMade] = useState<{ before: LevelFile; after: LevelFile; drawn: Results['compare'] | string } | null>(null);
-  useEffect(() => {
-    if (before === null || after === null) return;
-    const texts = { before: levelText(before), after: levelText(after) };
-    const job = editor.workers.start(jobs.compare, { ...texts, terms, theme, width: 960 });
-    void job.end.then((end) => {
-      if (end.kind === 'done') setMade({ before, after, drawn: end.result });
-      else if (end.kind !== 'cancelled') setMade({ before, after, drawn: end.message });
-    });
-    return () => job.cancel();
-  }, [editor, before, after, terms, theme]);
-  const drawn = made !== null && made.before === before && made.after === after ? made.drawn : null;
+  const of = useMemo(() => {
+    if (before === null || after === null) return null;
+    return { before: levelText(before), after: levelText(after), terms, theme, width: 960 };
+  }, [before, after, terms, theme]);
+  const asked = useQuestion(comparisonQuestion, editor.desk, of);
+  const drawn = asked?.of === of && of !== null ? (asked.answer ?? asked.message) : null;
   return { version: own, before, after, differences, drawn };
 }

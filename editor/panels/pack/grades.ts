@@ -2,9 +2,10 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import { ENGINE_ID } from '../../../game/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
+import { keepAnswers, question } from '../../ask/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { keptWith } from '../../kept/index.ts';
-import { jobs, type Results, type Running } from '../../workers/index.ts';
+import { type AskedOf, jobs } from '../../workers/index.ts';
 import { factsKey } from '../levels/index.ts';
 import type { ShownGrade } from './pack-model.ts';
 
@@ -74,55 +75,59 @@ export function gradeOf(state: GradesState, folder: string, entry: LevelEntry, t
 /** The grades of the levels, measured on demand and kept by content, so that none is measured twice. */
 export const gradesOf = keptWith(createGrades);
 
-function createGrades({ workspace, workers }: Editor): Grades {
+/** The grade of a level file by its own runs. */
+export const gradeQuestion = question({ job: jobs.grade, request: (of: AskedOf<typeof jobs.grade>) => of });
+
+interface WantedGrade {
+  readonly entry: LevelEntry;
+  readonly terms: Terms;
+  /** How many are measured before it, and how many in all. */
+  readonly done: number;
+  readonly of: number;
+}
+
+function createGrades({ workspace, desk }: Editor): Grades {
   // in the storage of a browser the tag of a level counts its changes, and says nothing of its content
   const lasts = workspace.storage.kind === 'server';
-  const store = createStore<GradesState>(() => ({ ...(lasts ? load() : NOTHING), running: null }));
-  let waiting: LevelEntry[] = [];
-  let job: Running<Results['grade']> | null = null;
-  /** Grows with every start and stop, so that what was begun before knows that it is over. */
-  let turn = 0;
-
-  const keep = (entry: LevelEntry, key: string, grade: MeasuredGrade) => {
-    const { byKey, lastKey } = store.getState();
-    const place = `${workspace.store.getState().list?.folder.id ?? ''}/${entry.id}`;
-    store.setState({ byKey: new Map(byKey).set(key, grade), lastKey: new Map(lastKey).set(place, key) });
-    if (lasts) save(store.getState());
-  };
-  const measureOne = async (entry: LevelEntry, terms: Terms, mine: number): Promise<void> => {
-    const key = factsKey(entry, terms);
-    const answer = await workspace.storage.read(entry.id);
-    // a file that has changed in the meantime has another grade
-    if (mine !== turn || key === null || !answer.ok || answer.value.text === null || answer.value.etag !== entry.etag) return;
-    const started = workers.start(jobs.grade, { text: answer.value.text, terms });
-    job = started;
-    const end = await started.end;
-    if (mine !== turn) return;
-    if (end.kind === 'done') keep(entry, key, end.result ?? { value: null, word: 'no run completes it' });
-  };
-  const stop = () => {
-    turn++;
-    waiting = [];
-    job?.cancel();
-    job = null;
-    if (store.getState().running !== null) store.setState({ running: null });
-  };
+  const { byKey, lastKey } = lasts ? load() : NOTHING;
+  const measured = keepAnswers(
+    desk,
+    {
+      ask: gradeQuestion,
+      async of({ entry, terms }: WantedGrade) {
+        const answer = await workspace.storage.read(entry.id);
+        // a file that has changed in the meantime has another grade
+        if (!answer.ok || answer.value.text === null || answer.value.etag !== entry.etag) return null;
+        return { text: answer.value.text, terms };
+      },
+      value({ phase, answer }, { entry }, key): MeasuredGrade | null {
+        if (phase !== 'done') return null;
+        const place = `${workspace.store.getState().list?.folder.id ?? ''}/${entry.id}`;
+        store.setState(({ lastKey }) => ({ lastKey: new Map(lastKey).set(place, key) }));
+        return answer ?? { value: null, word: 'no run completes it' };
+      },
+      first: 'earliest',
+      most: Number.POSITIVE_INFINITY,
+    },
+    byKey,
+  );
+  const store = createStore<GradesState>(() => ({ byKey, lastKey, running: null }));
+  measured.store.subscribe(({ byKey, making }) => {
+    const isNew = byKey !== store.getState().byKey;
+    store.setState({ byKey, running: making && { id: making.entry.id, done: making.done, of: making.of } });
+    if (isNew && lasts) save(store.getState());
+  });
   return {
     store,
     measure(entries, terms) {
-      stop();
-      const mine = turn;
-      waiting = entries.filter((entry) => entry.status === 'valid' && !store.getState().byKey.has(factsKey(entry, terms) ?? ''));
-      const all = waiting.length;
-      const go = async () => {
-        for (let entry = waiting.shift(); entry !== undefined && mine === turn; entry = waiting.shift()) {
-          store.setState({ running: { id: entry.id, done: all - waiting.length - 1, of: all } });
-          await measureOne(entry, terms, mine);
-        }
-        if (mine === turn) store.setState({ running: null });
-      };
-      if (all > 0) void go();
+      measured.stop();
+      const known = store.getState().byKey;
+      const waiting = entries.flatMap((entry) => {
+        const key = entry.status === 'valid' ? factsKey(entry, terms) : null;
+        return key === null || known.has(key) ? [] : [{ entry, key }];
+      });
+      for (const [done, { entry, key }] of waiting.entries()) measured.want(key, { entry, terms, done, of: waiting.length });
     },
-    stop,
+    stop: measured.stop,
   };
 }

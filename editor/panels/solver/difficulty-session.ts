@@ -1,9 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
-import type { ProofStore } from '../../proof/index.ts';
-import { withoutRuns } from '../../proof/index.ts';
-import { jobs, type Results, type Running, type Workers } from '../../workers/index.ts';
+import { type Desk, question } from '../../ask/index.ts';
+import { type ProofStore, withoutRuns } from '../../proof/index.ts';
+import { type AskedOf, jobs } from '../../workers/index.ts';
 import { goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { askedInWords } from './standing.ts';
 
@@ -29,12 +29,18 @@ export interface DifficultySession {
 
 interface DifficultyParts {
   readonly level: { readonly proof: ProofStore };
-  readonly workers: Pick<Workers, 'start'>;
+  readonly desk: Desk;
   readonly settings: SearchSettingsStore;
 }
 
+/** How hard a level is. */
+export const difficultyQuestion = question({
+  job: jobs.difficulty,
+  request: (of: AskedOf<typeof jobs.difficulty>) => of,
+});
+
 /** Measures how hard the level is, on demand: with the shown run if it meets the goal, else with a run found by a search. */
-export function createDifficultySession({ level: { proof }, workers, settings }: DifficultyParts): DifficultySession {
+export function createDifficultySession({ level: { proof }, desk, settings }: DifficultyParts): DifficultySession {
   const store = createStore<DifficultyState>(() => ({
     phase: 'idle',
     message: null,
@@ -43,20 +49,16 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
     asked: '',
     isOld: false,
   }));
-  let job: Running<Results['difficulty']> | null = null;
+  const difficulty = difficultyQuestion(desk);
   let measured: { scene: Scene; holds: string } | null = null;
   const stop = proof.store.subscribe(({ scene, run }) => {
     if (measured === null || store.getState().isOld) return;
     if (scene !== measured.scene || run.holds.join() !== measured.holds) store.setState({ isOld: true });
   });
-  const cancel = () => {
-    job?.cancel();
-    job = null;
-  };
   return {
     store,
     start() {
-      cancel();
+      difficulty.forget();
       const { level, terms, run, scene } = proof.proof();
       const goal = goalOf(settings.getState(), level.minerals.length);
       const asked = askedInWords(settings.getState(), level.minerals.length);
@@ -68,27 +70,19 @@ export function createDifficultySession({ level: { proof }, workers, settings }:
       measured = { scene, holds: run.holds.join() };
       store.setState({ phase: 'measuring', message: null, isOld: false, run: completes ? run.name : null, asked });
       const budget = 1000 * settings.getState().budget;
-      const mine = workers.start(jobs.difficulty, {
-        level: withoutRuns(level),
-        terms,
-        holds: completes ? run.holds : null,
-        goal,
-        budget,
-      });
-      job = mine;
-      void mine.end.then((end) => {
-        if (job !== mine) return;
-        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
-        else if (end.kind === 'done') store.setState({ phase: end.result === null ? 'none' : 'done', result: end.result });
+      const about = { level: withoutRuns(level), terms, holds: completes ? run.holds : null, goal, budget };
+      difficulty.ask(about, ({ phase, answer, message }) => {
+        if (phase === 'failed') store.setState({ phase, message });
+        else if (phase === 'done') store.setState({ phase: answer === null ? 'none' : 'done', result: answer });
       });
     },
     cancel() {
-      cancel();
+      difficulty.forget();
       store.setState(({ result }) => ({ phase: result === null ? 'idle' : 'done' }));
     },
     close() {
       stop();
-      cancel();
+      difficulty.forget();
     },
   };
 }

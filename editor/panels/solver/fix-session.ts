@@ -3,10 +3,11 @@ import { repairedFile } from '../../../check/index.ts';
 import { proposalInWords } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
+import { type Desk, question } from '../../ask/index.ts';
 import { type EditedLevel, freeRunName } from '../../document/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
 import { createPreview, type SessionStore } from '../../session/index.ts';
-import { type Fixing, jobs, type Results, type Running, type Workers } from '../../workers/index.ts';
+import { type AskedOf, type Fixing, jobs } from '../../workers/index.ts';
 import { SOLUTION } from './keep-found-run.ts';
 import type { SearchSettingsStore } from './search-settings.ts';
 
@@ -40,22 +41,21 @@ export interface FixSession {
 interface FixParts {
   readonly level: { readonly document: EditedLevel; readonly proof: ProofStore };
   readonly session: SessionStore;
-  readonly workers: Pick<Workers, 'start'>;
+  readonly desk: Desk;
   readonly settings: SearchSettingsStore;
 }
+
+/** Changes that make a level completable. */
+export const fixQuestion = question({ job: jobs.fix, request: (of: AskedOf<typeof jobs.fix>) => of });
 
 const IDLE: FixState = { phase: 'idle', message: null, fixing: null, level: null, previewed: null, isOld: false };
 
 /** Seeks proposals for one level. A preview is a change in progress, as while an object is dragged. */
-export function createFixSession({ level: { document, proof }, session, workers, settings }: FixParts): FixSession {
+export function createFixSession({ level: { document, proof }, session, desk, settings }: FixParts): FixSession {
   const store = createStore<FixState>(() => IDLE);
-  let job: Running<Results['fix']> | null = null;
+  const fixes = fixQuestion(desk);
   const preview = createPreview(document, session);
 
-  const stopJob = () => {
-    job?.cancel();
-    job = null;
-  };
   const back = () => {
     preview.back();
     if (store.getState().previewed !== null) store.setState({ previewed: null });
@@ -64,7 +64,7 @@ export function createFixSession({ level: { document, proof }, session, workers,
   const stop = document.onStep(() => {
     const { phase, fixing } = store.getState();
     preview.ended();
-    stopJob();
+    fixes.forget();
     store.setState({ previewed: null, isOld: fixing !== null, phase: phase === 'seeking' ? 'done' : phase });
   });
 
@@ -72,27 +72,20 @@ export function createFixSession({ level: { document, proof }, session, workers,
     store,
     start() {
       back();
-      stopJob();
+      fixes.forget();
       const { level, terms } = proof.proof();
       store.setState({ ...IDLE, phase: 'seeking', level });
       const { seed, budget } = settings.getState();
-      const mine = workers.start(jobs.fix, { level, terms, seed, budget: 1000 * budget }, (fixing) => {
+      fixes.ask({ level, terms, seed, budget: 1000 * budget }, ({ phase, progress, answer, message }) => {
         // the list does not move while one of it is previewed
-        if (job === mine && store.getState().previewed === null) store.setState({ fixing });
-      });
-      job = mine;
-      void mine.end.then((end) => {
-        if (job !== mine) return;
-        job = null;
-        if (end.kind === 'failed') store.setState({ phase: 'failed', message: end.message });
-        else if (end.kind === 'done') {
-          const { previewed, fixing } = store.getState();
-          store.setState({ phase: 'done', fixing: previewed === null ? end.result : fixing });
-        }
+        const isFree = store.getState().previewed === null;
+        if (phase === 'failed') store.setState({ phase, message });
+        else if (isFree) store.setState({ fixing: answer ?? progress });
+        if (phase === 'done') store.setState({ phase });
       });
     },
     cancel() {
-      stopJob();
+      fixes.forget();
       store.setState(({ fixing }) => ({ phase: fixing === null ? 'idle' : 'done' }));
     },
     preview(proposal) {
@@ -111,7 +104,7 @@ export function createFixSession({ level: { document, proof }, session, workers,
     back,
     close() {
       stop();
-      stopJob();
+      fixes.forget();
       back();
     },
   };

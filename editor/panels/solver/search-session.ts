@@ -2,20 +2,21 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type Goal, mineralsNeeded, proofPicture } from '../../../solver/index.ts';
+import type { Desk } from '../../ask/index.ts';
 import type { EditedLevel } from '../../document/index.ts';
 import type { ProofStore } from '../../proof/index.ts';
 import type { SessionStore } from '../../session/index.ts';
-import type { JobEnd, Results, Solving, Workers } from '../../workers/index.ts';
+import type { Proofs, Solving } from '../../workers/index.ts';
 import { createCandidateGhosts } from './candidate-ghosts.ts';
 import { type Found, foundBy, triedIn } from './found-runs.ts';
 import type { GhostShelf } from './ghost-shelf.ts';
 import { addFound, replaceByFound, SOLUTION } from './keep-found-run.ts';
 import type { OverlayStore } from './overlay.ts';
-import { type SearchJobs, startSearchJobs } from './search-jobs.ts';
+import { createSearchJobs } from './search-jobs.ts';
 import { aimOf, goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { afterChange, IDLE, type SearchState } from './search-state.ts';
 
-/** ms after a change of the level before the runs that were found are checked in it */
+/** ms without a change of the level before the runs that were found are checked in it */
 const SETTLE = 200;
 
 /** The search for runs of one level. */
@@ -41,7 +42,7 @@ export interface SearchSession {
 export interface SearchParts {
   readonly level: GhostShelf & { readonly document: EditedLevel; readonly proof: ProofStore };
   readonly session: SessionStore;
-  readonly workers: Pick<Workers, 'start'>;
+  readonly desk: Desk;
   readonly settings: SearchSettingsStore;
   readonly overlay: OverlayStore;
   /** A clock, ms. */
@@ -49,23 +50,19 @@ export interface SearchParts {
 }
 
 /** The search of a level: its jobs, results, ghosts and overlay. */
-export function createSearchSession({ level, session, workers, settings, overlay, now }: SearchParts): SearchSession {
+export function createSearchSession({ level, session, desk, settings, overlay, now }: SearchParts): SearchSession {
   const { document, proof } = level;
   const store = createStore<SearchState>(() => IDLE);
   const ghosts = createCandidateGhosts(level);
-  let jobs: SearchJobs | null = null;
+  const jobs = createSearchJobs(desk);
   let began = 0;
   // The scene that was searched; a change of the level makes another scene.
   let scene: Scene | null = null;
   let goal: Goal = { minerals: 'any' };
-  let timer: ReturnType<typeof setTimeout> | null = null;
+  let forget = () => {};
   // Results that arrived while the pointer is on one: the list must not move under the pointer.
   let unseen: readonly Found[] | null = null;
 
-  const stopJobs = () => {
-    jobs?.cancel();
-    jobs = null;
-  };
   const drawGhosts = () => {
     if (scene !== null) ghosts.draw(scene, store.getState());
   };
@@ -78,7 +75,7 @@ export function createSearchSession({ level, session, workers, settings, overlay
     overlay.setState({ heat: solving.explored });
     drawGhosts();
   };
-  const showProved = (searched: Level, { impossible, minerals }: Results['proofs']) => {
+  const showProved = (searched: Level, { impossible, minerals }: Proofs) => {
     const shown = impossible ?? minerals[0]?.proof ?? null;
     const count = searched.minerals.length;
     // more minerals are wanted than can be collected
@@ -87,21 +84,20 @@ export function createSearchSession({ level, session, workers, settings, overlay
     overlay.setState({ proof: shown === null ? null : proofPicture(searched, shown) });
     if ((impossible === null && !isHopeless) || store.getState().phase !== 'running') return;
     // nothing is left to find
-    jobs?.cancelSolving();
+    jobs.cancelSolving();
     store.setState({ phase: 'done', ms: now() - began });
     drawGhosts();
   };
-  const showEnd = (end: JobEnd<Solving>) => {
-    if (end.kind === 'failed' || end.kind === 'gaveUp') store.setState({ phase: 'failed', message: end.message });
-    else if (store.getState().phase === 'running') store.setState({ phase: end.kind, ms: now() - began });
+  const showEnd = (failure: string | null) => {
+    if (failure !== null) store.setState({ phase: 'failed', message: failure });
+    else if (store.getState().phase === 'running') store.setState({ phase: 'done', ms: now() - began });
   };
 
   /** After a change of the level: stops the search and checks the runs found in the changed level. */
   const recheck = () => {
-    timer = null;
     const { scene: changed } = proof.proof();
     if (scene === null || changed === scene) return;
-    stopJobs();
+    jobs.cancel();
     scene = changed;
     unseen = null;
     const state = store.getState();
@@ -111,8 +107,8 @@ export function createSearchSession({ level, session, workers, settings, overlay
   };
   const stopFollowing = proof.store.subscribe(({ scene: current }) => {
     if (scene === null || current === scene) return;
-    if (timer !== null) clearTimeout(timer);
-    timer = setTimeout(recheck, SETTLE);
+    forget();
+    forget = desk.afterRest(SETTLE, recheck);
   });
 
   /** The name of a found run in the level. */
@@ -125,7 +121,7 @@ export function createSearchSession({ level, session, workers, settings, overlay
   return {
     store,
     start() {
-      stopJobs();
+      jobs.cancel();
       unseen = null;
       began = now();
       const { level: searched, terms, scene: current } = proof.proof();
@@ -136,16 +132,16 @@ export function createSearchSession({ level, session, workers, settings, overlay
       overlay.setState({ heat: null, proof: null });
       ghosts.clear();
       const task = { level: searched, terms, goal, settings: asked };
-      const onProved = (proved: Results['proofs']) => showProved(searched, proved);
-      jobs = startSearchJobs(workers, task, { onFound: showFound, onProved, onEnd: showEnd });
+      const onProved = (proved: Proofs) => showProved(searched, proved);
+      jobs.start(task, { onFound: showFound, onProved, onEnd: showEnd });
     },
     cancel() {
       if (store.getState().phase !== 'running') return;
-      stopJobs();
+      jobs.cancel();
       store.setState({ phase: 'cancelled', ms: now() - began });
     },
     clear() {
-      stopJobs();
+      jobs.cancel();
       scene = null;
       unseen = null;
       store.setState(IDLE);
@@ -166,8 +162,8 @@ export function createSearchSession({ level, session, workers, settings, overlay
     },
     close() {
       stopFollowing();
-      if (timer !== null) clearTimeout(timer);
-      stopJobs();
+      forget();
+      jobs.cancel();
     },
   };
 }

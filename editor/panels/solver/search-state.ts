@@ -1,5 +1,5 @@
 import type { Proof } from '../../../solver/index.ts';
-import type { Results, Solving } from '../../workers/index.ts';
+import type { Proofs, Solving } from '../../workers/index.ts';
 import type { Found } from './found-runs.ts';
 import type { SearchSettings } from './search-settings.ts';
 
@@ -17,7 +17,7 @@ export interface SearchState {
   /** best first */
   readonly found: readonly Found[];
   readonly impossible: Proof | null;
-  readonly mineralProofs: Results['proofs']['minerals'];
+  readonly mineralProofs: Proofs['minerals'];
   /** Whether it is proved that the wanted minerals can't all be collected. */
   readonly isHopeless: boolean;
   /** Whether the level has changed since the search. */

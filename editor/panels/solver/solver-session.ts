@@ -31,18 +31,17 @@ const sessions = new WeakMap<OpenLevel, SolverSession>();
 export function solverSessionOf({ desk, session, open }: Editor, level: OpenLevel): SolverSession {
   const known = sessions.get(level);
   if (known !== undefined) return known;
-  const { workers, afterRest } = desk;
   const { proof } = level;
   const settings = createSearchSettings();
   const overlay = createOverlay();
-  const search = createSearchSession({ level, session, workers, settings, overlay, now: () => performance.now() });
+  const search = createSearchSession({ level, session, desk, settings, overlay, now: () => performance.now() });
   const robustness = watchRobustness({ level, desk });
   const proofs = watchProofs({ proof, desk });
   const checks = watchChecks({ proof, desk });
-  const lost = watchLost({ level, session, workers, afterRest });
+  const lost = watchLost({ level, session, desk });
   const onion = watchOnion({ level, session, desk, robustness: robustness.store });
-  const difficulty = createDifficultySession({ level, workers, settings });
-  const fixes = createFixSession({ level, session, workers, settings });
+  const difficulty = createDifficultySession({ level, desk, settings });
+  const fixes = createFixSession({ level, session, desk, settings });
   const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, lost, onion, overlay };
   sessions.set(level, solver);
   const stop = open.subscribe((current) => {

@@ -1,6 +1,6 @@
 import type { CheckedLevel } from '../../../cli/check/checked-level.ts';
 import { totalsOf } from '../../../cli/check/index.ts';
-import { PLAIN } from '../../../cli/colors.ts';
+import { PLAIN } from '../../../cli/io/terminal.ts';
 import type { ReportContext, Results } from '../../../cli/reporters/reporter.ts';
 import type { ShownProblem } from '../../../cli/shown-problem.ts';
 import { DEFAULT_TERMS } from '../../../engine/index.ts';

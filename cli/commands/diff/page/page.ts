@@ -6,7 +6,7 @@ import { type Comparison, pathOf, renderComparison } from '../../../../picture/c
 import { renderSvg } from '../../../../picture/index.ts';
 import { type Hold, type Level, rulesOf, type Verdict } from '../../../../schema/index.ts';
 import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../../diff/index.ts';
-import { visibleLine } from '../../../visible.ts';
+import { visibleLine } from '../../../io/index.ts';
 import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from '../text.ts';
 import { PLAYER } from './player.ts';
 import { STYLE } from './style.ts';

@@ -1,5 +1,5 @@
 import { type CheckedLevel, type CheckSettings, levelChecker, unreadableLevel } from '../../../check/index.ts';
-import type { Entry } from '../../../packs/index.ts';
+import type { Entry } from '../../../io/index.ts';
 import type { Work } from '../../job.ts';
 import { recordOf } from './record.ts';
 

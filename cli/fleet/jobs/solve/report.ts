@@ -1,10 +1,9 @@
 import { holdsInWords, plural } from '../../../../check/words/index.ts';
 import type { SolveReport, SolveSetReport } from '../../../../schema/index.ts';
-import type { Colors } from '../../../colors.ts';
 import type { CommandResult } from '../../../command.ts';
+import { type Colors, visibleLine } from '../../../io/index.ts';
 import { alignColumns, jsonWithLevels, percent, problemJson, showFileProblems } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
-import { visibleLine } from '../../../visible.ts';
 import type { ShardRecord } from '../../job.ts';
 import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';

@@ -1,8 +1,8 @@
 import { type VerifyReport, verifyReportSchema } from '../../../../schema/index.ts';
 import type { CommandResult } from '../../../command.ts';
+import { visibleLine } from '../../../io/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import { countsPretty, playPretty } from '../../../verify/index.ts';
-import { visibleLine } from '../../../visible.ts';
 import type { ShardRecord } from '../../job.ts';
 import { expectVerdict } from '../expect-verdict.ts';
 import type { ReportOptions } from '../kind.ts';

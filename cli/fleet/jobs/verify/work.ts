@@ -1,4 +1,4 @@
-import type { Entry } from '../../../packs/index.ts';
+import type { Entry } from '../../../io/index.ts';
 import { deskSettings, itemOf, PlayDesk, type PlayJobSettings, startThreads } from '../../../verify/index.ts';
 import type { Json, Work } from '../../job.ts';
 import type { VerifyRecord } from './record.ts';

@@ -1,1 +1,0 @@
-export { type NativeArcade, type NativeScene, startNative } from './native-arcade.ts';

@@ -1,1 +1,0 @@
-export { drawPacks } from './draw-packs.ts';
