@@ -231,7 +231,7 @@ inChromium('the history of a level in Chromium', ({ on }) => {
   );
 
   it(
-    'has thousands of versions, of which only the visible ones are in the page; they come from a file and go into one',
+    'has hundreds of versions, of which only the visible ones are in the page; they come from a file and go into one',
     on({ '01': garden() }, async ({ page: first, context, file, open, folder }) => {
       await first.close();
       // the older way of choosing a file, which a test can answer
@@ -239,8 +239,8 @@ inChromium('the history of a level in Chromium', ({ on }) => {
       const { page } = await open();
       const text = (x: number) => formatLevel({ ...file('01'), blackHole: { x, y: 304 } });
       const start = Date.now() - 50 * 60_000;
-      const versions = Array.from({ length: 2000 }, (_, i) => ({
-        ...{ time: start + i * 1000, by: 'page', labels: [`Step ${i}`], more: 0, name: i === 700 ? 'Kept' : null },
+      const versions = Array.from({ length: 300 }, (_, i) => ({
+        ...{ time: start + i * 1000, by: 'page', labels: [`Step ${i}`], more: 0, name: i === 100 ? 'Kept' : null },
         text: text(905 + i),
       }));
       const content = JSON.stringify({ gravityQuestHistory: 1, level: '01', versions: [...versions, { time: 'x' }] });
@@ -250,8 +250,8 @@ inChromium('the history of a level in Chromium', ({ on }) => {
         dialog(page).getByRole('button', { name: 'Import' }).click(),
       ]);
       await chooser.setFiles({ name: 'old.history.json', mimeType: 'application/json', buffer: Buffer.from(content) });
-      await dialog(page).getByText('2,000 versions added (1 unreadable).').waitFor({ timeout: 60_000 });
-      await dialog(page).getByRole('radio', { name: 'All 2001' }).waitFor();
+      await dialog(page).getByText('300 versions added (1 unreadable).').waitFor();
+      await dialog(page).getByRole('radio', { name: 'All 301' }).waitFor();
       expect(await rows(page).count()).toBeLessThan(60);
       await page.keyboard.press('Escape');
       await openHistoryAgain(page);
@@ -259,7 +259,7 @@ inChromium('the history of a level in Chromium', ({ on }) => {
         .getByRole('radio', { name: /^Named 1/ })
         .check();
       await rows(page).filter({ hasText: 'Kept' }).click();
-      await dialog(page).getByText('Black hole moved 701 px left').waitFor();
+      await dialog(page).getByText('Black hole moved 101 px left').waitFor();
       const [download] = await Promise.all([
         page.waitForEvent('download'),
         dialog(page).getByRole('button', { name: 'Export' }).click(),
@@ -267,9 +267,9 @@ inChromium('the history of a level in Chromium', ({ on }) => {
       const path = join(folder, '..', `${Date.now()}.history.json`);
       await download.saveAs(path);
       const exported = JSON.parse(readFileSync(path, 'utf8')) as { versions: { text: string; name: string | null }[] };
-      expect(exported.versions).toHaveLength(2001);
-      expect(exported.versions.slice(0, 2000).map((version) => version.text)).toEqual(versions.map((version) => version.text));
-      expect(exported.versions[700].name).toBe('Kept');
+      expect(exported.versions).toHaveLength(301);
+      expect(exported.versions.slice(0, 300).map((version) => version.text)).toEqual(versions.map((version) => version.text));
+      expect(exported.versions[100].name).toBe('Kept');
     }),
   );
 
@@ -343,6 +343,6 @@ inChromium('the history of a level in Chromium', ({ on }) => {
 async function openHistoryAgain(page: Page): Promise<void> {
   await page.keyboard.press('y');
   await dialog(page)
-    .getByRole('radio', { name: /^All 2001/ })
+    .getByRole('radio', { name: /^All 301/ })
     .waitFor();
 }

@@ -16,20 +16,34 @@ const SETTINGS = 'gravity-quest-editor-settings';
 /** When a level was opened, and by which tab: no two times are the same. */
 const PASSING = ['gravity-quest-editor-opening', 'gravity-quest-editor-tab', OPENED];
 
-/** The level between two tests. */
-export const BETWEEN: Readonly<Record<string, string>> = {
-  [`${ID}.level.json`]: `${JSON.stringify({
+const levelNamed = (name: string): string =>
+  `${JSON.stringify({
     version: 1,
-    name: 'Between',
+    name,
     astronaut: { x: 200, y: 304 },
     blackHole: { x: 704, y: 304 },
     asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16 }],
     runs: [{ name: 'solution', holds: [[0, 600]] }],
-  })}\n`,
-};
+  })}\n`;
 
-/** How often a page that does not look like a new one is looked at again: then it is closed, which costs nothing but time. */
+/** The level between two tests. */
+export const BETWEEN: Readonly<Record<string, string>> = { [`${ID}.level.json`]: levelNamed('Between') };
+
+/** How often a page that does not look like a new one is looked at again. */
 const MOST = 8;
+/** ms that it may take to look like a new one. A page that takes longer is closed: that costs time, and no test fails by it. */
+const PATIENCE = 20_000;
+
+/** @returns false as well if nothing comes in time */
+async function inTime(comes: Promise<boolean>): Promise<boolean> {
+  let timer: NodeJS.Timeout | undefined;
+  const late = new Promise<boolean>((resolve) => {
+    timer = setTimeout(resolve, PATIENCE, false);
+  });
+  const answer = await Promise.race([comes.catch(() => false), late]);
+  clearTimeout(timer);
+  return answer;
+}
 
 export interface KeptPage {
   readonly context: BrowserContext;
@@ -98,6 +112,41 @@ export async function keepPage(context: BrowserContext, page: Page, folder: stri
   const remove = (which: (name: string) => boolean) => {
     for (const name of readdirSync(folder)) if (which(name)) rmSync(join(folder, name), { recursive: true, force: true });
   };
+  const clear = async (): Promise<boolean> => {
+    if (page.isClosed()) return false;
+    const isCovered = () =>
+      page.evaluate(
+        () => document.querySelector('[role=dialog], [role=menu], [role=application][aria-label^=Playtest]') !== null,
+      );
+    for (let i = 0; i < 4 && (await isCovered()); i++) await page.keyboard.press('Escape');
+    if (await isCovered()) return false;
+    const status = page.getByRole('status', { name: 'Saving' });
+    await status.filter({ hasNotText: /saving|unsaved|keeping/ }).waitFor();
+    if ((await status.textContent()) !== 'saved') return false;
+    // the steps of a level go on if it is opened again and has not changed meanwhile
+    const opened = await page.evaluate((key) => sessionStorage.getItem(key), OPENED);
+    put(folder, `${opened}.level.json`, levelNamed('Left'));
+    await isOpen(page, 'Left');
+    for (const [name, content] of Object.entries(BETWEEN)) put(folder, name, content);
+    await levels(page).filter({ hasText: 'Between' }).click();
+    await isOpen(page, 'Between');
+    for (const name of ['Outline', 'Inspector']) {
+      const tab = page.getByRole('tab', { name, exact: true });
+      if ((await tab.getAttribute('aria-selected')) !== 'true') await tab.click();
+    }
+    await page.mouse.move(0, 0);
+    while ((await rid.count()) > 0) await rid.first().dispatchEvent('click');
+    remove((name) => name !== `${ID}.level.json`);
+    await isListed(page, 1);
+    await forgetLevels(page);
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await rest();
+    for (let i = 0; i < MOST; i++) {
+      if ((await looksOf(page)) === whenNew) return true;
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestIdleCallback(resolve))));
+    }
+    return false;
+  };
   return {
     context,
     page,
@@ -108,42 +157,14 @@ export async function keepPage(context: BrowserContext, page: Page, folder: stri
       for (const [name, content] of Object.entries(files)) put(folder, name, content);
       await isListed(page, names.length + 1);
       await levels(page).filter({ hasNotText: 'Between' }).first().click();
-      await page.waitForFunction(([key, id]) => sessionStorage.getItem(key) !== id, [OPENED, ID]);
+      await page.getByRole('heading', { level: 1 }).filter({ hasNotText: 'Between' }).waitFor();
       remove((name) => name === `${ID}.level.json`);
       await isListed(page, names.length);
+      // not in the list, which has keys of its own
+      await page.getByRole('application', { name: 'Level canvas' }).focus();
       await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
       await page.mouse.move(0, 0);
     },
-    async clear() {
-      if (page.isClosed()) return false;
-      const isCovered = () =>
-        page.evaluate(
-          () => document.querySelector('[role=dialog], [role=menu], [role=application][aria-label^=Playtest]') !== null,
-        );
-      for (let i = 0; i < 4 && (await isCovered()); i++) await page.keyboard.press('Escape');
-      if (await isCovered()) return false;
-      const status = page.getByRole('status', { name: 'Saving' });
-      await status.filter({ hasNotText: /saving|unsaved|keeping/ }).waitFor();
-      if ((await status.textContent()) !== 'saved') return false;
-      for (const [name, content] of Object.entries(BETWEEN)) put(folder, name, content);
-      await levels(page).filter({ hasText: 'Between' }).click();
-      await isOpen(page, 'Between');
-      for (const name of ['Outline', 'Inspector']) {
-        const tab = page.getByRole('tab', { name, exact: true });
-        if ((await tab.getAttribute('aria-selected')) !== 'true') await tab.click();
-      }
-      await page.mouse.move(0, 0);
-      while ((await rid.count()) > 0) await rid.first().dispatchEvent('click');
-      remove((name) => name !== `${ID}.level.json`);
-      await isListed(page, 1);
-      await forgetLevels(page);
-      await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
-      await rest();
-      for (let i = 0; i < MOST; i++) {
-        if ((await looksOf(page)) === whenNew) return true;
-        await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestIdleCallback(resolve))));
-      }
-      return false;
-    },
+    clear: () => inTime(clear()),
   };
 }

@@ -202,7 +202,7 @@ inChromium('plays in Chromium', ({ on }) => {
         await legend.waitFor({ state: 'hidden' });
         await until(async () => expect(hot.equals(await look())).toBe(false));
       },
-      { context: { reducedMotion: 'reduce' } },
+      { ownPage: true },
     ),
   );
 

@@ -194,7 +194,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await reads(page, 'pull', '39');
         expect(await byCommand()).toEqual(['completable', 'completable']);
       },
-      { others: { [CONFIG]: config({ pull: 45 }) }, ownProcess: true },
+      { others: { [CONFIG]: config({ pull: 45 }) } },
     ),
   );
 
@@ -253,7 +253,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await until(() => expect(file('first-swing-2').rules).toEqual({ pull: 39 }));
         await verdict(page, 'completable');
       },
-      { others: { [CONFIG]: config({ pull: 45 }) }, ownProcess: true },
+      { others: { [CONFIG]: config({ pull: 45 }) } },
     ),
   );
 
@@ -320,7 +320,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await canvas.click({ x: 500 + 40, y: 760 });
         await page.getByRole('heading', { level: 3, name: 'Astronaut' }).waitFor();
       },
-      { others: { [CONFIG]: config(BOX) }, ownProcess: true },
+      { others: { [CONFIG]: config(BOX) } },
     ),
   );
 });

@@ -82,7 +82,7 @@ inChromium('frames that are skipped in Chromium', ({ on }) => {
         // each of them is seen, or it would show nothing here
         expect(unchanged).toEqual([]);
       },
-      { context: { reducedMotion: 'reduce' } },
+      { ownPage: true },
     ),
   );
 });

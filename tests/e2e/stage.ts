@@ -262,7 +262,7 @@ async function openPlace(files: Files, options: StageOptions): Promise<Place> {
 let kept: (KeptPage & { readonly place: Place }) | null = null;
 
 /** Options that a page can change while it is open. */
-const CHANGEABLE = ['colorScheme', 'reducedMotion', 'forcedColors', 'viewport'];
+const CHANGEABLE = ['colorScheme', 'reducedMotion', 'forcedColors'];
 
 /** Whether the page can open the first level of a list by a click. */
 function isFirstValid(files: Files): boolean {
@@ -275,6 +275,8 @@ const canShare = (files: Files, { context = {}, ...options }: StageOptions): boo
   !options.ownPage &&
   Object.keys(options).every((name) => name === 'others' || name === 'complaints') &&
   Object.keys(context).every((name) => CHANGEABLE.includes(name)) &&
+  // the page tells of a configuration that appears
+  !('gq.config.json' in files) &&
   isFirstValid(files);
 
 /** The place of a test: that of the last one if possible. */
@@ -285,10 +287,9 @@ async function placeFor(files: Files, options: StageOptions): Promise<Place> {
     kept = { ...(await keepPage(place.context, place.page, place.folder)), place };
   }
   const { place, page } = kept;
-  const { colorScheme = 'light', reducedMotion = 'reduce', forcedColors = 'none', viewport = DESK } = options.context ?? {};
+  const { colorScheme = 'light', reducedMotion = 'reduce', forcedColors = 'none' } = options.context ?? {};
   try {
     await page.emulateMedia({ colorScheme, reducedMotion, forcedColors });
-    await page.setViewportSize(viewport ?? DESK);
     await hurry(page, 1);
     await kept.show(files);
   } catch (error) {

@@ -80,7 +80,7 @@ inChromium('terms in Chromium', ({ on }) => {
         await until(async () => expect(await badge(page).getAttribute('aria-label')).toBe('Verdict: broken'));
         expect(await status(page).getByRole('button').count()).toBe(0);
       },
-      { others: { [CONFIG]: config({ accuracy: 'arcade' }) }, ownProcess: true },
+      { others: { [CONFIG]: config({ accuracy: 'arcade' }) } },
     ),
   );
 
@@ -105,7 +105,7 @@ inChromium('terms in Chromium', ({ on }) => {
           expect(await byCommand(folder)).toEqual([said]);
         }
       },
-      { others: { [CONFIG]: config({ accuracy: 'arcade' }) }, ownProcess: true },
+      { others: { [CONFIG]: config({ accuracy: 'arcade' }) } },
     ),
   );
 
@@ -129,7 +129,7 @@ inChromium('terms in Chromium', ({ on }) => {
         await listed(page, /Slow unproven/);
         expect(await byCommand(folder)).toEqual(['unproven']);
       },
-      { others: { [CONFIG]: config({ maxTime: 120 }) }, ownProcess: true },
+      { others: { [CONFIG]: config({ maxTime: 120 }) } },
     ),
   );
 
@@ -152,7 +152,7 @@ inChromium('terms in Chromium', ({ on }) => {
           expect(await badge(page).getAttribute('aria-label')).toBe('Verdict: completable, at fast; gq check here: arcade'),
         );
       },
-      { others: { [CONFIG]: config({ accuracy: 'arcade' }) }, ownProcess: true },
+      { others: { [CONFIG]: config({ accuracy: 'arcade' }) } },
     ),
   );
 });
