@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation, STATE_SIZE, simulate, TICK_RATE } from '../../engine/index.ts';
 import { createRandom } from '../../solver/index.ts';
+import { itDeep, someOf } from '../depth.ts';
 import { FAMILIES, LONGEST_RUN, makeChain, makeGrazing, makeMirrored } from '../scenes/chains/index.ts';
 
-describe.each(FAMILIES)('a chain that is %s', (family) => {
+describe.each(someOf(FAMILIES, 2))('a chain that is %s', (family) => {
   it('is completed by its own run, and has one gap in each wall', () => {
     const { level, holds } = makeChain(family, 2, 1);
     const maxTime = LONGEST_RUN / TICK_RATE;
@@ -24,7 +25,7 @@ it('is the same level each time', () => {
   expect(makeChain('straight', 2, 1)).toEqual(makeChain('straight', 2, 1));
 });
 
-it('with minerals has some on its own run', () => {
+itDeep('with minerals has some on its own run', () => {
   const { level, goal, holds } = makeChain('minerals', 4, 1);
   expect(level.minerals.length).toBe(2);
   expect(goal).toEqual({ minerals: 'all' });

@@ -5,6 +5,7 @@ import { entryChange, isAgreed, resultChange } from '../../check/lock/index.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { type Hold, type LockEntry, resolveLevel } from '../../schema/index.ts';
 import { certify } from '../../solver/index.ts';
+import { describeDeep } from '../depth.ts';
 
 const GOOD: LockEntry = {
   verdict: 'completable',
@@ -79,7 +80,7 @@ describe('the difference between two results', () => {
   });
 });
 
-describe('certified ticks for a lock', () => {
+describeDeep('certified ticks for a lock', () => {
   const level = resolveLevel({
     version: 1,
     name: 'Straight through',

@@ -6,7 +6,7 @@ import { chooseReference } from '../../check/plays/reference.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/robustness/index.ts';
-import { isHunt } from '../depth.ts';
+import { isHunt, itDeep } from '../depth.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
 
 const ANY = { minerals: 'any' } as const;
@@ -65,7 +65,7 @@ describe('the noise that explains the success of players', () => {
     expect(failing.map((i) => edges[i].players)).toContain('more');
   });
 
-  it('is that of the whole curve, of which only some noises are measured', () => {
+  itDeep('is that of the whole curve, of which only some noises are measured', () => {
     const scene = compile(shippedLevel('14-run-up'), 'fast');
     const [{ holds }] = scene.level.runs;
     const sigmas = [10, 20, 30, 40, 50, 60, 70, 80, 100, 120, 140, 160, 180, 200, 230, 260, 300, 350, 400, 450, 500];
@@ -86,7 +86,7 @@ describe('the noise that explains the success of players', () => {
     }
   });
 
-  it('players fail more or less often where the intervals do not overlap', () => {
+  itDeep('players fail more or less often where the intervals do not overlap', () => {
     const { statistics } = play('14-run-up', 80, 60, 80);
     const scene = compile(shippedLevel('14-run-up'), 'fast');
     const [{ holds }] = scene.level.runs;

@@ -5,6 +5,7 @@ import process from 'node:process';
 import { runInNewContext } from 'node:vm';
 import { afterAll, describe, expect, it } from 'vitest';
 import { buildReportSchema, readLevel } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { narrowGap } from './levels.ts';
@@ -306,7 +307,7 @@ describe('the folder of gq build', () => {
     expect(read('edited/index.html')).not.toBe(mine);
   });
 
-  it.runIf(process.platform !== 'win32')(
+  itDeep.runIf(process.platform !== 'win32')(
     'is known after a build that was killed, and complete after the same build again',
     async () => {
       /** kill -9 before a file gets its place */
@@ -335,7 +336,7 @@ describe('the folder of gq build', () => {
     expect(idsIn('real')).toEqual(['1']);
   });
 
-  it('is not there when the disk is full, nor are folders above it; an earlier page stays whole', async () => {
+  itDeep('is not there when the disk is full, nor are folders above it; an earlier page stays whole', async () => {
     // the kernel's limit for file sizes, KiB: it refuses more, like a full disk
     const onFullDisk = (...args: string[]) =>
       spawnSync('bash', ['-c', `trap '' XFSZ; ulimit -f 100; exec "$0" "$@"`, process.execPath, MAIN, 'build', ...args], {

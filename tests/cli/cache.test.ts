@@ -12,6 +12,7 @@ import { type CheckedLevel, checkFiles, openLevelCache } from '../../cli/check/i
 import { accuracyOf, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { importGraph } from '../architecture/import-graph.ts';
+import { describeDeep, itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped } from './levels.ts';
 
@@ -321,7 +322,7 @@ describe('the fingerprint of the code that decides', () => {
   });
 });
 
-it('a check whose reports are all known loads neither the engine nor zod', async () => {
+itDeep('a check whose reports are all known loads neither the engine nor zod', async () => {
   const place = makeFiles({ 'levels/a.level.json': fallThrough(), 'levels/b.level.json': fallThrough({ runs: [] }) });
   const modulesOf = async (...options: string[]) => {
     const coverage = join(place.directory, 'coverage');
@@ -383,7 +384,7 @@ describe('the folder', () => {
   });
 });
 
-describe.runIf(process.platform !== 'win32')('processes at once', () => {
+describeDeep('processes at once', () => {
   const MANY = 96;
   const crowd = makeFiles(
     Object.fromEntries(
@@ -395,7 +396,7 @@ describe.runIf(process.platform !== 'win32')('processes at once', () => {
   const args = ['check', 'many', '--jobs', '1', '--format', 'json', '--cache-dir', 'c'];
   const withoutTimes = (json: string): string => json.replace(/"ms":[\d.e-]+/g, '"ms":0');
 
-  it('never give a wrong report, even if they are killed while they write', async () => {
+  it.runIf(process.platform !== 'win32')('never give a wrong report, even if they are killed while they write', async () => {
     const { stdout } = await gq(['check', 'many', '--no-cache', '--format', 'json'], { cwd });
     const expected = withoutTimes(stdout);
     for (const delay of [150, 400]) {

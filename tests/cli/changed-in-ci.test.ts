@@ -2,6 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeEach, describe, expect, it } from 'vitest';
+import { someOf } from '../depth.ts';
 import { once } from '../once.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
@@ -101,7 +102,7 @@ const PUSHED: [string, (before: string, branch?: string) => Record<string, strin
   ['GitLab', (before, branch = 'main') => onGitlab({ CI_COMMIT_BEFORE_SHA: before, CI_COMMIT_BRANCH: branch })],
 ];
 
-describe.each(PUSHED)('gq check --changed on %s, for a push', (_, pushed) => {
+describe.each(someOf(PUSHED, 1))('gq check --changed on %s, for a push', (_, pushed) => {
   it('checks what all its commits have changed, though the branch of the remote is where they end', async () => {
     const before = head();
     write('a');

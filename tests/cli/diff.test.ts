@@ -4,6 +4,7 @@ import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { applyDiff, type Change } from '../../review/index.ts';
 import { type DiffReport, diffReportSchema, formatLevel, type LevelFile, withIds } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
 
@@ -244,13 +245,13 @@ describe('gq inside git', () => {
     write('levels/a.level.json', level({ name: 'Inside', blackHole: { x: 171, y: 0 } }));
   });
 
-  it('is an external diff: git diff prints what changed in words', () => {
+  itDeep('is an external diff: git diff prints what changed in words', () => {
     const text = shown('-c', `diff.gq-level.command=${GQ} difftool`, 'diff', '--ext-diff', '--', 'levels/a.level.json');
     expect(text).toContain('~ levels/a.level.json');
     expect(text).toContain('black hole moved 1 px right');
   });
 
-  it('is a difftool: it writes a page, and prints its path where there is no display', () => {
+  itDeep('is a difftool: it writes a page, and prints its path where there is no display', () => {
     const tool = `${GQ} difftool "$LOCAL" "$REMOTE" "$MERGED"`;
     const text = shown('-c', `difftool.gq.cmd=${tool}`, 'difftool', '--no-prompt', '--tool=gq', '--', 'levels/a.level.json');
     expect(text).toMatch(/gq-diff-\w+[\\/]a\.level\.json\.html\n$/);

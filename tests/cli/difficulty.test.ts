@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { difficultyReportSchema } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { shipped, withoutRuns } from './levels.ts';
 
@@ -27,11 +28,14 @@ const difficulty = async (args: string, run = gq) => {
 };
 
 describe('gq difficulty', () => {
-  it('measures each level it can, gives the reason for the others, and has the same result for any number of threads', async () => {
+  itDeep('has the same result for any number of threads', async () => {
     const args = 'd --effort 40000 --jobs';
     const ended = await Promise.all([difficulty(`${args} 1`), difficulty(`${args} 2`, gqProcess)]);
     expect(ended[1].stdout).toBe(ended[0].stdout);
-    const { code, levels } = ended[0];
+  });
+
+  it('measures each level it can, and gives the reason for the others', async () => {
+    const { code, levels } = await difficulty('d --effort 40000 --jobs 1');
     expect(code).toBe(1);
     const [away, invalid, through, unsolved] = levels;
     expect(away).toMatchObject({ measured: null, why: expect.stringMatching(/^proved impossible: /) });
@@ -79,25 +83,28 @@ describe('gq difficulty', () => {
     expect((await difficulty('named.level.json --jobs 1')).levels[0].measured?.run.name).toBe('all');
   });
 
-  it("compares the level's own runs with those of a search, measures the one that forgives most, and names runs of the level", async () => {
-    // too little effort for a search without known runs
-    const alone = await difficulty('alone.level.json --effort 100 --jobs 1');
-    expect([alone.code, alone.levels[0].why]).toEqual([
-      1,
-      expect.stringMatching(/^no run was found after simulating \d+ runs?, \d+ ticks/),
-    ]);
-    const { code, levels } = await difficulty(`${shipped('22-vault')} --effort 100 --jobs 1`);
-    const { run, comparison, grade, robustness, forecast } = levels[0].measured!;
-    expect(code).toBe(0);
-    const [first, ...others] = comparison.runs;
-    expect(others.length).toBeGreaterThan(0);
-    expect([run.name, run.holds]).toEqual([first.name, first.holds]);
-    expect(comparison.runs.map(({ name }) => name)).toContain('solution');
-    expect(comparison.meanP40).toBeLessThanOrEqual(first.p40 + 0.02);
-    expect(grade.value).toBeLessThanOrEqual(Math.min(...comparison.runs.map((own) => own.grade)) + 0.1001);
-    expect(Math.abs(robustness.p40 - first.p40)).toBeLessThan(0.05);
-    expect(forecast!.attempts[0].pass.p).toBeLessThan(forecast!.attempts[9].pass.p);
-  });
+  itDeep(
+    "compares the level's own runs with those of a search, measures the one that forgives most, and names runs of the level",
+    async () => {
+      // too little effort for a search without known runs
+      const alone = await difficulty('alone.level.json --effort 100 --jobs 1');
+      expect([alone.code, alone.levels[0].why]).toEqual([
+        1,
+        expect.stringMatching(/^no run was found after simulating \d+ runs?, \d+ ticks/),
+      ]);
+      const { code, levels } = await difficulty(`${shipped('22-vault')} --effort 100 --jobs 1`);
+      const { run, comparison, grade, robustness, forecast } = levels[0].measured!;
+      expect(code).toBe(0);
+      const [first, ...others] = comparison.runs;
+      expect(others.length).toBeGreaterThan(0);
+      expect([run.name, run.holds]).toEqual([first.name, first.holds]);
+      expect(comparison.runs.map(({ name }) => name)).toContain('solution');
+      expect(comparison.meanP40).toBeLessThanOrEqual(first.p40 + 0.02);
+      expect(grade.value).toBeLessThanOrEqual(Math.min(...comparison.runs.map((own) => own.grade)) + 0.1001);
+      expect(Math.abs(robustness.p40 - first.p40)).toBeLessThan(0.05);
+      expect(forecast!.attempts[0].pass.p).toBeLessThan(forecast!.attempts[9].pass.p);
+    },
+  );
 
   it.each([
     ['named.level.json --svg picture.png', 'expected a name that ends in .svg'],

@@ -1,5 +1,6 @@
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 // she falls through the asteroid with any pull, and sooner with a stronger one
@@ -55,7 +56,7 @@ describe('rules of gq.config.json', () => {
     }
   });
 
-  it('also apply in check, difficulty, inspect, accuracy, solve and render', async () => {
+  itDeep('also apply in check, difficulty, inspect, accuracy, solve and render', async () => {
     const reports = async (args: string, folder?: string) =>
       (await run(args, folder)).stdout.replace(/"(ms|cost|seconds)":[\d.e-]+/g, '');
     const same = async (args: (file: string) => string) => {

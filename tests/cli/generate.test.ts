@@ -4,6 +4,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { generatedPath, keepLevel, packPath } from '../../cli/generate/keep-level.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { inDirectory } from './levels.ts';
@@ -54,7 +55,7 @@ describe('gq generate', () => {
     expect(readdirSync(join(cwd, 'past'))).toEqual([]);
   });
 
-  it('writes levels that gq check and gq fmt pass, with winds and wormholes where they are asked for', async () => {
+  itDeep('writes levels that gq check and gq fmt pass, with winds and wormholes where they are asked for', async () => {
     const options = '--size medium --difficulty easy --ingredients winds,wormholes';
     const ended = await generate(`--out made --seed 15 ${options} --format json`);
     expect(ended).toMatchObject({ code: 0, stderr: '' });
@@ -72,14 +73,14 @@ describe('gq generate', () => {
     expect(check.stdout).not.toContain('warning');
   });
 
-  it('gives the same result for any number of threads', async () => {
+  itDeep('gives the same result for any number of threads', async () => {
     const args = `--out same --count 2 ${EASY} --effort 20000 --format json --jobs`;
     const ended = await Promise.all([generate(`${args} 1`), generate(`${args} 2`, gqProcess)]);
     expect(ended[1].stdout).toBe(ended[0].stdout);
     expect(JSON.parse(ended[0].stdout).levels.map(({ seed }: { seed: number }) => seed)).toEqual([0, 1]);
   });
 
-  it.runIf(process.platform === 'linux')(
+  itDeep.runIf(process.platform === 'linux')(
     'ends on a signal without a report, and files that are already written are whole',
     async () => {
       const { code, stdout } = await gqProcess(
@@ -96,7 +97,7 @@ describe('gq generate', () => {
     },
   );
 
-  it('says of a pack which levels are missing, the same for any number of threads', async () => {
+  itDeep('says of a pack which levels are missing, the same for any number of threads', async () => {
     const args = '--pack pack --count 3 --theme mixed --size small --difficulty easy --effort 3000 --format json --jobs';
     const ended = await Promise.all([generate(`${args} 1`), generate(`${args} 2`, gqProcess)]);
     expect(ended.map(({ code }) => code)).toEqual([1, 1]);

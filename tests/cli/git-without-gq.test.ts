@@ -2,6 +2,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { someOf } from '../depth.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, makeFiles } from './gq.ts';
 
@@ -35,7 +36,7 @@ const REPLACEMENTS = [
   ['gq is too old for the command', 'process.exitCode = 2;'],
 ] as const;
 
-describe.each(REPLACEMENTS)('git, set up by gq git-setup, when %s', (_, script) => {
+describe.each(someOf(REPLACEMENTS, 1))('git, set up by gq git-setup, when %s', (_, script) => {
   beforeEach(async () => {
     folder = makeFiles({ [FILE]: level('base', 16), ...(script !== null && { 'other.cjs': script }) });
     git('init', '-qb', 'main');

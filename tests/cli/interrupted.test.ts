@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { checkReportSchema } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { runWhole, SIGNALLED_COMMANDS, signalAt } from '../interrupted/signalled-command.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gqProcess, makeFiles } from './gq.ts';
@@ -40,13 +41,13 @@ describe.runIf(process.platform !== 'win32')('an interrupted gq check --solve', 
     expect(report.levels.map(({ file }) => file)).toEqual(QUICK);
   });
 
-  it('ends at once on a second signal, without a report', async () => {
+  itDeep('ends at once on a second signal, without a report', async () => {
     const ended = await gqProcess([...FOREVER, '--reporter', 'json=second/r.json'], whenSearching('SIGINT', 'SIGTERM'));
     expect(ended).toEqual({ code: 143, signal: null, stdout: '', stderr: '' });
     expect(existsSync(join(cwd, 'second'))).toBe(false);
   });
 
-  it('ends with a whole report or none at any moment', async () => {
+  itDeep('ends with a whole report or none at any moment', async () => {
     const all = [...QUICK, ...SLOW];
     await fc.assert(
       fc.asyncProperty(fc.integer({ min: 0, max: 900 }), fc.constantFrom('SIGINT', 'SIGTERM'), async (ms, signal) => {
@@ -68,7 +69,7 @@ describe.runIf(process.platform !== 'win32')('an interrupted gq check --solve', 
     );
   });
 
-  it('writes nothing else, whatever step the signal comes at', async () => {
+  itDeep('writes nothing else, whatever step the signal comes at', async () => {
     const whole = await runWhole(SIGNALLED_COMMANDS['check --require-slack']);
     await fc.assert(
       fc.asyncProperty(fc.noBias(fc.integer({ min: 0, max: 2 ** 30 - 1 })), async (part) => {

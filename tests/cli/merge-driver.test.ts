@@ -3,6 +3,7 @@ import { cpSync, existsSync, readFileSync, realpathSync, writeFileSync } from 'n
 import { join } from 'node:path';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, MAIN, makeFiles } from './gq.ts';
 
@@ -211,7 +212,7 @@ describe('git, set up by gq git-setup', () => {
     expect(check.stdout).toContain('merge.gq-level.driver is not set in this clone');
   });
 
-  it('merges, rebases, picks and pops what is apart', () => {
+  itDeep('merges, rebases, picks and pops what is apart', () => {
     fork(moved, named);
     git('merge', '-q', '--no-edit', 'other');
     expect(read(FILE)).toBe(both);
@@ -230,7 +231,7 @@ describe('git, set up by gq git-setup', () => {
     expect(levelIn(FILE)).toMatchObject({ name: 'theirs', description: 'kept' });
   });
 
-  it('merges into a file that one side renamed, and where both added it', () => {
+  itDeep('merges into a file that one side renamed, and where both added it', () => {
     git('checkout', '-qb', 'other');
     git('mv', FILE, 'levels/b.level.json');
     commit(named, 'renamed', 'levels/b.level.json');
@@ -261,7 +262,7 @@ describe('git, set up by gq git-setup', () => {
     expect(existsSync(at(FILE))).toBe(true);
   });
 
-  it('merges across a criss-cross, whose base is itself a merge with conflicts', () => {
+  itDeep('merges across a criss-cross, whose base is itself a merge with conflicts', () => {
     fork(moved, level(novae(600, -400)));
     const [ours, theirs] = [git('rev-parse', 'main'), git('rev-parse', 'other')];
     run('merge', '--no-edit', theirs);

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
 import { findLevelFiles } from '../../cli/find/index.ts';
+import { itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 
@@ -54,7 +55,7 @@ it('prints its version, and help for every command, on stdout', async () => {
   expect(helps.at(-1)).toEqual(helps[0]);
 });
 
-it('prints the same output with any number of workers', async () => {
+itDeep('prints the same output with any number of workers', async () => {
   const args = ['check', 'many', '--format', 'json', '--jobs'];
   const ended = await Promise.all([gq([...args, '1'], { cwd }), gqProcess([...args, '2'], { cwd })]);
   const reports = ended.map(({ stdout }) => withoutTimes(stdout));
@@ -118,7 +119,7 @@ it.runIf(process.platform === 'linux')('reports a full disk behind stdout, with 
 });
 
 describe.runIf(process.platform === 'linux')('a signal', () => {
-  it('ends gq and its workers with 130 or 143, and nothing is written', async () => {
+  itDeep('ends gq and its workers with 130 or 143, and nothing is written', async () => {
     const args = ['check', 'long', '--format', 'json', '--accuracy', 'arcade', '--max-time', '3600'];
     const [int, term] = await Promise.all([
       gqProcess([...args, '--jobs', '1'], { cwd, env: interruptAt({ of: 'online', number: 1, signals: ['SIGINT'] }) }),

@@ -6,6 +6,7 @@ import { softlockLines } from '../../cli/reporters/softlock-lines.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
 import { type CheckReport, REPORT_SCHEMAS, reportJsonSchema, resolveLevel } from '../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { gq, makeFiles } from './gq.ts';
 
 /** She drifts into the black hole unless the weak gun bends her way; past it she is too fast to come back. */
@@ -86,7 +87,7 @@ describe('gq check --softlocks', () => {
     expect((await run('check past.level.json')).stdout).not.toContain('softlock');
   });
 
-  it('has in JSON the shape of its schema and the counts of a survey, and its places lie on runs that fail', async () => {
+  itDeep('has in JSON the shape of its schema and the counts of a survey, and its places lie on runs that fail', async () => {
     const whole = await wholeReport();
     expect(new Ajv2020({ strict: false }).compile(reportJsonSchema('check'))(whole)).toBe(true);
     expect(REPORT_SCHEMAS.check.safeParse(whole)).toMatchObject({ success: true });
@@ -108,7 +109,7 @@ describe('gq check --softlocks', () => {
     }
   });
 
-  it('gives the same for the same effort, and more effort leaves fewer states unproved', async () => {
+  itDeep('gives the same for the same effort, and more effort leaves fewer states unproved', async () => {
     const brief = await report('past.level.json --softlocks 600000');
     expect((await report('past.level.json --softlocks 600000')).levels[0].softlocks).toEqual(brief.levels[0].softlocks);
     expect(brief.levels[0].softlocks?.isFinished).toBe(false);
@@ -125,7 +126,7 @@ describe('gq check --softlocks', () => {
     expect(stdout).toContain('was not examined: no run completes the level');
   });
 
-  it('a level may allow it; an allowance that nothing needs is named where it was looked for', async () => {
+  itDeep('a level may allow it; an allowance that nothing needs is named where it was looked for', async () => {
     const allowed = await run(`check allowed.level.json --softlocks ${EFFORT} --max-warnings 0`);
     expect(allowed.code).toBe(0);
     expect(allowed.stdout).not.toContain('warning softlock');
@@ -145,7 +146,7 @@ describe('gq render --softlocks', () => {
   const render = (args: string) => run(`render past.level.json --softlocks -o - ${args}`);
   const count = (svg: string, text: string): number => svg.split(text).length - 1;
 
-  it('marks lost states and where they begin, in both themes, with a legend, the same every time', async () => {
+  itDeep('marks lost states and where they begin, in both themes, with a legend, the same every time', async () => {
     for (const [theme, effort] of [
       ['dark', EFFORT],
       ['light', 600_000],

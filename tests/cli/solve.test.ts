@@ -5,6 +5,7 @@ import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
 import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
 import { type Proof, verifyProof } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { inDirectory, narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
@@ -69,7 +70,7 @@ describe('a run that is found', () => {
     expect(found).toMatchObject({ found: true, holds: own });
   });
 
-  it('is the same for any number of threads, with the same effort', async () => {
+  itDeep('is the same for any number of threads, with the same effort', async () => {
     const args = 'first-swing.level.json --objective robust --effort 300000 --count 2 --format json --jobs';
     const ended = await Promise.all([solve(`${args} 1`), solve(`${args} 3`, gqProcess)]);
     const [one, three] = ended.map(({ stdout }) => withoutTimes(stdout));
@@ -212,7 +213,7 @@ describe.runIf(process.platform === 'linux')('a running search', () => {
   // no run of this level is so robust that the search ends by itself
   const ENDLESS = withoutRuns('17-watchdog');
 
-  it('ends on a signal, and nothing is reported or written', async () => {
+  itDeep('ends on a signal, and nothing is reported or written', async () => {
     writeFileSync(join(cwd, 'stop.level.json'), ENDLESS);
     const ended = await gqProcess('solve stop.level.json --effort 1000000000 --jobs 1 --write --format json'.split(' '), {
       cwd,
@@ -238,7 +239,7 @@ describe.runIf(process.platform === 'linux')('a running search', () => {
     expect(ended.stderr).toContain('the file changed during the search, so nothing was written');
   });
 
-  it.runIf(existsSync(SCRIPT))('shows its progress on a terminal, and clears it', () => {
+  itDeep.runIf(existsSync(SCRIPT))('shows its progress on a terminal, and clears it', () => {
     // progress appears after half a second: here every look at the clock advances it by a second
     const slow = 'const now = performance.now(); let looks = 0; performance.now = () => now + 1000 * looks++;';
     const env = { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(slow)}` };

@@ -5,6 +5,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { COMMANDS } from '../../cli/commands/index.ts';
 import { createPlayer, encodePlay, playOf } from '../../game/index.ts';
 import { readLevel } from '../../schema/index.ts';
+import { isDeep, itDeep } from '../depth.ts';
 import { type Ended, gq, makeFiles } from './gq.ts';
 
 // She swings around an asteroid past a nova, whose place decides between accuracies.
@@ -312,7 +313,8 @@ const usually = (name: string): Promise<Said> => {
   return known;
 };
 
-describe.each(Object.keys(PROBES))('gq %s', (name) => {
+// gq accuracy measures every accuracy, for seconds
+describe.each(Object.keys(PROBES).filter((name) => isDeep || name !== 'accuracy'))('gq %s', (name) => {
   const { ask, kinds, onlyConfigured = ['rules'] } = PROBES[name];
 
   it.each(kinds)('answers under other terms: %s', async (kind) => {
@@ -342,7 +344,7 @@ const OTHERWISE: Readonly<Record<Kind, object>> = {
 describe('a run that lasts longer than 60 s', () => {
   const folder = () => folderWith({ maxTime: 120 }, { 'slow.level.json': JSON.stringify(SLOW) });
 
-  it('is one for slack, certified ticks, softlocks, difficulty and fixes, too', async () => {
+  itDeep('is one for slack, certified ticks, softlocks, difficulty and fixes, too', async () => {
     const at = folder();
     expect(await run(at, ['check', 'slow.level.json', '--require-slack', '1'])).toMatchObject({ code: 0 });
     expect(await run(at, ['check', 'slow.level.json', '--require-slack', '1', '--max-time', '60'])).toMatchObject({ code: 1 });

@@ -6,6 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { intervalAround } from '../../cli/tune/interval.ts';
 import { compile, simulate } from '../../engine/index.ts';
 import { readLevel, tuneReportSchema } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 const cwd = fileURLToPath(new URL('./fixtures', import.meta.url));
@@ -36,7 +37,7 @@ const json = async (args: readonly string[], folder = cwd, run = gq) => {
 };
 
 describe('gq tune', () => {
-  it('agrees with replays at each value and threshold, for any number of threads', async () => {
+  itDeep('agrees with replays at each value and threshold, for any number of threads', async () => {
     const args = [join(LEVELS, '0*.level.json'), '--sweep', 'pull=0.9x..1.1x:3', '--accuracy', 'fast'];
     const report = await json([...args, '--jobs', '1']);
     expect(await json([...args, '--jobs', '2'], cwd, gqProcess)).toEqual(report);

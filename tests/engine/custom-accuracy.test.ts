@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { ACCURACIES, type Accuracy, accuracyOf, atAccuracy, compile, simulate } from '../../engine/index.ts';
+import { expectDeep } from '../depth.ts';
 import { plainLevel } from './plain-level.ts';
 
 const level = plainLevel({ astronaut: { vx: 20 }, asteroids: [{ x: 100, y: 60, radius: 16 }], range: 400 });
@@ -95,6 +96,6 @@ describe('an accuracy', () => {
       ),
       { numRuns: 300 },
     );
-    expect(played).toBeGreaterThan(20);
+    expectDeep(played).toBeGreaterThan(20);
   });
 });

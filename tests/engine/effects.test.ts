@@ -5,6 +5,7 @@ import { EffectSet } from '../../engine/effects/index.ts';
 import { EFFECTS_IN_ORDER } from '../../engine/effects/order.ts';
 import { compile, createSimulation, EFFECTS, STATE_SIZE, simulate, TICK, WorkBudget } from '../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, listOf, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 import { windyDegenerateScene, windyScene } from '../scenes/windy-scene.ts';
 import { accuracyNames } from './accuracies.ts';
 import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
@@ -65,7 +66,7 @@ describe.each(accuracyNames)('at %s', (accuracy) => {
       { numRuns: 40 },
     );
     // and the bound is not far too large
-    expect(fastest).toBeGreaterThan(0.7);
+    expectDeep(fastest).toBeGreaterThan(0.7);
   });
 
   it('an effect is part of a simulation exactly if the level calls for it', () => {

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { expectDeep } from '../depth.ts';
 import { plainLevel } from './plain-level.ts';
 
 const PULL = 39;
@@ -88,7 +89,7 @@ describe('at the speed limit straight through the centre of the target', () => {
       ),
       { numRuns: 200 },
     );
-    expect(compared).toBeGreaterThan(60);
+    expectDeep(compared).toBeGreaterThan(60);
   });
 });
 

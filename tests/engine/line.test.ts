@@ -11,6 +11,7 @@ import {
   simulate,
 } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 import { continuousNames } from './accuracies.ts';
 import { offLine } from './exact-line.ts';
 import { plainLevel } from './plain-level.ts';
@@ -137,7 +138,7 @@ describe.each(accuracies.map((a) => [a.name, a] as const))('from rest she stays 
       }),
       { numRuns: 10 },
     );
-    expect(worst).toBeGreaterThan(0);
+    expectDeep(worst).toBeGreaterThan(0);
   });
 
   it('even if a search tries to move her off it', () => {

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 import { accuracyNames, continuousNames } from './accuracies.ts';
 import { type PlainLevel, plainLevel } from './plain-level.ts';
 
@@ -168,7 +169,7 @@ describe.each(accuracyNames)('mouths that share their exit, pulled into one, %s'
       ),
       { numRuns: 40 },
     );
-    expect(jumped).toBeGreaterThan(5);
+    expectDeep(jumped).toBeGreaterThan(5);
   });
 });
 

@@ -12,6 +12,7 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import { DEFAULT_RULES, type Hold, type Level, type OwnRules, RULE_NAMES, resolveLevel, rulesOf } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 import { accuracyNames, continuousNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { arbitraryRules, CORNERS } from './arbitrary-rules.ts';
@@ -105,7 +106,7 @@ describe.each(accuracyNames)('with its own rules, at %s', (accuracy) => {
       }),
       { numRuns: 12 },
     );
-    expect(reached).toBeGreaterThan(2);
+    expectDeep(reached).toBeGreaterThan(2);
   });
 });
 

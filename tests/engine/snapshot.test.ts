@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation, joinHolds, playScript, type Simulation, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { expectDeep } from '../depth.ts';
 import { accuracyNames, continuousNames, levelsFor } from './accuracies.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { plainLevel } from './plain-level.ts';
@@ -169,5 +170,5 @@ it.each(continuousNames)('at %s aliens chase the same way after a restore while 
     ),
     { numRuns: 10 },
   );
-  expect(chasing).toBeGreaterThan(500);
+  expectDeep(chasing).toBeGreaterThan(500);
 });

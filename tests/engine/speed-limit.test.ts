@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 import { once } from '../once.ts';
 import { continuousNames } from './accuracies.ts';
 import { limitedFlight } from './limited-flight.ts';
@@ -127,7 +128,7 @@ describe('the speed limit along an axis', () => {
       ),
       { numRuns: 12 },
     );
-    expect(Math.min(counts.held, counts.free)).toBeGreaterThan(3);
+    expectDeep(Math.min(counts.held, counts.free)).toBeGreaterThan(3);
   });
 });
 
@@ -242,7 +243,7 @@ describe.each(continuousNames)('at the limit while recoil moves the asteroid: %s
       }),
       { numRuns: 12 },
     );
-    expect(held).toBeGreaterThan(400);
+    expectDeep(held).toBeGreaterThan(400);
   });
 });
 
@@ -292,6 +293,6 @@ describe('the speed limit in a wind, with recoil', () => {
       ),
       { numRuns: 25 },
     );
-    expect(compared).toBeGreaterThan(15);
+    expectDeep(compared).toBeGreaterThan(15);
   });
 });

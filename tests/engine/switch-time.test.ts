@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
+import { expectDeep } from '../depth.ts';
 import { continuousNames } from './accuracies.ts';
 import { plainLevel } from './plain-level.ts';
 
@@ -44,7 +45,7 @@ it.each([
     }),
     { numRuns: 80 },
   );
-  expect(switches).toBeGreaterThan(12);
+  expectDeep(switches).toBeGreaterThan(12);
 });
 
 // held along one axis, then along the other, she comes back to the tie whichever of the two the target is

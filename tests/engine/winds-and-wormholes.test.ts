@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, type RunEvent, simulate, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 import { bySmallSteps as computeBySmallSteps } from '../judges/small-steps.ts';
 import { once } from '../once.ts';
 import { propertySettings } from '../property-settings.ts';
@@ -145,7 +146,7 @@ describe.each(continuousNames)('winds and wormholes at %s', (accuracy) => {
       ),
       { numRuns: 40 },
     );
-    expect(jumps).toBeGreaterThan(5);
+    expectDeep(jumps).toBeGreaterThan(5);
   });
 
   it('a coast continues through a wormhole as if the space between had been cut out', () => {

@@ -7,6 +7,7 @@ import { balance, Costs, MOST_ASSIGNED } from '../../cli/fleet/balance.ts';
 import { NumberTable } from '../../cli/fleet/number-table.ts';
 import { keyOfHash } from '../../cli/fleet/rule.ts';
 import { gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
 
 const hashOf = (text: string): Buffer => createHash('sha256').update(text).digest();
@@ -52,7 +53,7 @@ it('counts levels without a known cost as the mean, and levels of the same bytes
   expect(assigned.flat().filter((key) => key === keyText('b'))).toHaveLength(1);
 });
 
-it('assigns no more levels than a plan may have, those that cost most, and leaves the others to the rule', async () => {
+itDeep('assigns no more levels than a plan may have, those that cost most, and leaves the others to the rule', async () => {
   const count = MOST_ASSIGNED + 50;
   const texts = Array.from({ length: count }, (_, i) => `level ${i}`);
   // 20 long ones; of the others, which cost the same, some are assigned

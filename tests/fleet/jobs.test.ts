@@ -7,7 +7,7 @@ import { challengeFor, levelHash, playToText } from '../../game/index.ts';
 import { difficultyReportSchema, solveSetReportSchema, type VerifyReport, verifyReportSchema } from '../../schema/index.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 import { changed as changedPlay, playOfRun } from '../cli/plays.ts';
-import { isHunt } from '../depth.ts';
+import { isDeep, isHunt, itDeep } from '../depth.ts';
 import { shipped } from '../levels/shipped-pack.ts';
 import { changed, placesIn } from './mistakes.ts';
 
@@ -75,7 +75,7 @@ const withoutTimes = (report: string): string => report.replace(/"(seconds|ms)":
 const EFFORT = ['--effort', '200000'];
 
 describe('gq solve on a set', () => {
-  it('gives each level what gq solve gives it alone, and in shards the same bytes for any number of them', async () => {
+  itDeep('gives each level what gq solve gives it alone, and in shards the same bytes for any number of them', async () => {
     const together = await run(1, 'solve', 'set', ...EFFORT, '--format', 'json');
     const report = solveSetReportSchema.parse(JSON.parse(together));
     expect(report.levels.map(({ verdict }) => verdict)).toEqual(['found', 'found', 'found', 'impossible', 'invalid']);
@@ -89,7 +89,7 @@ describe('gq solve on a set', () => {
     expect(three).toBe(withoutTimes(together));
   });
 
-  it('searches for several runs with every option of the search', async () => {
+  itDeep('searches for several runs with every option of the search', async () => {
     const options = ['--count', '2', '--objective', 'time', '--minerals', 'all', '--seed', '3', '--max-time', '20', ...EFFORT];
     const alone = JSON.parse(await run(0, 'solve', 'set/b.level.json', ...options, '--format', 'json'));
     const { levels: set } = JSON.parse(await inShards('solve', 2, 1, ['set.ndjson', ...options]));
@@ -114,7 +114,7 @@ describe('gq solve on a set', () => {
 });
 
 describe('gq difficulty on a set', () => {
-  it('gives the report of gq difficulty on files, byte by byte, for any number of shards', async () => {
+  itDeep('gives the report of gq difficulty on files, byte by byte, for any number of shards', async () => {
     const direct = await run(1, 'difficulty', 'set', ...EFFORT, '--format', 'json');
     expect(difficultyReportSchema.parse(JSON.parse(direct)).levels.filter(({ measured }) => measured !== null)).toHaveLength(3);
     expect(await inShards('difficulty', 1, 1, ['set', ...EFFORT])).toBe(direct);
@@ -246,7 +246,7 @@ describe('a plan for a command', () => {
 });
 
 describe('a replay', () => {
-  // a replay of difficulty takes half a second: outside of hunts, one in so many changes is tried
+  // a replay of difficulty takes half a second: outside of hunts, one in so many changes is tried, and fewer in the quick set
   it.each([
     ['solve', 5],
     ['difficulty', 67],
@@ -271,7 +271,7 @@ describe('a replay', () => {
         const entry = { name: file, content: readFileSync(file) };
         expect(await replay(entry, result), file).toBe(null);
         for (const [i, path] of placesIn(result).entries()) {
-          if (!isHunt && (i + claims) % stride !== 0) continue;
+          if (!isHunt && (i + claims) % (isDeep ? stride : 7 * stride) !== 0) continue;
           const lie = changed(result, path, (holder, key) => {
             const value = holder[key];
             if (typeof value === 'number') holder[key] = value + 1;

@@ -4,6 +4,7 @@ import fc from 'fast-check';
 import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { fallThrough, gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import { changed, placesIn } from './mistakes.ts';
 import {
   doAll,
@@ -173,7 +174,7 @@ describe('a merge', () => {
     }
   });
 
-  it('a sample finds a lie as often as its share says', async () => {
+  itDeep('a sample finds a lie as often as its share says', async () => {
     let caught = 0;
     const rounds = 24;
     for (let round = 0; round < rounds; round++) {

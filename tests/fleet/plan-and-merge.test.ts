@@ -6,6 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { SetDigest } from '../../cli/fleet/digest.ts';
 import { readPlan } from '../../cli/fleet/plan.ts';
 import { gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import {
   doAll,
   levelTexts,
@@ -199,7 +200,7 @@ describe('a plan', () => {
     expect(once.stderr).toContain('wrote twice.json: 12 levels in 2 shards');
   });
 
-  it('has empty shards if there are more than levels', async () => {
+  itDeep('has empty shards if there are more than levels', async () => {
     rmSync(join(set.directory, 'out'), { recursive: true, force: true });
     const merged = await doAll({ ...set, paths: ['lines.ndjson.gz'] }, 40, [...Array(40).keys()]);
     expect(JSON.parse(merged.stdout).levels).toHaveLength(12);

@@ -4,6 +4,7 @@ import type * as Engine from '../../engine/index.ts';
 import { createPlayer, type Player } from '../../game/index.ts';
 import { committedTable } from '../browsers/hash-table.ts';
 import { hashedRuns } from '../browsers/scenes.ts';
+import { someOf } from '../depth.ts';
 import { byEsbuild, byVite, run, zipped } from './bundle.ts';
 
 const LIGHT = './game/light/index.ts';
@@ -46,7 +47,7 @@ const BUNDLERS = [
   ['Vite', byVite],
 ] as const;
 
-describe.each(BUNDLERS)('bundled by %s', (_, bundle) => {
+describe.each(someOf(BUNDLERS, 1))('bundled by %s', (_, bundle) => {
   test.each(LIMITS)('$what weighs at most $most bytes, gzipped, without zod', async ({ source, most }) => {
     const bundled = await bundle(source);
     expect(bundled.files.length).toBeGreaterThan(0);

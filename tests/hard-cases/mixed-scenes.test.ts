@@ -1,10 +1,11 @@
 import { expect, it } from 'vitest';
+import { isDeep } from '../depth.ts';
 import { checkMixed } from '../judges/check-mixed.ts';
 import { propertySettings } from '../property-settings.ts';
 import { mixedScene } from '../scenes/mixed-scene.ts';
 
 const BLOCKS = Math.max(1, Math.round(5 * propertySettings(process.env).runs));
-const SCENES = 40;
+const SCENES = isDeep ? 40 : 10;
 
 /** Largest share of the scenes of a block whose end may be left out because last digits decide it. */
 const MOST_EXCLUDED = 0.25;

@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
 import { parse } from 'yaml';
 import { type Ended, fallThrough, gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import { makeProject, ofPackage, runIn } from './project.ts';
 
 interface Hook {
@@ -100,7 +101,7 @@ it('lefthook runs the same commands', async () => {
   }
 });
 
-it('the git hook lets a commit pass only if its levels do', () => {
+itDeep('the git hook lets a commit pass only if its levels do', () => {
   const git = (...args: string[]) =>
     runIn(directory, 'git', ['-c', 'user.name=a', '-c', 'user.email=a@example.org', '-c', 'core.hooksPath=.husky', ...args]);
   git('init', '-q');

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { joinHolds } from '../../engine/index.ts';
 import { formatRunText, type Hold, LIMITS, NOTE_TEXT, notesInOrder, type RunNote, readRunText } from '../../schema/index.ts';
+import { expectDeep } from '../depth.ts';
 
 const read = (text: string) => {
   const reading = readRunText(text);
@@ -87,7 +88,7 @@ describe('a run as text', () => {
       { numRuns: 2000 },
     );
     // the pieces fit together often enough for this to say something
-    expect(read_).toBeGreaterThan(200);
+    expectDeep(read_).toBeGreaterThan(200);
   });
 
   it('writes a note where its hold is, on a line of its own, or with its tick', () => {

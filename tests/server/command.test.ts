@@ -7,6 +7,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { readPage } from '../../cli/edit/page-files.ts';
 import { EDIT_API } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
+import { itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { until } from '../until.ts';
 import { gqEdit } from './command.ts';
@@ -61,7 +62,7 @@ describe('gq edit', () => {
     await edit.end('SIGTERM');
   });
 
-  it.runIf(process.platform !== 'win32')(
+  itDeep.runIf(process.platform !== 'win32')(
     'ends with 130 on Ctrl-C and 143 on SIGTERM while pages listen, and leaves no partial file',
     async () => {
       for (const [signal, code, step] of [
@@ -101,7 +102,7 @@ describe('gq edit', () => {
     await empty.end('SIGTERM');
   });
 
-  it('reports that a port is taken; without --port, it takes the next one, and can serve the same folder', async () => {
+  itDeep('reports that a port is taken; without --port, it takes the next one, and can serve the same folder', async () => {
     const first = await gqEdit([], { cwd });
     const second = await gqEdit([], { cwd });
     expect(second.port).not.toBe(first.port);
@@ -128,7 +129,7 @@ describe('gq edit', () => {
     (await listenOn(first.port)).close();
   });
 
-  it.runIf(process.platform === 'linux')('opens the browser without a shell, and reports a failure', async () => {
+  itDeep.runIf(process.platform === 'linux')('opens the browser without a shell, and reports a failure', async () => {
     const opened = join(cwd, 'opened');
     put(cwd, 'bin/xdg-open', `#!/bin/sh\nprintf '%s\\n' "$#" "$@" > '${opened}'\n`);
     chmodSync(join(cwd, 'bin/xdg-open'), 0o755);

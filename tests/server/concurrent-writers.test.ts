@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, type Page, pageOf, serve } from './running.ts';
 
@@ -112,7 +113,7 @@ describe('writers at the same time', () => {
     made.remove();
   });
 
-  it('lose nothing in several processes', async () => {
+  itDeep('lose nothing in several processes', async () => {
     const made = makeFolder({ 'one.level.json': start() });
     const edits = await Promise.all([1, 2, 3].map(() => gqEdit(['.', '--port', '0'], { cwd: made.folder })));
     await Promise.all(

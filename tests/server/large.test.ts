@@ -6,6 +6,7 @@ import type { KnownLevels } from '../../cli/edit/known-levels.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { NO_FOLDER_TERMS } from '../../editor/files/folder-terms.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { levelPath, levelText, makeFolder, put, serve } from './running.ts';
 
 const entry = (id: string): LevelEntry => ({
@@ -75,7 +76,7 @@ it('a page that reads nothing is disconnected in the end, and others get everyth
   expect(rest.length).toBeLessThan(12_002);
 });
 
-it('a list of more than 16 MiB is sent to all, and later saves are answered and reported', async () => {
+itDeep('a list of more than 16 MiB is sent to all, and later saves are answered and reported', async () => {
   // each with 20 long problems
   const broken = JSON.stringify({
     ...JSON.parse(levelText('x')),

@@ -17,6 +17,7 @@ import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { collectLeftovers } from '../../cli/edit/leftovers.ts';
 import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { itDeep } from '../depth.ts';
 import { gqEdit } from './command.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
 
@@ -111,7 +112,7 @@ it('leftovers from the future count as old, too, and go to the trash together', 
   ]);
 });
 
-it('a folder keeps its port; if that is taken, gq edit says where unsaved edits are', async () => {
+itDeep('a folder keeps its port; if that is taken, gq edit says where unsaved edits are', async () => {
   const env = { XDG_STATE_HOME: mkdtempSync(join(tmpdir(), 'gq-state-')) };
   const start = (...args: string[]) => gqEdit(['.', ...args], { cwd: made.folder, env });
   const any = await start('--port', '0');

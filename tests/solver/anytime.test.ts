@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import { createAnytimeProof, createDecider, verifyProof, verifyRun } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 
 const DOOMED = LEVELS.doomed;
@@ -49,7 +50,7 @@ describe('a proof with ever finer sets', () => {
     expect([proving.proof, proving.ticks]).toEqual([null, 0]);
   });
 
-  it('never spends more than it was given', () => {
+  itDeep('never spends more than it was given', () => {
     fc.assert(
       fc.property(fc.constantFrom(DOOMED, COASTS, QUIET), fc.array(fc.nat(700_000), { maxLength: 6 }), (of, slices) => {
         const proving = createAnytimeProof(of, { accuracy: 'precise' });

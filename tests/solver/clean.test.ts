@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import { cleanRun, createSearch, type Goal } from '../../solver/index.ts';
+import { expectDeep } from '../depth.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { arbitraryOrdinaryLevel, arbitrarySolvableLevel, fallThrough } from './search/solvable-levels.ts';
 
@@ -35,7 +36,7 @@ describe.each(accuracyNames)('simplifying at %s', (accuracy) => {
       ),
       { numRuns: 8 },
     );
-    expect(cleaned).toBeGreaterThan(2);
+    expectDeep(cleaned).toBeGreaterThan(2);
   });
 
   it('drops needless presses and idle waiting', () => {

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Difficulty, findRuns, measureDifficulty, successProbability, verifyRun } from '../../solver/index.ts';
+import { itDeep } from '../depth.ts';
 import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;
@@ -72,7 +73,7 @@ describe('the run that is measured', () => {
     );
   });
 
-  it('goes with less slack into a harder grade: a black hole half as large', () => {
+  itDeep('goes with less slack into a harder grade: a black hole half as large', () => {
     for (const slug of ['03-let-go', '07-nova-lane', '22-vault']) {
       const level = shippedLevel(slug);
       const { holds } = level.runs[0];
@@ -100,7 +101,7 @@ describe('the difficulty', () => {
   const measured = (seed: number): Difficulty =>
     measureDifficulty(compile(shippedLevel('03-let-go')), null, { ...QUICK, effort: 60_000, playerEffort: 30_000, seed })!;
 
-  it('is the same for the same seed, and another for another one', () => {
+  itDeep('is the same for the same seed, and another for another one', () => {
     expect(measured(1)).toEqual(measured(1));
     expect(measured(2)).not.toEqual(measured(1));
   });

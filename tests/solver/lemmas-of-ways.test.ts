@@ -4,6 +4,7 @@ import { TICK } from '../../engine/index.ts';
 import { type Level, NO_OBJECTS, rulesOf } from '../../schema/index.ts';
 import { swingDrift } from '../../solver/proofs/swing-drift.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
+import { expectDeep } from '../depth.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
 import { real } from '../real.ts';
@@ -81,7 +82,7 @@ describe('chord: between two frames outside a disc she enters it no deeper than 
       ),
       { numRuns: 120 },
     );
-    expect(deepest).toBeGreaterThan(0.1);
+    expectDeep(deepest).toBeGreaterThan(0.1);
   });
 });
 
@@ -115,7 +116,7 @@ describe('fall drift: on a fall the path of the asteroid relates to hers at most
       ),
       { numRuns: 20 },
     );
-    expect(closest).toBeGreaterThan(0.8);
+    expectDeep(closest).toBeGreaterThan(0.8);
   });
 });
 
@@ -161,7 +162,7 @@ describe('swing drift: an asteroid through which she swings drifts no farther th
       ),
       { numRuns: 6 },
     );
-    expect(most).toBeGreaterThan(0.05);
+    expectDeep(most).toBeGreaterThan(0.05);
   });
 });
 
@@ -193,8 +194,8 @@ describe('in range: while the run goes on she is in range of the asteroid, where
       ),
       { numRuns: 12 },
     );
-    expect(farthest).toBeGreaterThan(RANGE - 1);
-    expect(carried).toBeGreaterThan(100);
+    expectDeep(farthest).toBeGreaterThan(RANGE - 1);
+    expectDeep(carried).toBeGreaterThan(100);
   });
 });
 
@@ -242,7 +243,7 @@ describe('slopes: where all pushes point forward, the slope of her path only tur
       }),
       { numRuns: 100 },
     );
-    expect(turned).toBeGreaterThan(150);
+    expectDeep(turned).toBeGreaterThan(150);
   });
 });
 
@@ -271,6 +272,6 @@ describe('leaving: on slopes that take her nearer to another asteroid faster tha
       }),
       { numRuns: 100 },
     );
-    expect(left).toBeGreaterThan(300);
+    expectDeep(left).toBeGreaterThan(300);
   });
 });

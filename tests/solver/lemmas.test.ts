@@ -8,6 +8,7 @@ import { accelerations, advance, type Box, placesWithin, type Rectangle, withPla
 import { offLine } from '../../solver/verify/fall.ts';
 import { mouthsOf } from '../../solver/verify/mouths.ts';
 import { type Circle, turnedScene } from '../../solver/verify/turned-scene.ts';
+import { expectDeep } from '../depth.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
 import { real } from '../real.ts';
@@ -93,7 +94,7 @@ describe('reach: how near a box must be to touch for certain, and how near to to
       }),
       { numRuns: 1000 },
     );
-    expect(farthest).toBeGreaterThan(0.95);
+    expectDeep(farthest).toBeGreaterThan(0.95);
   });
 });
 
@@ -160,7 +161,7 @@ describe('line: from rest in front of one asteroid she stays on the line through
       ),
       { numRuns: 40 },
     );
-    expect(passes).toBeGreaterThan(12);
+    expectDeep(passes).toBeGreaterThan(12);
   });
 });
 
@@ -179,7 +180,7 @@ describe('speed on a line: no faster than from rest at the far end to the centre
       }),
       { numRuns: 30 },
     );
-    expect(closest).toBeGreaterThan(0.7);
+    expectDeep(closest).toBeGreaterThan(0.7);
   });
 });
 
@@ -228,7 +229,7 @@ describe('jump: a frame takes her no farther than the claim says', () => {
       }),
       { numRuns: 50 },
     );
-    expect(closest).toBeGreaterThan(0.9);
+    expectDeep(closest).toBeGreaterThan(0.9);
   });
 });
 
@@ -256,7 +257,7 @@ describe('drift: recoil carries an asteroid no farther than the claim says', () 
       ),
       { numRuns: 30 },
     );
-    expect(closest).toBeGreaterThan(0.9);
+    expectDeep(closest).toBeGreaterThan(0.9);
   });
 });
 
@@ -297,7 +298,7 @@ describe('arcade-axis: on a line along an axis everything across is exactly 0', 
       ),
       { numRuns: 30 },
     );
-    expect(passes).toBeGreaterThan(10);
+    expectDeep(passes).toBeGreaterThan(10);
   });
 });
 
@@ -358,8 +359,8 @@ describe('arcade-fall: on the way to the centre rounding takes her no farther of
       ),
       { numRuns: 40 },
     );
-    expect(looks).toBeGreaterThan(2000);
-    expect(largest).toBeGreaterThan(1e-12);
+    expectDeep(looks).toBeGreaterThan(2000);
+    expectDeep(largest).toBeGreaterThan(1e-12);
   });
 });
 
@@ -401,7 +402,7 @@ describe('mouths: only a mouth moves her, from inside it by the displacement to 
       }),
       { numRuns: 100 },
     );
-    expect(jumps).toBeGreaterThan(3);
+    expectDeep(jumps).toBeGreaterThan(3);
   });
 });
 
@@ -464,7 +465,7 @@ describe('pushes: after some ticks her state is within what the pushes at the pl
       }),
       { numRuns: 80 },
     );
-    expect(steps).toBeGreaterThan(300);
+    expectDeep(steps).toBeGreaterThan(300);
   });
 });
 
@@ -526,8 +527,8 @@ describe('chasers: aliens are within their discs, and those claimed to be there 
       }),
       { numRuns: 25 },
     );
-    expect(certain).toBeGreaterThan(300);
-    expect(gone).toBeGreaterThan(30);
+    expectDeep(certain).toBeGreaterThan(300);
+    expectDeep(gone).toBeGreaterThan(30);
   });
 
   it('an alien that may have exploded may still explode others', () => {

@@ -3,6 +3,7 @@ import { expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import { type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, proofPicture, proveImpossible, verifyProof } from '../../solver/index.ts';
+import { expectDeep } from '../depth.ts';
 import { someHolds } from './proofs-crowded.ts';
 
 const whole = (min: number, max: number) => fc.integer({ min, max });
@@ -61,9 +62,9 @@ it('no run is found where the line ends in a dead end, or where recoil is claime
     { numRuns: 170 },
   );
   // The property is meaningful only if all of this occurs.
-  expect(deadEnds).toBeGreaterThan(5);
-  expect(swings).toBeGreaterThan(5);
-  expect(completed).toBeGreaterThan(5);
+  expectDeep(deadEnds).toBeGreaterThan(5);
+  expectDeep(swings).toBeGreaterThan(5);
+  expectDeep(completed).toBeGreaterThan(5);
 });
 
 interface Place {
@@ -108,6 +109,6 @@ it('off the line she stays within the places that the dead end allows', () => {
     }),
     { numRuns: 300 },
   );
-  expect(places).toBeGreaterThan(300);
-  expect(dies).toBeGreaterThan(50);
+  expectDeep(places).toBeGreaterThan(300);
+  expectDeep(dies).toBeGreaterThan(50);
 });

@@ -4,6 +4,7 @@ import { ACCURACIES, type AccuracyName, compile, simulate } from '../../engine/i
 import { type Level, type OwnRules, RULE_NAMES, RULES, rulesOf } from '../../schema/index.ts';
 import { type About, type PROVERS, type Proof, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
 import { mostPush } from '../../solver/verify/assumptions.ts';
+import { expectDeep, isDeep } from '../depth.ts';
 import { LEVELS } from './impossible-levels.ts';
 import { crowdedLevel, someHolds, windyLevel } from './proofs-crowded.ts';
 import { someRules } from './some-rules.ts';
@@ -47,8 +48,11 @@ function scaled(level: Level, k: number): Level {
   };
 }
 
+/** The levels; that of `orbits`, which takes a second to prove, in the deep set alone. */
+const NAMES = Object.keys(LEVELS).filter((name) => isDeep || name !== 'orbits');
+
 describe('the same level in other units is equally impossible', () => {
-  it.each(Object.keys(LEVELS))('%s', (name) => {
+  it.each(NAMES)('%s', (name) => {
     const proof = proveImpossible(LEVELS[name]) as Proof;
     for (const k of [0.5, 0.8]) {
       const level = scaled(LEVELS[name], k);
@@ -64,7 +68,7 @@ describe('the same level in other units is equally impossible', () => {
 describe('the original’s rules, stated explicitly', () => {
   const said = Object.fromEntries(RULE_NAMES.map((name) => [name, RULES[name].default])) as OwnRules;
 
-  it.each(Object.keys(LEVELS))('%s: the proof is the same', (name) => {
+  it.each(NAMES)('%s: the proof is the same', (name) => {
     expect(proveImpossible({ ...LEVELS[name], rules: said })).toEqual(proveImpossible(LEVELS[name]));
   });
 });
@@ -103,8 +107,8 @@ describe('a level that a run completes is never proved impossible, whatever its 
       }),
       { numRuns: 80 },
     );
-    expect(completed).toBeGreaterThan(3);
-    expect(proved).toBeGreaterThan(ENOUGH);
+    expectDeep(completed).toBeGreaterThan(3);
+    expectDeep(proved).toBeGreaterThan(ENOUGH);
   });
 });
 

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type AccuracyName, compile, type Scene, simulate, WorkBudget } from '../../engine/index.ts';
 import { type Hold, type Level, RULE_NAMES, RULES, rulesOf } from '../../schema/index.ts';
 import { createSearch, type Proof, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
+import { expectDeep } from '../depth.ts';
 import { accuracyNames, pack } from '../levels/shipped-pack.ts';
 import { importedLevels } from '../truth/imported-levels.ts';
 import { hasTruth } from '../truth/recordings.ts';
@@ -68,8 +69,8 @@ describe('nothing that a run touches is proved to be out of reach', () => {
     );
     // The property is meaningful only if both occur.
     for (const accuracy of accuracyNames) {
-      expect(runsThatTouch[accuracy]).toBeGreaterThan(5);
-      expect(proofs[accuracy]).toBeGreaterThan(50);
+      expectDeep(runsThatTouch[accuracy]).toBeGreaterThan(5);
+      expectDeep(proofs[accuracy]).toBeGreaterThan(50);
     }
   });
 
@@ -92,8 +93,8 @@ describe('nothing that a run touches is proved to be out of reach', () => {
       }),
       { numRuns: 40 },
     );
-    expect(found).toBeGreaterThanOrEqual(ENOUGH);
-    expect(proved).toBeGreaterThan(8);
+    expectDeep(found).toBeGreaterThanOrEqual(ENOUGH);
+    expectDeep(proved).toBeGreaterThan(8);
   });
 
   it('the shipped levels', () => {
@@ -129,7 +130,7 @@ describe('a proof of another level is refused for a level that can be completed'
       }),
       { numRuns: 110 },
     );
-    expect(rejected).toBeGreaterThan(2);
+    expectDeep(rejected).toBeGreaterThan(2);
   });
 });
 

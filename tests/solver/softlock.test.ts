@@ -15,6 +15,7 @@ import {
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
 import { createLongProof, levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
+import { describeDeep, itDeep } from '../depth.ts';
 import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 
 function surveyed(level: Level, ticks: number, accuracy: AccuracyName = 'precise'): { scene: Scene; survey: SoftlockSurvey } {
@@ -107,7 +108,7 @@ describe('where the dead end is known', () => {
   });
 });
 
-describe('a state that is called proved', () => {
+describeDeep('a state that is called proved', () => {
   it.each(['running-start'])(
     'in %s withstands a search with ten times the effort',
     (slug) => {
@@ -272,7 +273,7 @@ describe('since when a run was lost', () => {
     expect(search.solutions.length).toBeGreaterThan(0);
   });
 
-  it('comes no earlier with more effort, and is proved no later', () => {
+  itDeep('comes no earlier with more effort, and is proved no later', () => {
     const tracing = createSoftlockSurvey(scene, { traced: [[[0, 600]]], explores: false });
     let [open, proved] = [-1, Number.POSITIVE_INFINITY];
     for (let i = 0; i < 30; i++) {
@@ -287,7 +288,7 @@ describe('since when a run was lost', () => {
   });
 });
 
-describe('no state on a run that completes the level is called lost', () => {
+describeDeep('no state on a run that completes the level is called lost', () => {
   it.each(['hot-rock', 'firewalk', 'blind-date', 'run-up'])(
     'in %s, although the survey does not know the run',
     (slug) => {
@@ -310,7 +311,7 @@ describe('no state on a run that completes the level is called lost', () => {
   );
 });
 
-describe('finer proofs', () => {
+describeDeep('finer proofs', () => {
   it('prove states that others leave open, and withstand searches with other seeds', () => {
     const found = createSoftlockSurvey(scene, { explores: false });
     found.advance(6_000_000);

@@ -4,6 +4,7 @@ import { type AccuracyName, WorkBudget } from '../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../schema/index.ts';
 import { proveBy } from '../../solver/index.ts';
 import { mixedLevel, type Prover, playLevel, STYLES } from '../attackers/index.ts';
+import { describeDeep, expectDeep, itDeep } from '../depth.ts';
 import { seeded } from '../scenes/seeded.ts';
 import { at, level } from './impossible-levels.ts';
 import { type Moment, momentsOf } from './traced/moments.ts';
@@ -78,16 +79,16 @@ describe('every state of play lies in the sets of the prover', () => {
       { numRuns: 60 },
     );
     // Otherwise the test would be vacuous.
-    expect(looks).toBeGreaterThan(300);
-    expect(closed).toBeGreaterThan(5);
+    expectDeep(looks).toBeGreaterThan(300);
+    expectDeep(closed).toBeGreaterThan(5);
   });
 });
 
 /** Provers that say where she stays, without sets for single moments. */
 const BOUND: readonly Prover[] = ['out-of-range', 'enclosed', 'line-trap', 'dead-end'];
 
-describe('every state of play lies where the proof says that she stays', () => {
-  it('in levels of any style, at each accuracy that it covers', () => {
+describeDeep('every state of play lies where the proof says that she stays', () => {
+  itDeep('in levels of any style, at each accuracy that it covers', () => {
     const looks = Object.fromEntries(BOUND.map((prover) => [prover, 0]));
     fc.assert(
       fc.property(fc.nat(1_000_000), fc.constantFrom('arcade', 'precise'), (seed, asked) => {

@@ -6,6 +6,7 @@ import formats from 'ajv-formats';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { checkSarif } from '../../../cli/reporters/sarif.ts';
+import { itDeep } from '../../depth.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
@@ -118,7 +119,7 @@ describe('the sarif reporter', () => {
     });
   });
 
-  it('has at most as many results as GitHub takes, errors first, and counts the others', () => {
+  itDeep('has at most as many results as GitHub takes, errors first, and counts the others', () => {
     const MOST = 25_000;
     const levelsWith = (errors: number, warnings: number) => {
       const problems = [

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, createSimulation } from '../../../engine/index.ts';
 import { DEFAULT_RULES } from '../../../schema/index.ts';
 import { afterChase, type Chaser, eitherChaser } from '../../../solver/verify/chasers.ts';
+import { expectDeep } from '../../depth.ts';
 import { at, levelWith, type NearMiss, nearMisses, ORIGIN } from './near-miss.ts';
 
 /** The acceleration of an alien, px/s², and the distance below which it sees her, px. */
@@ -209,7 +210,7 @@ describe('how an alien moves', () => {
       }),
       { numRuns: 120 },
     );
-    expect(awake).toBeGreaterThan(100);
+    expectDeep(awake).toBeGreaterThan(100);
   });
 });
 

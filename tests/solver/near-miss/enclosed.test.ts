@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
 import type { BarrierEdge, Blocker } from '../../../solver/index.ts';
+import { expectDeep } from '../../depth.ts';
 import { type Asked, at, BOX, CONTINUOUS, FRAMES, hot, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot } from './near-miss.ts';
 
 const ALL = [...CONTINUOUS, ...FRAMES];
@@ -290,7 +291,7 @@ describe('enclosed', () => {
       }),
       { numRuns: 400 },
     );
-    expect(between).toBeGreaterThan(20);
+    expectDeep(between).toBeGreaterThan(20);
   });
 
   it('a corner at the height of the start is crossed once', () => {
