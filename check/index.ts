@@ -19,7 +19,7 @@ export { createMend, type Mend, type Mended, type MendOptions, mendedInWords } f
 export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
 export { type LostMineral, mineralsToProve, proofBudget, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
-export { repairedFile } from './repair/index.ts';
+export { repairedFile } from './repaired-file.ts';
 export { type Softlocks, softlocksOf } from './softlocks.ts';
 export { completingRuns, tightRuns } from './tight-runs.ts';
 export { type LevelVerdict, onceProved, verdictOf } from './verdict.ts';

@@ -20,7 +20,7 @@ export {
   type DeciderOptions,
   proofShare,
 } from './anytime/index.ts';
-export { type Cleaned, type CleanOptions, cleanRun } from './clean/index.ts';
+export { type Cleaned, type CleanOptions, cleanRun } from './clean-run.ts';
 export {
   type AsteroidUse,
   type ComparedRun,

@@ -91,7 +91,7 @@ describe('what an old build has left', () => {
     for (const end of ['.js', '.js.map', '.d.ts']) writeFileSync(join(words, `gone${end}`), '');
     execFileSync(process.execPath, ['.ci/remove-stale.mjs'], { cwd: root });
     expect(exist('gone')).toEqual([false, false, false]);
-    expect(exist('plural')).toEqual([true, true, true]);
+    expect(exist('figures')).toEqual([true, true, true]);
   });
 });
 

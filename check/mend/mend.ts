@@ -11,7 +11,7 @@ import {
   type Steps,
   verifyRun,
 } from '../../solver/index.ts';
-import { repairedFile } from '../repair/index.ts';
+import { repairedFile } from '../repaired-file.ts';
 import { seekTakeBacks, type TakenBack } from './take-back.ts';
 import { unitsOf } from './units.ts';
 

@@ -12,6 +12,5 @@ export {
 export { EFFECT_NAMES, effectInWords, effectsToMeet, introductionsOf, type MetLevel } from './introductions.ts';
 export { JUMP, jumpsOf } from './jumps.ts';
 export { chaptersOf, inPackOrder } from './order.ts';
-export { type Pack, packedLevel, packScript } from './pack.ts';
+export { PACK_FILE, type Pack, packedLevel, packScript, pageOf } from './pack.ts';
 export { packProblems } from './pack-problems.ts';
-export { PACK_FILE, pageOf } from './page.ts';

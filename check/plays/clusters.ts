@@ -1,6 +1,5 @@
 import type { Attempt, FailureCause } from './attempt.ts';
 import { byCause } from './causes.ts';
-import { dbscan, type Point } from './dbscan.ts';
 
 /** A place where many attempts fail for one cause. */
 export interface FailureCluster {
@@ -62,4 +61,119 @@ function placeOf(points: readonly Point[]): Pick<FailureCluster, 'x' | 'y' | 'sp
   }
   for (const point of points) squares += ((point.x - x) * (point.x - x) + (point.y - y) * (point.y - y)) / points.length;
   return { x, y, spread: Math.sqrt(squares) };
+}
+
+/** A point of the plane. */
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+interface Cell {
+  readonly column: number;
+  readonly row: number;
+  /** Indices of the points inside. */
+  readonly points: number[];
+  /** Those that have enough neighbours. */
+  core: number[];
+  cluster: number;
+}
+
+/** The cells whose points may be within reach: all within two columns and rows, but for the corners. */
+const AROUND: readonly (readonly [number, number])[] = Array.from({ length: 25 }, (_, i): [number, number] => [
+  (i % 5) - 2,
+  Math.floor(i / 5) - 2,
+]).filter(([dx, dy]) => Math.abs(dx) + Math.abs(dy) < 4);
+
+/**
+ * Finds clusters of points by density: DBSCAN (M. Ester, H.-P. Kriegel, J. Sander, X. Xu, A density-based algorithm for
+ * discovering clusters in large spatial databases with noise, KDD 1996), on a grid of cells with a diagonal of `reach` (A.
+ * Gunawan, A faster algorithm for DBSCAN, 2013), so that most pairs of points are never compared.
+ *
+ * A point with at least `least` points within `reach`, itself included, is a core point. Core points within reach of each other
+ * belong to one cluster. Another point belongs to the cluster of the nearest core point within reach, or to none. Where DBSCAN
+ * leaves a choice, the lower x and then the lower y decides, so the order of the points does not matter.
+ * @param points the points
+ * @param reach the distance within which points are neighbours, px
+ * @param least how many points a neighbourhood needs
+ * @returns the number of each point's cluster, from 0; -1 for a point that belongs to none
+ */
+export function dbscan(points: readonly Point[], reach: number, least: number): Int32Array {
+  const near = reach * reach;
+  const distance = (a: number, b: number): number => {
+    const [dx, dy] = [points[a].x - points[b].x, points[a].y - points[b].y];
+    return dx * dx + dy * dy;
+  };
+  const cells = cellsOf(points, reach / Math.sqrt(2));
+  const around = (cell: Cell): Cell[] => AROUND.flatMap(([dx, dy]) => cells.get(keyOf(cell.column + dx, cell.row + dy)) ?? []);
+
+  for (const cell of cells.values()) {
+    if (cell.points.length >= least) {
+      cell.core = cell.points;
+      continue;
+    }
+    const neighbours = around(cell).filter((other) => other !== cell);
+    cell.core = cell.points.filter((point) => {
+      let count = cell.points.length;
+      for (const other of neighbours) {
+        for (const candidate of other.points) {
+          if (distance(point, candidate) <= near && ++count >= least) return true;
+        }
+      }
+      return count >= least;
+    });
+  }
+
+  const touch = (a: Cell, b: Cell): boolean => a.core.some((one) => b.core.some((other) => distance(one, other) <= near));
+  const labels = new Int32Array(points.length).fill(-1);
+  let clusters = 0;
+  for (const first of cells.values()) {
+    if (first.cluster >= 0 || first.core.length === 0) continue;
+    first.cluster = clusters++;
+    const waiting = [first];
+    for (let cell = waiting.pop(); cell !== undefined; cell = waiting.pop()) {
+      for (const point of cell.core) labels[point] = cell.cluster;
+      for (const other of around(cell)) {
+        if (other.cluster >= 0 || other.core.length === 0 || !touch(cell, other)) continue;
+        other.cluster = cell.cluster;
+        waiting.push(other);
+      }
+    }
+  }
+
+  for (const cell of cells.values()) {
+    if (cell.core.length === cell.points.length) continue;
+    const neighbours = around(cell);
+    for (const point of cell.points) {
+      if (labels[point] >= 0) continue;
+      let best = -1;
+      let nearest = near;
+      for (const other of neighbours) {
+        for (const candidate of other.core) {
+          const between = distance(point, candidate);
+          const isNearer = between < nearest || (between === nearest && (best < 0 || isBefore(points[candidate], points[best])));
+          if (isNearer) [best, nearest] = [candidate, between];
+        }
+      }
+      if (best >= 0) labels[point] = labels[best];
+    }
+  }
+  return labels;
+}
+
+/** Whether one point comes before another in the canonical order. */
+const isBefore = (a: Point, b: Point): boolean => a.x < b.x || (a.x === b.x && a.y < b.y);
+
+const keyOf = (column: number, row: number): string => `${column} ${row}`;
+
+function cellsOf(points: readonly Point[], side: number): Map<string, Cell> {
+  const cells = new Map<string, Cell>();
+  for (const [i, { x, y }] of points.entries()) {
+    const [column, row] = [Math.floor(x / side), Math.floor(y / side)];
+    const key = keyOf(column, row);
+    const cell = cells.get(key);
+    if (cell === undefined) cells.set(key, { column, row, points: [i], core: [], cluster: -1 });
+    else cell.points.push(i);
+  }
+  return cells;
 }

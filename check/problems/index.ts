@@ -1,16 +1,21 @@
 import { OUTDONE_WARNINGS } from '../../solver/index.ts';
 import { completesItself, type Findings, type MoreFindings, verdictOfFindings } from '../findings.ts';
-import type { Hints } from './hints.ts';
-import { foundRun, noRun, noRunFound, provedImpossible } from './level-problems.ts';
-import { mineralLost } from './mineral-lost.ts';
-import type { CheckProblem, LevelProblem } from './problem.ts';
+import {
+  accuraciesCut,
+  foundRun,
+  mineralLost,
+  nearnessCut,
+  noRun,
+  noRunFound,
+  provedImpossible,
+  runsCut,
+  softlock,
+} from './level-problems.ts';
+import type { CheckProblem, Hints, LevelProblem } from './problem.ts';
 import { failedRun, hangingRun, tightRun } from './run-problems.ts';
-import { softlock } from './softlock.ts';
 import { unusedAllows } from './unused-allow.ts';
-import { accuraciesCut, nearnessCut, runsCut } from './work-limit.ts';
 
-export type { Hints } from './hints.ts';
-export type { LevelProblem } from './problem.ts';
+export type { Hints, LevelProblem } from './problem.ts';
 
 /**
  * Lists everything that is wrong or looks wrong in a level.

@@ -1,9 +1,11 @@
-import type { Hold, Problem } from '../../schema/index.ts';
+import { TICK } from '../../engine/index.ts';
+import { type Hold, objectName, type Problem } from '../../schema/index.ts';
 import type { Proof, ProofCode } from '../../solver/index.ts';
-import type { Searched } from '../findings.ts';
-import { type CheckCode, closestInWords, effortInWords, holdsInWords } from '../words/index.ts';
-import type { Hints, SearchHints } from './hints.ts';
-import type { CheckProblem } from './problem.ts';
+import type { Overrun, ScriptEnd, Searched } from '../findings.ts';
+import type { LostMineral } from '../proofs.ts';
+import type { Softlocks } from '../softlocks.ts';
+import { type CheckCode, closestInWords, effortInWords, holdsInWords, plural } from '../words/index.ts';
+import type { CheckProblem, Hints, SearchHints } from './problem.ts';
 
 /** The problem of a level that has no runs and was not searched. */
 export const noRun = ({ firstRun }: Hints): CheckProblem =>
@@ -51,3 +53,67 @@ const aboutLevel = (code: CheckCode, severity: Problem['severity'], message: str
   hint,
   pointer: '',
 });
+
+/** The problem of a mineral that is proved to be out of reach. */
+export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
+  code: 'mineral-never-collectable',
+  severity: 'warning',
+  message: `nobody can collect ${objectName('mineral', index)}: ${proof.reason}`,
+  hint: `this is proved (${proof.code}) and confirmed by a separate checker: move the mineral, or what keeps her from it`,
+  pointer: `/minerals/${index}`,
+});
+
+/** She lives on for long if she was seen alive for this long after all is lost, s. */
+const LONG = 5;
+
+/** The problem that she can live on for long after it is proved to be lost. */
+export function softlock(found: Softlocks | null, { seeLost }: Hints): CheckProblem[] {
+  const long = found?.places.filter(({ standing, alive }) => standing.is === 'proved' && alive * TICK >= LONG) ?? [];
+  const [worst] = long;
+  if (worst?.standing.is !== 'proved') return [];
+  const more = long.length === 1 ? '' : `, and at ${plural(long.length - 1, 'more place')}`;
+  return [
+    {
+      code: 'softlock',
+      severity: 'warning',
+      message:
+        `she can live on for ${(worst.alive * TICK).toFixed(1)} s and more although the black hole is out of her reach: ` +
+        `from ${(worst.tick * TICK).toFixed(2)} s on at (${Math.round(worst.x)}, ${Math.round(worst.y)})${more}`,
+      hint: `this is proved (${worst.standing.proof.code}) and confirmed by a separate checker: end the run there, or open a way back${seeLost}`,
+      pointer: '',
+    },
+  ];
+}
+
+/**
+ * The problem of runs that were not simulated to their end.
+ * @param isUnproven whether nothing else decides the verdict
+ */
+export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boolean, hints: Hints): CheckProblem {
+  const index = ends.findIndex(({ isStopped }) => isStopped);
+  const { name, tick } = ends[index];
+  const more = ends.filter(({ isStopped }) => isStopped).length - 1;
+  const others = more > 0 ? `, and the ${plural(more, 'run')} after it ${more === 1 ? 'was' : 'were'} not played at all` : '';
+  const what = `run ${JSON.stringify(name)} was not played beyond tick ${tick}${others}`;
+  return { ...workLimit(what, `/runs/${index}`, by, hints), severity: isUnproven ? 'error' : 'warning' };
+}
+
+/** The problem of runs that were not compared at other accuracies. */
+export const accuraciesCut = (by: Overrun, hints: Hints): CheckProblem =>
+  workLimit('its runs were not compared at every accuracy', '/runs', by, hints);
+
+/** The problem of a level in which it was not examined what the runs come near to. */
+export const nearnessCut = (by: Overrun, hints: Hints): CheckProblem =>
+  workLimit('the warnings that depend on its runs were left out', '/runs', by, hints);
+
+/** @param what what was left out, as the beginning of a sentence */
+function workLimit(what: string, pointer: string, { maxWork, of }: Overrun, { moreWork }: Hints): CheckProblem {
+  const ran = of === 'work' ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recordings than allowed';
+  return {
+    code: 'work-limit',
+    severity: 'warning',
+    message: `${what}: that takes ${ran}`,
+    hint: `delete what the level does not need${moreWork}`,
+    pointer,
+  };
+}

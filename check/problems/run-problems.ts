@@ -2,8 +2,7 @@ import type { AccuracyHang } from '../accuracy-hangs.ts';
 import type { ScriptEnd } from '../findings.ts';
 import { MOST_RUNS, type TightRun, wantedTicks } from '../tight-runs.ts';
 import { holdsInWords, outcomeInWords, plural } from '../words/index.ts';
-import type { Hints } from './hints.ts';
-import type { CheckProblem } from './problem.ts';
+import type { CheckProblem, Hints } from './problem.ts';
 
 /** How a run was simulated. */
 interface Played {

@@ -1,6 +1,5 @@
 export { type Advice, type CheckCode, explainCodes } from './codes.ts';
-export { closestInWords, effortInWords } from './effort.ts';
-export { holdsInWords } from './holds.ts';
+export { closestInWords, effortInWords, holdsInWords, plural } from './figures.ts';
 export {
   bodyInWords,
   countMinerals,
@@ -8,8 +7,7 @@ export {
   outcomeInWords,
   type RunEnd,
   reasonInWords,
+  VERDICT_MEANS,
 } from './outcome.ts';
-export { plural } from './plural.ts';
 export { proposalInWords, proposalRunInWords, SIZE_MEANS } from './proposal.ts';
 export { accuracyInWords, termsInWords, termsReport } from './terms.ts';
-export { VERDICT_MEANS } from './verdict.ts';

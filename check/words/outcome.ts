@@ -1,5 +1,6 @@
 import type { Outcome, Run, Touched } from '../../engine/index.ts';
 import { touchedName } from '../../schema/basics/index.ts';
+import type { Verdict } from '../../schema/index.ts';
 
 /** How a run ended. */
 export interface RunEnd {
@@ -73,3 +74,12 @@ export function reasonInWords(end: RunEnd, range: number): string | null {
 
 /** How many different minerals a run collected. Each counts once, although `arcade` may count one twice. */
 export const countMinerals = (run: Pick<Run, 'minerals'>): number => new Set(run.minerals.map(({ index }) => index)).size;
+
+/** The meaning of each verdict that needs attention, as the beginning of a sentence. */
+export const VERDICT_MEANS: Readonly<Record<Exclude<Verdict, 'completable'>, string>> = {
+  broken: 'none of its runs completes the level',
+  unproven: 'nothing shows that it can be completed',
+  impossible: 'it is proved that nobody can complete it',
+  invalid: 'the file is not a valid level',
+  crashed: 'gq itself failed on it',
+};

@@ -1,9 +1,8 @@
 import type { LevelFile } from '../../schema/index.ts';
 import { applyDiff } from './apply-diff.ts';
-import type { Change, Json } from './change.ts';
+import { type Change, type Json, swapped } from './change.ts';
 import { LISTS } from './diff-levels.ts';
 import { matchEntries } from './match-entries.ts';
-import { reversed } from './reverse.ts';
 
 /**
  * Takes some changes back and leaves the others. Entries that come back have their ids, and their places among the entries that
@@ -78,4 +77,37 @@ function withAll(order: readonly number[], count: number): number[] {
     all.splice(previous + 1, 0, index);
   }
   return all;
+}
+
+const keysBack = <T extends { readonly before: unknown; readonly after: unknown }>(keys: T): T => ({
+  ...keys,
+  before: keys.after,
+  after: keys.before,
+});
+
+/** The change in the other direction: what leads from the second version to the first. */
+function reversed(change: Change): Change {
+  switch (change.type) {
+    case 'value':
+      return { type: 'value', ...swapped(change) };
+    case 'map': {
+      const { of, fields, keys, empty } = change;
+      return { type: 'map', of, fields: fields.map(swapped), keys: keys && keysBack(keys), empty: keysBack(empty) };
+    }
+    case 'added':
+      return { ...change, type: 'removed' };
+    case 'removed':
+      return { ...change, type: 'added' };
+    case 'changed': {
+      const { fields, keys } = change;
+      return { ...keysBack(change), fields: fields.map(swapped), keys: keys && keysBack(keys) };
+    }
+    case 'order': {
+      const pairs = change.pairs.map(([before, after]) => [after, before] as const);
+      return { ...change, pairs: pairs.sort((p, q) => p[1] - q[1]) };
+    }
+    case 'empty-list':
+    case 'keys':
+      return keysBack(change);
+  }
 }

@@ -1,4 +1,3 @@
-export { OUTDONE_WARNINGS } from './outdone.ts';
 export { type ProofPicture, type ProofRole, proofPicture } from './picture.ts';
 export type {
   About,
@@ -25,5 +24,13 @@ export type {
   Strip,
   ThingRef,
 } from './proof.ts';
-export { FINEST, mayProve, type ProveOptions, proveBy, proveImpossible, proveMineralsUnreachable } from './prove.ts';
+export {
+  FINEST,
+  mayProve,
+  OUTDONE_WARNINGS,
+  type ProveOptions,
+  proveBy,
+  proveImpossible,
+  proveMineralsUnreachable,
+} from './prove.ts';
 export { PROVERS, type ProverEntry, proversThat } from './provers.ts';

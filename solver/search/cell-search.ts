@@ -11,8 +11,7 @@ import type { Hold } from '../../schema/basics/index.ts';
 import { createRandom, type Random } from '../random.ts';
 import { cutHolds } from '../verified-run.ts';
 import { Approach } from './approach.ts';
-import { CellKey } from './cell-key.ts';
-import { CellTable } from './cell-table.ts';
+import { CellKey, CellTable, SnapshotPool } from './cell-table.ts';
 import { Frontier } from './frontier.ts';
 import { BANDS, type Guide } from './guide.ts';
 import { HeatMap } from './heat-map.ts';
@@ -21,7 +20,6 @@ import { MineralSet } from './mineral-set.ts';
 import { NodeList } from './node-list.ts';
 import type { Reports } from './reports.ts';
 import type { Closest, Effort, Moment } from './search.ts';
-import { SnapshotPool } from './snapshot-pool.ts';
 
 // What has been tried from a node.
 const PRESSED = 2;

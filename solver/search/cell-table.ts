@@ -1,3 +1,5 @@
+import type { Scene, Simulation } from '../../engine/index.ts';
+
 const EMPTY = -1;
 
 /**
@@ -57,5 +59,85 @@ export class CellTable {
       this.high[place] = high[i];
       this.node[place] = node[i];
     }
+  }
+}
+
+/** The places of this many aliens at most distinguish cells. */
+const ALIENS = 32;
+
+const mix = (h: number, k: number): number => Math.imul(h ^ k ^ (h >>> 15), 0x2c1b3c6d);
+const stir = (h: number, k: number): number => Math.imul(h ^ k ^ (h >>> 13), 0x297a2d39);
+
+/**
+ * Computes the cell of a state as two 32-bit hashes of her place and velocity in units of the cell size, the places of the
+ * aliens, and the minerals she has.
+ */
+export class CellKey {
+  low = 0;
+  high = 0;
+  private readonly originX: number;
+  private readonly originY: number;
+  private readonly aliens: Float64Array;
+
+  constructor(scene: Scene) {
+    this.originX = scene.level.astronaut.x;
+    this.originY = scene.level.astronaut.y;
+    this.aliens = new Float64Array(3 * scene.aliens.count);
+  }
+
+  /**
+   * @param state as `readState` gives it
+   * @param place side of a cell, px
+   * @param speed side of a cell, px/s
+   * @param minerals a hash of the minerals she has
+   */
+  find(simulation: Simulation, state: Float64Array, place: number, speed: number, minerals: number): void {
+    const x = Math.floor((state[0] - this.originX) / place);
+    const y = Math.floor((state[1] - this.originY) / place);
+    // Shift by a half, so that rest lies in the middle of a cell and not at the corner of four.
+    const vx = Math.floor(state[2] / speed + 0.5);
+    const vy = Math.floor(state[3] / speed + 0.5);
+    let low = mix(mix(mix(mix(minerals ^ 0x3c6ef372, x), y), vx), vy);
+    let high = stir(stir(stir(stir(minerals ^ 0x1b873593, vy), vx), y), x);
+    const { aliens } = this;
+    if (aliens.length > 0) {
+      simulation.readAliens(aliens);
+      for (let i = 0; i < aliens.length && i < 3 * ALIENS; i += 3) {
+        const ax = Math.floor((aliens[i] - this.originX) / place);
+        const ay = Math.floor((aliens[i + 1] - this.originY) / place);
+        low = mix(mix(low, ax), ay ^ (aliens[i + 2] << 30));
+        high = stir(stir(high, ay), ax ^ (aliens[i + 2] << 30));
+      }
+    }
+    this.low = low ^ (low >>> 16);
+    this.high = high ^ (high >>> 16);
+  }
+}
+
+/**
+ * Stores numbered snapshots of one scene in a few large typed arrays, so that storing one allocates nothing once its slot
+ * exists.
+ */
+export class SnapshotPool {
+  private readonly length: number;
+  private readonly places: Float64Array[] = [];
+
+  /** @param length doubles in a snapshot */
+  constructor(length: number) {
+    this.length = length;
+  }
+
+  /** The slot of snapshot `i`. Slots are created in order, one block at a time. */
+  at(i: number): Float64Array {
+    while (i >= this.places.length) this.grow();
+    return this.places[i];
+  }
+
+  private grow(): void {
+    const { length } = this;
+    // The first blocks are small, because a search of a millisecond must not spend it on memory.
+    const count = Math.max(1, Math.min(Math.max(16, this.places.length), Math.floor(131072 / length)));
+    const block = new Float64Array(count * length);
+    for (let k = 0; k < count; k++) this.places.push(block.subarray(k * length, (k + 1) * length));
   }
 }

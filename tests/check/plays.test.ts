@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { alignEdges } from '../../check/plays/alignment.ts';
-import { dbscan, type Point } from '../../check/plays/dbscan.ts';
+import { dbscan, type Point } from '../../check/plays/clusters.ts';
 import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
 import { Tally } from '../../check/plays/quartiles.ts';
 import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';

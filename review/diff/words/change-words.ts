@@ -1,3 +1,5 @@
+import { compareHolds } from '../../../check/runs/index.ts';
+import { plural } from '../../../check/words/index.ts';
 import {
   appearanceOfObject,
   DEFAULT_RANGE,
@@ -10,11 +12,11 @@ import {
   objectName,
   RULES,
   type RuleName,
+  type RunNote,
   SINGLE_KINDS,
 } from '../../../schema/index.ts';
+import { namedNotes } from '../../notes.ts';
 import type { Change, EntryChange, FieldChange, Json, MapChange, PartChange, ValueChange } from '../change.ts';
-import { holdsClauses } from './holds.ts';
-import { type NotesOrNone, notesClauses } from './notes.ts';
 import { indicesInWords, numbersApart } from './numbers.ts';
 import { objectClauses, placeInWords } from './object.ts';
 import { quoted, valueChangeInWords } from './values.ts';
@@ -217,4 +219,59 @@ function runsInWords(changes: readonly Change[], after: LevelFile): string[] {
     }
   }
   return lines;
+}
+
+/** More moved edges than this are counted and not listed. */
+const MOST_EDGES = 6;
+
+/** The changes of holds in words: `press 2 is 4 ticks later`, `hold 3 added (130-188)`. */
+function holdsClauses(before: readonly Hold[], after: readonly Hold[]): string[] {
+  const { moved, removed, added } = compareHolds(before, after);
+  const clauses: string[] = [];
+  const by = moved.map((edge) => edge.after - edge.before);
+  const isAll = moved.length === 2 * after.length && moved.length > 2 && removed.length + added.length === 0;
+  if (isAll && by.every((ticks) => ticks === by[0])) clauses.push(`every press and release is ${shiftInWords(by[0])}`);
+  else if (moved.length > MOST_EDGES) {
+    const most = Math.max(...by.map(Math.abs));
+    clauses.push(`${moved.length} presses and releases moved by up to ${plural(most, 'tick')}`);
+  } else {
+    for (const { edge, hold, before: b, after: a } of moved) clauses.push(`${edge} ${hold + 1} is ${shiftInWords(a - b)}`);
+  }
+  const list = (what: string, indices: readonly number[], holds: readonly Hold[]): void => {
+    if (indices.length > MOST_EDGES) clauses.push(`${indices.length} holds ${what}`);
+    else for (const i of indices) clauses.push(`hold ${i + 1} ${what} (${holds[i][0]}-${holds[i][1]})`);
+  };
+  list('removed', removed, before);
+  list('added', added, after);
+  return clauses;
+}
+
+const shiftInWords = (ticks: number): string => `${plural(Math.abs(ticks), 'tick')} ${ticks > 0 ? 'later' : 'earlier'}`;
+
+/** The notes of a run, as its file has them. */
+type NotesOrNone = readonly RunNote[] | undefined;
+
+/** More changed notes than this are counted and not listed. */
+const MOST = 6;
+
+/** The changes of notes in words: `note "swing" added at tick 200`, `note "swing" moved from tick 200 to 210`. */
+function notesClauses(before: NotesOrNone, after: NotesOrNone): string[] {
+  const [old, now] = [namedNotes(before ?? []), namedNotes(after ?? [])];
+  const removed = [...old].flatMap(([name, note]) => (now.has(name) ? [] : [note]));
+  const added = [...now].flatMap(([name, note]) => (old.has(name) ? [] : [note]));
+  const clauses: string[] = [];
+  for (const note of removed) {
+    const at = (tick: number) => `tick ${tick}`;
+    const moved = added.findIndex(({ text, tick }) => text === note.text && tick !== note.tick);
+    const other = moved >= 0 ? moved : added.findIndex(({ tick }) => tick === note.tick);
+    const [to] = other >= 0 ? added.splice(other, 1) : [null];
+    if (to === null) clauses.push(`note ${quoted(note.text)} removed from ${at(note.tick)}`);
+    else if (to.tick !== note.tick) clauses.push(`note ${quoted(note.text)} moved from ${at(note.tick)} to ${to.tick}`);
+    else if (to.text !== note.text) clauses.push(`note at ${at(note.tick)} now says ${quoted(to.text)}`);
+    else clauses.push(`x- keys of the note ${quoted(note.text)} changed`);
+  }
+  for (const { tick, text } of added) clauses.push(`note ${quoted(text)} added at tick ${tick}`);
+  if (clauses.length > MOST) return [`${clauses.length} notes changed`];
+  if (clauses.length === 0) clauses.push(`an empty list of notes is ${after === undefined ? 'no longer' : 'now'} written`);
+  return clauses;
 }

@@ -3,9 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE } from '../../../engine/index.ts';
 import { createRandom, createSearch } from '../../../solver/index.ts';
 import { Frontier } from '../../../solver/search/frontier.ts';
-import { Guide } from '../../../solver/search/guide.ts';
+import { Guide, NO_WAY, WayMap } from '../../../solver/search/guide.ts';
 import { LineOfFlight } from '../../../solver/search/line-of-flight.ts';
-import { NO_WAY, WayMap } from '../../../solver/search/way-map.ts';
 import { plainLevel } from '../../engine/plain-level.ts';
 import { arbitraryOrdinaryLevel, fallThrough } from './solvable-levels.ts';
 

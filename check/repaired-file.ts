@@ -1,7 +1,7 @@
-import { joinHolds } from '../../engine/index.ts';
-import type { LevelFile } from '../../schema/index.ts';
-import { applyChange, type Proposal } from '../../solver/index.ts';
-import { carryNotes } from '../runs/index.ts';
+import { joinHolds } from '../engine/index.ts';
+import type { LevelFile } from '../schema/index.ts';
+import { applyChange, type Proposal } from '../solver/index.ts';
+import { carryNotes } from './runs/index.ts';
 
 /**
  * Makes the content of a level file after a proposal. Nothing else changes: keys of its own (`x-`) and what is left out stay so.

@@ -1,10 +1,9 @@
-import { maxTicksOf, type Scene } from '../../engine/index.ts';
-import type { Hold } from '../../schema/basics/index.ts';
-import { edgesOf, holdsOf } from '../edges.ts';
-import type { Goal } from '../goal.ts';
-import type { Effort } from '../search/index.ts';
-import { type Candidate, createReplay } from '../verified-run.ts';
-import { earlierFrom, joined, rounded, withoutHold } from './simpler-scripts.ts';
+import { maxTicksOf, type Scene } from '../engine/index.ts';
+import type { Hold } from '../schema/basics/index.ts';
+import { edgesOf, holdsOf } from './edges.ts';
+import type { Goal } from './goal.ts';
+import type { Effort } from './search/index.ts';
+import { type Candidate, createReplay } from './verified-run.ts';
 
 /** Limits for {@link cleanRun}. */
 export interface CleanOptions {
@@ -95,3 +94,20 @@ export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, optio
   round();
   return { run: best, effort: { runs, ticks: replay.ticks } };
 }
+
+/** Removes hold `i`. */
+const withoutHold = (holds: readonly Hold[], i: number): Hold[] => holds.filter((_, k) => k !== i);
+
+/** Extends hold `i` to the end of the next one. */
+const joined = (holds: readonly Hold[], i: number): Hold[] => [
+  ...holds.slice(0, i),
+  [holds[i][0], holds[i + 1][1]],
+  ...holds.slice(i + 2),
+];
+
+/** Moves edge `i` and all later ones earlier by this many ticks. */
+const earlierFrom = (edges: readonly number[], i: number, ticks: number): number[] =>
+  edges.map((edge, k) => (k >= i ? edge - ticks : edge));
+
+/** The multiple of `grid` nearest to a tick. */
+const rounded = (tick: number, grid: number): number => Math.round(tick / grid) * grid;

@@ -1,1 +1,0 @@
-export { repairedFile } from './repaired-file.ts';

@@ -1,1 +1,0 @@
-export { type Cleaned, type CleanOptions, cleanRun } from './clean-run.ts';
