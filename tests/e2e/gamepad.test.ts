@@ -50,9 +50,7 @@ inChromium('a gamepad in Chromium', ({ on }) => {
     'starts a playtest, holds the gun, changes the speed, restarts, keeps the attempt and goes back',
     on(
       { '01': straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, runs: undefined }) },
-      async ({ page, context, file, saved }) => {
-        await context.addInitScript(plugIn);
-        await page.reload();
+      async ({ page, file, saved }) => {
         await saved();
         await hurry(page, 4);
         await press(page, START);
@@ -103,25 +101,28 @@ inChromium('a gamepad in Chromium', ({ on }) => {
         expect(holds).toHaveLength(1);
         expect(holds[0][1]).toBeGreaterThan(holds[0][0]);
       },
+      { before: plugIn },
     ),
   );
 
   it(
     'does nothing while a dialog is open, and its buttons are on the sheet of shortcuts',
-    on({ '01': straight() }, async ({ page, context, saved }) => {
-      await context.addInitScript(plugIn);
-      await page.reload();
-      await saved();
-      await page.keyboard.press('?');
-      const sheet = page.getByRole('dialog', { name: 'Shortcuts and gestures' });
-      await sheet.getByText('gamepad Start').first().waitFor();
-      await press(page, START);
-      await frames(page);
-      expect(await playtest(page).count()).toBe(0);
-      await page.keyboard.press('Escape');
-      await sheet.waitFor({ state: 'hidden' });
-      await press(page, START);
-      await playtest(page).waitFor();
-    }),
+    on(
+      { '01': straight() },
+      async ({ page, saved }) => {
+        await saved();
+        await page.keyboard.press('?');
+        const sheet = page.getByRole('dialog', { name: 'Shortcuts and gestures' });
+        await sheet.getByText('gamepad Start').first().waitFor();
+        await press(page, START);
+        await frames(page);
+        expect(await playtest(page).count()).toBe(0);
+        await page.keyboard.press('Escape');
+        await sheet.waitFor({ state: 'hidden' });
+        await press(page, START);
+        await playtest(page).waitFor();
+      },
+      { before: plugIn },
+    ),
   );
 });

@@ -232,11 +232,7 @@ inChromium('the history of a level in Chromium', ({ on }) => {
 
   it(
     'has hundreds of versions, of which only the visible ones are in the page; they come from a file and go into one',
-    on({ '01': garden() }, async ({ page: first, context, file, open, folder }) => {
-      await first.close();
-      // the older way of choosing a file, which a test can answer
-      await context.addInitScript(() => delete (window as unknown as Record<string, unknown>).showOpenFilePicker);
-      const { page } = await open();
+    on({ '01': garden() }, async ({ page, file, folder }) => {
       const text = (x: number) => formatLevel({ ...file('01'), blackHole: { x, y: 304 } });
       const start = Date.now() - 50 * 60_000;
       const versions = Array.from({ length: 300 }, (_, i) => ({
@@ -315,30 +311,35 @@ inChromium('the history of a level in Chromium', ({ on }) => {
 
   it(
     'without a database lasts as long as the page, and says so',
-    on({ '01': garden() }, async ({ context, page, file, open }) => {
-      await page.close();
-      await context.addInitScript(() => {
-        const { open: real } = IDBFactory.prototype;
-        IDBFactory.prototype.open = function (this: IDBFactory, name: string, version?: number) {
-          if (name.endsWith('-versions')) throw new DOMException('denied', 'SecurityError');
-          return real.call(this, name, version);
-        };
-      });
-      const next = await open();
-      await next.canvas.fit(file('01'));
-      await next.canvas.click(A);
-      await nudge(next.page, () => file('01'), [401]);
-      await openHistory(next.page, 2);
-      await dialog(next.page)
-        .getByText(/^This browser stores no data for this page/)
-        .waitFor();
-      await rows(next.page).nth(1).click();
-      await dialog(next.page).getByRole('button', { name: 'Restore', exact: true }).click();
-      await until(() => expect(asteroid(file('01'), 'a1')?.x).toBe(400));
-      await verdict(next.page, 'broken');
-    }),
+    on(
+      { '01': garden() },
+      async (next) => {
+        const { file } = next;
+        await next.canvas.fit(file('01'));
+        await next.canvas.click(A);
+        await nudge(next.page, () => file('01'), [401]);
+        await openHistory(next.page, 2);
+        await dialog(next.page)
+          .getByText(/^This browser stores no data for this page/)
+          .waitFor();
+        await rows(next.page).nth(1).click();
+        await dialog(next.page).getByRole('button', { name: 'Restore', exact: true }).click();
+        await until(() => expect(asteroid(file('01'), 'a1')?.x).toBe(400));
+        await verdict(next.page, 'broken');
+      },
+      { before: withoutVersions },
+    ),
   );
 });
+
+/** Runs in a page before its own scripts: the browser refuses the database of versions. */
+function withoutVersions(): void {
+  const { open } = IDBFactory.prototype;
+  IDBFactory.prototype.open = function (this: IDBFactory, name: string, version?: number) {
+    if (name.endsWith('-versions')) throw new DOMException('denied', 'SecurityError');
+    return open.call(this, name, version);
+  };
+}
 
 async function openHistoryAgain(page: Page): Promise<void> {
   await page.keyboard.press('y');

@@ -130,42 +130,44 @@ inChromium('playing in Chromium', ({ on }) => {
 
   it(
     'the gun sounds while it is held, and so does the end; with the sound off there is no sound',
-    on({ '01': quick() }, async ({ page, context, saved }) => {
-      await context.addInitScript(listenToSound);
-      await page.reload();
-      await saved();
-      // by herself she reaches the hole in three seconds
-      await hurry(page, 0);
-      const heard = () => page.evaluate(() => (window as unknown as { heard: Heard }).heard);
-      await page.keyboard.press('Space');
-      await playtest(page).waitFor();
-      // no audio context exists before the first sound
-      expect(await heard()).toEqual({ contexts: 0, oscillators: 0, levels: [] });
-      await page.keyboard.down('Space');
-      await until(async () => expect((await heard()).levels.at(-1)).toBeGreaterThan(0));
-      expect(await heard()).toMatchObject({ contexts: 1, oscillators: 1 });
-      await page.keyboard.up('Space');
-      await until(async () => expect((await heard()).levels.at(-1)).toBe(0));
-      await hurry(page, 1);
-      await page.keyboard.down('Space');
-      await theEnd(page).waitFor();
-      await page.keyboard.up('Space');
-      // a mineral has two tones, the black hole four
-      await until(async () => expect(await heard()).toMatchObject({ contexts: 1, oscillators: 7 }));
-      await page.keyboard.press('u');
-      await page.getByText('Sound is off.').waitFor();
-      await hurry(page, 0);
-      await page.keyboard.press('r');
-      await theEnd(page).waitFor({ state: 'hidden' });
-      const before = await heard();
-      await hurry(page, 1);
-      await page.keyboard.down('Space');
-      await theEnd(page).waitFor();
-      await page.keyboard.up('Space');
-      const after = await heard();
-      expect(after.oscillators).toBe(before.oscillators);
-      expect(after.levels.slice(before.levels.length).filter((level) => level > 0)).toEqual([]);
-    }),
+    on(
+      { '01': quick() },
+      async ({ page, saved }) => {
+        await saved();
+        // by herself she reaches the hole in three seconds
+        await hurry(page, 0);
+        const heard = () => page.evaluate(() => (window as unknown as { heard: Heard }).heard);
+        await page.keyboard.press('Space');
+        await playtest(page).waitFor();
+        // no audio context exists before the first sound
+        expect(await heard()).toEqual({ contexts: 0, oscillators: 0, levels: [] });
+        await page.keyboard.down('Space');
+        await until(async () => expect((await heard()).levels.at(-1)).toBeGreaterThan(0));
+        expect(await heard()).toMatchObject({ contexts: 1, oscillators: 1 });
+        await page.keyboard.up('Space');
+        await until(async () => expect((await heard()).levels.at(-1)).toBe(0));
+        await hurry(page, 1);
+        await page.keyboard.down('Space');
+        await theEnd(page).waitFor();
+        await page.keyboard.up('Space');
+        // a mineral has two tones, the black hole four
+        await until(async () => expect(await heard()).toMatchObject({ contexts: 1, oscillators: 7 }));
+        await page.keyboard.press('u');
+        await page.getByText('Sound is off.').waitFor();
+        await hurry(page, 0);
+        await page.keyboard.press('r');
+        await theEnd(page).waitFor({ state: 'hidden' });
+        const before = await heard();
+        await hurry(page, 1);
+        await page.keyboard.down('Space');
+        await theEnd(page).waitFor();
+        await page.keyboard.up('Space');
+        const after = await heard();
+        expect(after.oscillators).toBe(before.oscillators);
+        expect(after.levels.slice(before.levels.length).filter((level) => level > 0)).toEqual([]);
+      },
+      { before: listenToSound },
+    ),
   );
 
   it(

@@ -53,7 +53,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a page that dies with unsaved changes recovers them, and undo reverts them',
+    'unsaved changes are reported as kept once they are, with the place; a page that dies recovers them, and undo reverts them',
     on(
       { '01': garden() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
@@ -64,6 +64,10 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await canvas.click(A);
         for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
         await saving(page, /disconnected, kept in this browser/);
+        await page
+          .getByRole('list', { name: 'Messages' })
+          .getByText(new RegExp(`kept in this browser for 127.0.0.1:${port}.*--port ${port}`))
+          .waitFor();
         expect(placeOf(file('01'), 'a1')).toMatchObject(A);
         await page.close();
         await startServer(port);
@@ -105,41 +109,10 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'unsaved changes are reported as kept only once they are, with the place, and can be downloaded',
-    on(
-      { '01': garden(), '02': straight() },
-      async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
-        await canvas.fit(file('01'));
-        await saved();
-        const { port } = server();
-        await killServer();
-        await canvas.click(A);
-        await page.keyboard.press('ArrowDown');
-        await saving(page, /disconnected, kept in this browser/);
-        await page
-          .getByRole('list', { name: 'Messages' })
-          .getByText(new RegExp(`kept in this browser for 127.0.0.1:${port}.*--port ${port}`))
-          .waitFor();
-        await page.close();
-        await startServer(port);
-        const again = await open();
-        await saving(again.page, /^saved$/);
-        await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
-      },
-      { complaints: OUTAGE, ownProcess: true },
-    ),
-  );
-
-  it(
     'changes of a level that is not opened again are listed with their place, and can be saved as a file',
     on(
       { '01': garden(), '02': straight() },
       async ({ page, canvas, file, open, saved, killServer, startServer, server, context }) => {
-        await context.addInitScript(() => {
-          for (const name of ['showOpenFilePicker', 'showSaveFilePicker'])
-            delete (window as unknown as Record<string, unknown>)[name];
-        });
-        await page.reload();
         await canvas.fit(file('01'));
         await saved();
         const { port } = server();
@@ -233,7 +206,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
-    'a file that becomes writable again is saved automatically',
+    'a file that is not writable says so, and once it is, changes are saved automatically',
     on(
       { '01': garden() },
       async ({ page, canvas, file, folder }) => {
@@ -351,17 +324,6 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         expect(file('01').name).toBe('Garden');
       },
       { complaints: OUTAGE },
-    ),
-  );
-
-  it(
-    'a file that is not writable can be viewed, and says so',
-    on(
-      { '01': garden() },
-      async ({ page }) => {
-        await saving(page, /^read-only$/);
-      },
-      { readOnly: true },
     ),
   );
 });

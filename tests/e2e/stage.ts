@@ -16,6 +16,8 @@ import { PATIENCE } from './until.ts';
 
 export interface StageOptions {
   readonly context?: BrowserContextOptions;
+  /** Runs in a page before its own scripts. */
+  readonly before?: () => void;
   /** Whether the test needs a page that no other has used: it changes what can't be seen on it. */
   readonly ownPage?: boolean;
   /** Whether this user opens the editor for the first time. */
@@ -68,12 +70,17 @@ export interface Stage {
 }
 
 export interface Browsers {
-  /** Runs a test on a stage of its own. */
+  /** Runs a test on a stage that is as new. */
   on(
     levels: Readonly<Record<string, unknown>>,
     play: (stage: Stage) => Promise<void>,
     options?: StageOptions,
   ): () => Promise<void>;
+}
+
+/** Runs in a page before its own scripts: a test can't answer the dialogs of the system, only those of the older ways. */
+function withoutPickers(): void {
+  for (const name of ['showOpenFilePicker', 'showSaveFilePicker']) delete (window as unknown as Record<string, unknown>)[name];
 }
 
 /** Runs in a page before its own scripts; existing settings stay. */
@@ -213,7 +220,15 @@ type Files = Readonly<Record<string, string>>;
 
 /** Opens a page on a folder of its own. */
 async function openPlace(files: Files, options: StageOptions): Promise<Place> {
-  const { context: wanted = {}, firstTime = false, readOnly = false, ownProcess = readOnly, query = '', fragment = '' } = options;
+  const {
+    context: wanted = {},
+    firstTime = false,
+    readOnly = false,
+    ownProcess = readOnly,
+    query = '',
+    fragment = '',
+    before,
+  } = options;
   const { folder, remove } = makeFolder(files);
   if (readOnly) for (const name of Object.keys(files)) if (isLevel(name)) chmodSync(join(folder, name), 0o444);
   // root may write everything, so the server runs as another user
@@ -223,6 +238,8 @@ async function openPlace(files: Files, options: StageOptions): Promise<Place> {
   const browser = await sharedChromium();
   const context = await browser.newContext({ viewport: DESK, ...CALM, ...wanted });
   await context.addInitScript(paceFrames);
+  await context.addInitScript(withoutPickers);
+  if (before !== undefined) await context.addInitScript(before);
   // the tour would cover the page
   if (!firstTime) await context.addInitScript(KNOWN);
   const complaints: string[] = [];
@@ -328,7 +345,10 @@ async function leave(place: Place, isGood: boolean): Promise<void> {
   }
 }
 
-/** Declares a suite in the Chromium of the worker; each test has its own folder, server and browser context. */
+/**
+ * Declares a suite in the Chromium of the worker. Each test has a folder, a server and a page: new ones, or those that another
+ * test has left as new.
+ */
 export function inChromium(suite: string, declare: (browsers: Browsers) => void): void {
   if (!existsSync(CHROMIUM)) {
     declareMissing(suite, `no browser at ${CHROMIUM}: install Chromium or name it in CHROMIUM`);
