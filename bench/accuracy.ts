@@ -1,6 +1,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
-import { brief } from '../cli/accuracy/index.ts';
+import { brief } from '../cli/commands/accuracy/report.ts';
 import { ACCURACIES, type Accuracy, DEFAULT_MAX_TICKS, TICK_RATE } from '../engine/index.ts';
 import {
   type Cost,

@@ -2,12 +2,14 @@ import { compile, type Run, type Scene, simulate, type Terms, WorkBudget } from 
 import type { Level } from '../schema/index.ts';
 import type { Proof } from '../solver/index.ts';
 import { type RunFindings, scriptEnds, unproved, verdictOfFindings } from './findings.ts';
-import { proveGoalImpossible } from './proofs.ts';
+import { proofBudget, proveGoalImpossible } from './proofs.ts';
 import type { LevelVerdict } from './verdict.ts';
 
 /** What is true of a level under some terms by its own runs and by proof, without a search and without its problems. */
 export interface Brief {
   readonly scene: Scene;
+  /** The runs, in the order of the level's list; only the first has a recording. */
+  readonly runs: readonly Run[];
   /** How the runs end, in the order of the level's list. */
   readonly ends: RunFindings['ends'];
   /** A proof that nobody can complete the level; null when a run completes it, or none was found. */
@@ -19,6 +21,8 @@ export interface Brief {
   readonly run: Run | null;
   /** What is left of the work that the runs may cost. */
   readonly budget: WorkBudget;
+  /** What is left of the work that proofs may cost. */
+  readonly proofs: WorkBudget;
 }
 
 /**
@@ -29,7 +33,9 @@ export interface Brief {
  */
 export function* briefInSteps(level: Level, terms: Terms): Generator<null, Brief, void> {
   const scene = compile(level, terms);
+  // each part of a check has a budget of its own, so that none uses up another's
   const budget = new WorkBudget(terms.maxWork);
+  const proofs = proofBudget(scene);
   const runs: Run[] = [];
   for (const { holds } of level.runs) {
     if (runs.length > 0) yield null;
@@ -37,12 +43,12 @@ export function* briefInSteps(level: Level, terms: Terms): Generator<null, Brief
   }
   const completing = runs.findIndex(({ outcome }) => outcome === 'completed');
   if (completing < 0) yield null;
-  const impossible = completing < 0 ? proveGoalImpossible(scene, { minerals: 'any' }) : null;
+  const impossible = completing < 0 ? proveGoalImpossible(scene, { minerals: 'any' }, proofs) : null;
   const ends = scriptEnds(level.runs, runs);
   const verdict = verdictOfFindings({ ...unproved, ends, impossible });
   const shown = runs.length === 0 ? null : Math.max(0, completing);
   const run = shown === null || runs[shown].stopped !== null ? null : runs[shown];
-  return { scene, ends, impossible, verdict, shown, run, budget };
+  return { scene, runs, ends, impossible, verdict, shown, run, budget, proofs };
 }
 
 /** {@link briefInSteps} at once. */

@@ -4,7 +4,7 @@
  *
  * @module
  */
-export { brief, briefInSteps } from './brief.ts';
+export { type Brief, brief, briefInSteps } from './brief.ts';
 export { ticksToAgree } from './certified-ticks.ts';
 export { examineRuns, playRuns } from './examine-runs.ts';
 export {
@@ -22,5 +22,5 @@ export { type LostMineral, mineralsToProve, proofBudget, proveGoalImpossible, pr
 export { repairedFile } from './repaired-file.ts';
 export { type Softlocks, softlocksOf } from './softlocks.ts';
 export { completingRuns, tightRuns } from './tight-runs.ts';
-export { type LevelVerdict, onceProved, verdictOf } from './verdict.ts';
+export { type LevelVerdict, onceProved } from './verdict.ts';
 export { withinWork } from './within-work.ts';

@@ -58,8 +58,9 @@ async function perform(args: readonly string[]): Promise<CommandResult> {
     const command = program.command(name).summary(summary).description(summary);
     // completion tells of all commands
     if (name !== asked && asked !== 'completion') continue;
-    const module = await load();
-    module.declare(command, (r) => {
+    const { help, declare } = await load();
+    command.description(help.description).addHelpText('after', help.more);
+    declare(command, (r) => {
       result = r;
     });
   }

@@ -28,8 +28,16 @@ export interface ResultFile {
   readonly mode: 'replace' | 'append';
 }
 
+/** The words around a command's arguments and options in its help. */
+export interface CommandHelp {
+  readonly description: string;
+  /** What follows the options: what is meant, exit codes, examples. */
+  readonly more: string;
+}
+
 /** The interface of a module in commands/. */
 export interface CommandModule {
-  /** Declares arguments, options, help and the action, which passes its result to `finish`. */
+  readonly help: CommandHelp;
+  /** Declares arguments, options and the action, which passes its result to `finish`. */
   declare(command: Command, finish: (result: CommandResult) => void): void;
 }

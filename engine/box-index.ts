@@ -1,6 +1,5 @@
 import Flatbush from 'flatbush';
-import type { Circles } from './circles.ts';
-import { INDEX_FROM, type Indexing, type SpatialIndex } from './spatial-index.ts';
+import { type Circles, INDEX_FROM, type Indexing, type SpatialIndex } from './indexed-circles.ts';
 
 function indexCircles(circles: Circles): SpatialIndex | null {
   if (circles.count < INDEX_FROM) return null;

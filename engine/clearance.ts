@@ -1,4 +1,5 @@
 import { boxCircleGap } from './contact/index.ts';
+import type { IndexedCircles } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
 import type { BodyKind } from './simulation.ts';
 
@@ -21,7 +22,14 @@ export interface Clearance {
 export class ClearanceTracker {
   best: Clearance | null = null;
 
-  constructor(private readonly scene: Scene) {}
+  readonly lists: readonly HazardList[];
+  /** The number of hazards. */
+  readonly count: number;
+
+  constructor(private readonly scene: Scene) {
+    this.lists = hazardLists(scene);
+    this.count = hazardCount(scene);
+  }
 
   /** The smallest gap so far, px; Infinity before the first. */
   get least(): number {
@@ -30,21 +38,19 @@ export class ClearanceTracker {
 
   /**
    * Takes one state into account: time in s, her place in px, the box's direction as a unit vector.
-   * @param aliens - x, y, alive of every alien
+   * @param chasers - x, y, alive of every object that chases her
    * @param asteroids - x, y of every asteroid in the level's order
    */
-  see(time: number, x: number, y: number, cos: number, sin: number, aliens: Float64Array, asteroids: Float64Array): void {
-    const { box, novae, targets, coldCount, aliens: kinds } = this.scene;
-    for (let i = 0; i < novae.count; i++) {
-      this.take(time, boxCircleGap(box, novae.x[i] - x, novae.y[i] - y, cos, sin, novae.r[i]), 'nova', novae.index[i]);
-    }
-    for (let i = coldCount; i < targets.count; i++) {
-      const k = targets.index[i];
-      this.take(time, boxCircleGap(box, asteroids[2 * k] - x, asteroids[2 * k + 1] - y, cos, sin, targets.r[i]), 'asteroid', k);
-    }
-    for (let i = 0; i < kinds.count; i++) {
-      if (aliens[3 * i + 2] === 0) continue;
-      this.take(time, boxCircleGap(box, aliens[3 * i] - x, aliens[3 * i + 1] - y, cos, sin, kinds.r[i]), 'alien', i);
+  see(time: number, x: number, y: number, cos: number, sin: number, chasers: Float64Array, asteroids: Float64Array): void {
+    const { box } = this.scene;
+    for (const { kind, circles, first, movedBy } of this.lists) {
+      for (let i = first; i < circles.count; i++) {
+        const k = circles.index[i];
+        if (movedBy === 'chase' && chasers[3 * k + 2] === 0) continue;
+        const atX = movedBy === 'chase' ? chasers[3 * k] : movedBy === 'recoil' ? asteroids[2 * k] : circles.x[i];
+        const atY = movedBy === 'chase' ? chasers[3 * k + 1] : movedBy === 'recoil' ? asteroids[2 * k + 1] : circles.y[i];
+        this.take(time, boxCircleGap(box, atX - x, atY - y, cos, sin, circles.r[i]), kind, k);
+      }
     }
   }
 
@@ -53,3 +59,24 @@ export class ClearanceTracker {
     if (distance < this.least) this.best = { distance, kind, index, time };
   }
 }
+
+/** Circles of one kind that end a run on touch. */
+export interface HazardList {
+  readonly kind: BodyKind;
+  readonly circles: IndexedCircles;
+  /** The first of the circles that is deadly. */
+  readonly first: number;
+  /** What moves them during a run: nothing, recoil as it moves asteroids, or a chase. */
+  readonly movedBy: 'nothing' | 'recoil' | 'chase';
+}
+
+/** All hazards of a scene. Of equally near ones the first in this order counts. */
+const hazardLists = ({ novae, targets, coldCount, aliens }: Scene): readonly HazardList[] => [
+  { kind: 'nova', circles: novae, first: 0, movedBy: 'nothing' },
+  { kind: 'asteroid', circles: targets, first: coldCount, movedBy: 'recoil' },
+  { kind: 'alien', circles: aliens, first: 0, movedBy: 'chase' },
+];
+
+/** The number of hazards of a scene. */
+export const hazardCount = (scene: Scene): number =>
+  hazardLists(scene).reduce((sum, { circles, first }) => sum + circles.count - first, 0);

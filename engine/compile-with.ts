@@ -1,12 +1,10 @@
-import type { Circle, Level } from '../schema/basics/index.ts';
-import { rulesOf } from '../schema/basics/index.ts';
-import type { Accuracy } from './accuracy.ts';
+import { type Circle, type Level, rulesOf } from '../schema/basics/index.ts';
+import { type Accuracy, validAccuracy } from './accuracy.ts';
 import { boxOf } from './contact/index.ts';
 import { type EffectSet, explosionsAtStart, strongestOf } from './effects/index.ts';
 import { circlesOf, type IndexedCircles, indexed } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
 import type { Terms } from './terms.ts';
-import { validAccuracy } from './valid-accuracy.ts';
 
 /** The places in a list of all circles, without those that equal an earlier one. */
 function unlike(list: readonly Circle[]): number[] {

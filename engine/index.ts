@@ -3,14 +3,13 @@ export {
   ACCURACY_LIMITS,
   type Accuracy,
   type AccuracyName,
+  accuracyOf,
   type ContactTest,
   DEFAULT_ACCURACY,
   type Integrator,
   isAccuracyName,
   type Setting,
 } from './accuracy.ts';
-export { accuracyOf } from './accuracy-of.ts';
-export type { Circles } from './circles.ts';
 export type { Clearance } from './clearance.ts';
 export { compile } from './compile.ts';
 export { atAccuracy } from './compile-with.ts';
@@ -18,15 +17,13 @@ export * from './constants.ts';
 export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
 export { Hash } from './hash.ts';
-export type { IndexedCircles } from './indexed-circles.ts';
-export { isJump } from './jumps.ts';
+export type { Circles, IndexedCircles, SpatialIndex } from './indexed-circles.ts';
 export type { Aliens, ChosenEffect, EffectChoice, Scene } from './scene.ts';
 export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';
 export * from './simulation.ts';
-export type { SpatialIndex } from './spatial-index.ts';
+export { isJump, type Trajectory } from './simulation.ts';
 export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf, unusualTerms } from './terms.ts';
-export type { Trajectory } from './trajectory.ts';
 export {
   findWarnings,
   MAX_WARNINGS_PER_CODE,

@@ -6,9 +6,17 @@ import { ContinuousSimulation, EventRecorder, PieceRecorder, WHOLE_METHOD } from
 import { Hash } from './hash.ts';
 import type { Scene } from './scene.ts';
 import { joinHolds, playScript } from './script.ts';
-import { type Mode, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Touched, type Work } from './simulation.ts';
+import {
+  type Mode,
+  type Outcome,
+  type RunEvent,
+  type Simulation,
+  STATE_SIZE,
+  type Touched,
+  type Trajectory,
+  type Work,
+} from './simulation.ts';
 import { maxTicksOf } from './terms.ts';
-import type { Trajectory } from './trajectory.ts';
 import { unlimited, type WorkBudget, WorkLimitReached } from './work-budget.ts';
 
 /** The state of the astronaut at one moment. */

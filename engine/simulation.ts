@@ -206,3 +206,58 @@ export interface Simulation {
   /** Goes back to the start and sets {@link Simulation.work} to 0. */
   reset(): void;
 }
+
+/** The motion of a run, to be read at any time from its start to its end. */
+export interface Trajectory {
+  /** Length of the run, s. */
+  readonly duration: number;
+  /**
+   * Writes the state of the astronaut at a time: x, y (px), vx, vy (px/s), cos, sin of the angle of the collision box's x axis.
+   *
+   * @param time - s from the start; clamped to the run
+   * @param out - receives 6 doubles ({@link STATE_SIZE})
+   */
+  at(time: number, out: Float64Array): void;
+  /**
+   * Writes x, y (px) and alive (1, or 0 once exploded) of every alien at a time, in the level's order.
+   *
+   * @param time - s from the start; clamped to the run
+   * @param out - receives 3 doubles per alien
+   */
+  aliensAt(time: number, out: Float64Array): void;
+  /**
+   * Writes x, y (px) of every asteroid at a time, in the level's order. Recoil moves asteroids.
+   *
+   * @param time - s from the start; clamped to the run
+   * @param out - receives 2 doubles per asteroid
+   */
+  asteroidsAt(time: number, out: Float64Array): void;
+}
+
+/** More than any force can change a path within a tick or two, px. */
+const LEAST = 2;
+
+/**
+ * Tells whether she was moved from one place to another at once between two states: no flight leads from the first to the
+ * second.
+ *
+ * @param states - states of the astronaut, each beginning with x, y (px), vx, vy (px/s)
+ * @param from - index in `states` at which the earlier state begins
+ * @param to - index in `states` at which the later state begins
+ * @param seconds - time between the two, s; at most a few ticks
+ * @returns true if the places differ by more than 2 px from what the velocities allow
+ */
+export function isJump(states: Float64Array, from: number, to: number, seconds: number): boolean {
+  const dx = states[to] - states[from] - ((states[from + 2] + states[to + 2]) / 2) * seconds;
+  const dy = states[to + 1] - states[from + 1] - ((states[from + 3] + states[to + 3]) / 2) * seconds;
+  return dx * dx + dy * dy > LEAST * LEAST;
+}
+
+/**
+ * Checks that a snapshot has the length of the state that it is to replace.
+ * @throws {RangeError} if it has not
+ */
+export function expectSnapshot(snapshot: Float64Array, length: number): void {
+  if (snapshot.length === length) return;
+  throw new RangeError(`expected a snapshot of ${length} numbers of this scene, found ${snapshot.length}`);
+}

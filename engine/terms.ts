@@ -1,7 +1,6 @@
 import type { OwnRules } from '../schema/basics/index.ts';
-import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY } from './accuracy.ts';
+import { ACCURACIES, type Accuracy, type AccuracyName, DEFAULT_ACCURACY, validAccuracy } from './accuracy.ts';
 import { DEFAULT_MAX_TIME, TICK_RATE } from './constants.ts';
-import { validAccuracy } from './valid-accuracy.ts';
 import { DEFAULT_MAX_WORK } from './work-budget.ts';
 
 /**

@@ -1,7 +1,7 @@
 import { LISTED_KINDS, SINGLE_KINDS } from '../schema/index.ts';
 import { IN_PICTURE } from './kinds/index.ts';
-import { radial } from './radial-gradient.ts';
 import type { Theme } from './theme.ts';
+import { radial } from './xml.ts';
 
 /** The gradients that all pictures of a theme share. */
 export function drawGradients(theme: Theme): string {

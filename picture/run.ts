@@ -1,8 +1,7 @@
 import { boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
 import { type Level, rulesOf } from '../schema/index.ts';
-import { drawAlienWay } from './alien-way.ts';
 import { drawContact } from './contact.ts';
-import { drawAstronaut } from './kinds/index.ts';
+import { ALIEN_INK, drawAstronaut } from './kinds/index.ts';
 import { place } from './place.ts';
 import type { Point } from './simplify.ts';
 import { startLabelAt } from './start.ts';
@@ -125,4 +124,41 @@ export function drawEnd(view: View, theme: Theme, level: Level, run: Run): strin
   const angle = num((Math.atan2(sin, cos) * 180) / Math.PI);
   const figure = `<g transform="rotate(${angle})">${drawAstronaut(theme, color, boxOf(rulesOf(level)))}</g>`;
   return place(view, 'astronaut-end', 0, { x, y }, figure) + drawContact(view, theme, level, run);
+}
+
+/** Draws the path of an alien that moved, and its last place: a ghost, or a burst if it had exploded. */
+function drawAlienWay(
+  view: View,
+  theme: Theme,
+  way: readonly (readonly [number, number])[],
+  radius: number,
+  exploded: boolean,
+): string {
+  const points = way.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L');
+  const [x, y] = way[way.length - 1];
+  const r = radius * view.scale;
+  let burst = '';
+  for (let i = 0; i < 12; i++) {
+    const [cos, sin] = [Math.cos((i * Math.PI) / 6), Math.sin((i * Math.PI) / 6)];
+    const from = i % 2 === 0 ? 0.35 : 0.5;
+    burst += `M${num(from * r * cos)} ${num(from * r * sin)}L${num(r * cos)} ${num(r * sin)}`;
+  }
+  const end = exploded
+    ? `<path d="${burst}" stroke-width="2" stroke-linecap="round"/>`
+    : `<circle r="${num(r)}" stroke-width="1.2" stroke-dasharray="4 3"/><circle cx="${num(-0.28 * r)}" cy="${num(-0.14 * r)}" r="${num(0.16 * r)}" stroke-width="1.2"/><circle cx="${num(0.28 * r)}" cy="${num(-0.14 * r)}" r="${num(0.16 * r)}" stroke-width="1.2"/>`;
+  return (
+    `<g data-kind="alien-way" fill="none" stroke="${ALIEN_INK[theme.name]}"><path d="M${points}" stroke-width="1.6" stroke-dasharray=".1 5" stroke-linecap="round"/>` +
+    `<g transform="translate(${num(view.x(x))} ${num(view.y(y))})">${end}</g></g>`
+  );
+}
+
+/** The mark of a collected mineral, around its centre. */
+const drawTick = (theme: Theme): string =>
+  `<g fill="none" stroke-linecap="round" stroke-linejoin="round"><circle r="11.5" stroke="${theme.good}" stroke-width="1.3"/>` +
+  `<path d="M6.5-9.5L9.8-6L16-13.5" stroke="${theme.halo}" stroke-width="5.5"/><path d="M6.5-9.5L9.8-6L16-13.5" stroke="${theme.good}" stroke-width="2.6"/></g>`;
+
+/** Marks each mineral that the run collects. */
+export function drawCollected(view: View, theme: Theme, level: Level, run: Run): string {
+  const indices = [...new Set(run.minerals.map(({ index }) => index))];
+  return indices.map((i) => place(view, 'collected', i, level.minerals[i], drawTick(theme))).join('');
 }

@@ -14,13 +14,6 @@ export interface Theme {
   readonly rock: readonly [lit: string, middle: string, shade: string];
   readonly crater: string;
   readonly craterEdge: string;
-  readonly hot: readonly [lit: string, middle: string, shade: string];
-  readonly flame: string;
-  readonly nova: readonly [core: string, middle: string, edge: string];
-  readonly repulsor: string;
-  readonly alien: string;
-  readonly alienEye: string;
-  readonly mineral: readonly [lit: string, middle: string, shade: string];
   readonly hole: string;
   readonly disc: string;
   readonly suit: string;
@@ -49,13 +42,6 @@ const dark: Theme = {
   rock: ['#c3c7d4', '#858b9e', '#474c5e'],
   crater: '#5a6074',
   craterEdge: '#d3d7e3',
-  hot: ['#ffb35c', '#d9481c', '#5c1408'],
-  flame: '#fff0b8',
-  nova: ['#ffffff', '#ffc6ee', '#e0489f'],
-  repulsor: '#4fd8d0',
-  alien: '#7be06b',
-  alienEye: '#0c1b0e',
-  mineral: ['#dff6ff', '#62c6ff', '#1f74c9'],
   hole: '#020208',
   disc: '#b58cff',
   suit: '#f4f6ff',
@@ -82,13 +68,6 @@ const light: Theme = {
   rock: ['#d9dce5', '#a3a9ba', '#6b7184'],
   crater: '#7f869a',
   craterEdge: '#f1f3f8',
-  hot: ['#ffa64d', '#d9481c', '#7a1c0c'],
-  flame: '#fff3c9',
-  nova: ['#ffffff', '#ff9fda', '#c2227d'],
-  repulsor: '#0f8f89',
-  alien: '#3fa433',
-  alienEye: '#ffffff',
-  mineral: ['#cfefff', '#3ba9ee', '#135ea8'],
   hole: '#0c0a1c',
   disc: '#6d3fd1',
   suit: '#ffffff',

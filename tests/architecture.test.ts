@@ -110,7 +110,7 @@ describe('rules are read from the level', () => {
 describe('terms are a value', () => {
   /** Files outside of the engine that may name a limit or an accuracy that holds where nothing is said, and why. */
   const ALLOWED: Readonly<Record<string, string>> = {
-    'cli/terms.ts': 'makes the terms of every command',
+    'cli/options/terms.ts': 'makes the terms of every command',
     'cli/verify/play-options.ts': 'says in its help what holds',
     'editor/files/folder-terms.ts': 'a page without a server has no configuration',
     'game/light/compose-player.ts': 'a published entry that says its default',

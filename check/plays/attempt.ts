@@ -1,13 +1,14 @@
+import type { BodyKind } from '../../engine/index.ts';
 import type { PlayOutcome, PlayVerdict } from '../../game/index.ts';
 
 /**
- * Why an attempt failed: she touched a nova, a hot asteroid or an alien; she was `lost`; the time was up (`timeout`); the player
+ * Why an attempt failed: she touched a hazard; she was `lost`; the time was up (`timeout`); the player
  * gave up (`left`); or she reached the black hole with too few `minerals`.
  */
 export type FailureCause =
   | {
-      /** The kind of the object; `asteroid` means a hot asteroid. */
-      readonly kind: 'nova' | 'asteroid' | 'alien';
+      /** The kind of the object; `asteroid` means a deadly one. */
+      readonly kind: Exclude<BodyKind, 'blackHole'>;
       /** Index within the level's list of that kind, from 0. */
       readonly index: number;
     }

@@ -1,4 +1,5 @@
 import {
+  type BodyKind,
   compile,
   createSimulation,
   joinHolds,
@@ -8,6 +9,7 @@ import {
   type Scene,
   STATE_SIZE,
   type Terms,
+  type Touched,
   WorkBudget,
 } from '../../engine/index.ts';
 import { claimInWords, levelHash, type Play, whyNotReplayed } from '../../game/play/index.ts';
@@ -114,13 +116,9 @@ export class Stage {
   }
 }
 
-function causeOf(
-  outcome: Attempt['outcome'],
-  touched: { readonly kind: string; readonly index: number } | null,
-  hasMinerals: boolean,
-): FailureCause | null {
+function causeOf(outcome: Attempt['outcome'], touched: Touched | null, hasMinerals: boolean): FailureCause | null {
   if (outcome === 'completed') return hasMinerals ? null : { kind: 'minerals', index: null };
   if (outcome !== 'collided') return { kind: outcome, index: null };
   if (touched === null) throw new Error('a collision without an object');
-  return { kind: touched.kind as 'nova' | 'asteroid' | 'alien', index: touched.index };
+  return { kind: touched.kind as Exclude<BodyKind, 'blackHole'>, index: touched.index };
 }

@@ -1,6 +1,2 @@
-export { type BuiltPack, checkPack, packOf } from './check-pack.ts';
-export { findPack } from './find-pack.ts';
-export { GAME, readGame } from './game-files.ts';
-export { isUnplayable, refusedOf, whyRefused } from './refused.ts';
-export { siteFiles } from './site-files.ts';
-export { planSite, type SiteFile, type SiteWords, writeSite } from './write-site.ts';
+export { type BuiltPack, checkPack, findPack, isUnplayable, packOf, refusedOf, whyRefused } from './pack.ts';
+export { GAME, planSite, readGame, type SiteFile, type SiteWords, siteFiles, writeSite } from './site.ts';

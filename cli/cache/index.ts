@@ -1,5 +1,3 @@
-export { cacheFolder } from './folder.ts';
-export { contentKey, keyOf } from './key.ts';
-export { addCacheOptions, type CacheOptions, chosenCache } from './options.ts';
-export { codeFingerprint, semantics } from './semantics.ts';
+export { codeFingerprint, contentKey, keyOf, semantics } from './key.ts';
+export { addCacheOptions, type CacheOptions, cacheFolder, chosenCache } from './options.ts';
 export { openStore, type Store } from './store.ts';

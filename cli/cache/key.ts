@@ -1,4 +1,10 @@
 import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { extname, join } from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { walk } from '../io/index.ts';
 
 /** A text that is the same for equal plain data, whatever the order of its keys, and different for different data. */
 function canonical(value: unknown): string {
@@ -30,3 +36,72 @@ export const keyOf = (data: unknown): string => createHash('sha256').update(cano
 /** A key for the bytes of a file under a key of everything else that the result depends on. */
 export const contentKey = (key: string, bytes: Uint8Array): string =>
   createHash('sha256').update(key).update(bytes).digest('hex');
+
+/** The rooms that decide what a command reports. */
+export const DECIDING_ROOMS = ['schema', 'engine', 'solver', 'check', 'cli'] as const;
+
+/** The packages that decide, each with the package that needs it if it is not this one. */
+export const DECIDING_PACKAGES: readonly (readonly [name: string, neededBy?: string])[] = [
+  ['zod'],
+  ['flatbush'],
+  ['flatqueue', 'flatbush'],
+];
+
+/** What holds the rooms: `dist`, or the project when its sources are run as they are. */
+const HERE = fileURLToPath(new URL('../../', import.meta.url));
+
+/** The modules that run: `.js`, or `.ts` of the sources. */
+const MODULE = extname(new URL(import.meta.url).pathname);
+
+/**
+ * A fingerprint of everything that decides besides files and options: the modules of the rooms, the packages they need, and Node.
+ * It is computed from the modules that run, which takes about 20 ms, so it is right after every build and in every copy.
+ * @param root the folder with the rooms
+ * @param extension of a module
+ * @throws if something is missing
+ */
+export function semantics(root: string = HERE, extension: string = MODULE): string {
+  return createHash('sha256').update(process.version).update(codeFingerprint(root, extension)).digest('hex');
+}
+
+/**
+ * The same without Node: results don't depend on it, only a cache takes no chances.
+ * @param root the folder with the rooms
+ * @param extension of a module
+ * @throws if something is missing
+ */
+export function codeFingerprint(root: string = HERE, extension: string = MODULE): string {
+  const hash = createHash('sha256');
+  const addFile = (name: string, bytes: Uint8Array): void => {
+    // with the length, so that no bytes can look like the beginning of another file
+    hash.update(`\0${name}\0${bytes.length}\0`).update(bytes);
+  };
+  for (const room of DECIDING_ROOMS) {
+    const passes = (below: string): boolean => isModule(below, extension);
+    const { files, unreadable } = walk(join(root, room), { links: 'listed', hidden: 'entered', passes });
+    for (const { error } of unreadable) throw error;
+    const names = files.map(({ below }) => `${room}/${below}`).sort();
+    for (const name of names) addFile(name, readFileSync(join(root, name)));
+  }
+  for (const [name, neededBy] of DECIDING_PACKAGES) {
+    const ours = createRequire(import.meta.url);
+    const { resolve } = neededBy === undefined ? ours : createRequire(ours.resolve(neededBy));
+    hash.update(`\0${name}\0${versionOf(resolve(name), name)}`);
+  }
+  return hash.digest('hex');
+}
+
+const isModule = (name: string, extension: string): boolean => name.endsWith(extension) && !name.endsWith('.d.ts');
+
+/** The version of an installed package, from the nearest manifest of its name. */
+function versionOf(main: string, name: string): string {
+  for (let at = join(main, '..'); at !== join(at, '..'); at = join(at, '..')) {
+    try {
+      const manifest = JSON.parse(readFileSync(join(at, 'package.json'), 'utf8')) as { name?: unknown; version?: unknown };
+      if (manifest.name === name) return String(manifest.version);
+    } catch {
+      // there is none here
+    }
+  }
+  throw new Error(`the package ${name} has no manifest`);
+}

@@ -1,10 +1,8 @@
 import { setMaxListeners } from 'node:events';
-import { hearSignals, isStream, openPool, type StoppingSignal, statOrError, stoppable } from '../io/index.ts';
-import { type Bail, cutAtBail, FailureCount } from './bail.ts';
-import type { CheckedFile } from './check-level.ts';
-import type { CheckedLevel, CheckSettings } from './checked-level.ts';
+import { hearSignals, isStream, openPool, runInParts, type StoppingSignal, statOrError, stoppable } from '../io/index.ts';
+import type { CheckedFile, checkLevel } from './check-level.ts';
+import { type CheckedLevel, type CheckSettings, crashedLevel } from './checked-level.ts';
 import type { LevelCache } from './level-cache.ts';
-import { crashedLevel } from './refused-level.ts';
 import type { Batch } from './worker.ts';
 
 /** Fewer files than this are checked faster without workers, because starting them takes about as long. */
@@ -17,7 +15,7 @@ const MUCH_WORK = 256 * 1024 * 60;
 const SLICE = 20;
 
 /** What a check may do without. */
-export interface Shortcuts {
+interface Shortcuts {
   /** When to stop before the last file. */
   readonly bail?: Bail | null;
   /** Has the reports of earlier checks, and gets the new ones. */
@@ -25,7 +23,7 @@ export interface Shortcuts {
 }
 
 /** What became of the files of a check. */
-export interface CheckedFiles {
+interface CheckedFiles {
   /** In the order of the files. */
   readonly levels: readonly CheckedLevel[];
   /** The files that were not checked, because the check ended early. */
@@ -170,16 +168,17 @@ async function checkInWorkers(
     onProgress(done);
     return reports;
   };
-  const runBatch = async (batch: readonly string[]): Promise<CheckedFile[]> => {
-    try {
-      return await pool.run({ files: batch, ...work } satisfies Batch, { signal: enough.signal });
-    } catch (error) {
-      if (stopping?.aborted || enough.signal.aborted) return [];
-      if (batch.length === 1) return [{ level: crashedLevel(batch[0], error, work.settings.terms), kept: null }];
-      // the worker died with the whole batch: check its levels one at a time to find the one that kills it
-      return (await Promise.all(batch.map((file) => runBatch([file])))).flat();
-    }
-  };
+  const runBatch = (batch: readonly string[]): Promise<CheckedFile[]> =>
+    runInParts(
+      (part): Promise<CheckedFile[]> => pool.run({ files: part, ...work } satisfies Batch, { signal: enough.signal }),
+      batch,
+      {
+        split: (files) => files.map((file) => [file]),
+        join: (reports) => reports.flat(),
+        crashed: ([file], error) => [{ level: crashedLevel(file, error, work.settings.terms), kept: null }],
+        stopped: () => (stopping?.aborted || enough.signal.aborted ? [] : null),
+      },
+    );
   // ends the workers, which rejects what they have not finished
   const stop = (): void => void pool.destroy();
   stopping?.addEventListener('abort', stop);
@@ -193,3 +192,47 @@ async function checkInWorkers(
     await pool.destroy();
   }
 }
+
+/** When to stop before all levels are checked. */
+interface Bail {
+  /** The number of failing levels after which no other is checked. */
+  readonly most: number;
+  /** Whether a level fails. */
+  readonly fails: (level: CheckedLevel) => boolean;
+}
+
+/**
+ * Counts failing levels in the order of their files, whatever the order in which they are checked. So the same levels are reported
+ * for any number of threads.
+ */
+class FailureCount {
+  private readonly levels: (CheckedLevel | undefined)[] = [];
+  private next = 0;
+  private failing = 0;
+
+  constructor(private readonly bail: Bail | null) {}
+
+  /** Whether enough levels have failed, without a gap before them. */
+  get isEnough(): boolean {
+    return this.bail !== null && this.failing >= this.bail.most;
+  }
+
+  /** Adds the results of files that follow one another. @param first the index of the first of them */
+  add(first: number, levels: readonly CheckedLevel[]): void {
+    if (this.bail === null) return;
+    for (const [i, level] of levels.entries()) this.levels[first + i] = level;
+    for (let level = this.levels[this.next]; level !== undefined && !this.isEnough; level = this.levels[++this.next])
+      if (this.bail.fails(level)) this.failing++;
+  }
+}
+
+/** The levels up to the last one that may fail. */
+export function cutAtBail(levels: readonly CheckedLevel[], bail: Bail | null): CheckedLevel[] {
+  if (bail === null) return [...levels];
+  let failing = 0;
+  const last = levels.findIndex((level) => bail.fails(level) && ++failing >= bail.most);
+  return last < 0 ? [...levels] : levels.slice(0, last + 1);
+}
+
+/** Loads what checks a level, and with it the engine: only for the thread that checks. */
+export const levelChecker = async (): Promise<typeof checkLevel> => (await import('./check-level.ts')).checkLevel;

@@ -1,13 +1,15 @@
 import {
+  type Brief,
+  brief,
   completingRuns,
   examineRuns,
   findingsOf,
+  type Hints,
   mineralsToProve,
-  playRuns,
   problemsOf,
-  proofBudget,
-  proveGoalImpossible,
   proveMineralsLost,
+  type Searched,
+  type Softlocks,
   softlocksOf,
   ticksToAgree,
   tightRuns,
@@ -15,21 +17,32 @@ import {
   withinWork,
 } from '../../check/index.ts';
 import { termsReport } from '../../check/words/index.ts';
-import { compile, isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
-import { codeFrame, conflictProblems, type Hold, type Problem, readLevel, type ScriptedRun } from '../../schema/index.ts';
-import { createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
-import { showProblems } from '../code-frames.ts';
+import { isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
+import {
+  codeFrame,
+  conflictProblems,
+  type Hold,
+  type Level,
+  type Problem,
+  readLevel,
+  type ScriptedRun,
+  type SoftlockReport,
+} from '../../schema/index.ts';
+import { createDecider, createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
 import { Failure, readBytes, shellPath } from '../io/index.ts';
-import { type OpenedLevel, placed } from '../level-source.ts';
-import { reportRun } from '../run-report.ts';
-import { ANYWHERE, atFile, mayMention } from './anywhere.ts';
-import type { CheckedLevel, CheckSettings, RunInBrief } from './checked-level.ts';
-import { commandHints } from './hints.ts';
-import { type KeptLevel, keptLevel } from './level-cache.ts';
-import { withKeys } from './problem-keys.ts';
-import { crashedLevel, refusedLevel, unreadableLevel } from './refused-level.ts';
-import { type LevelSearch, searchLevel } from './search-level.ts';
-import { softlockReport } from './softlock-report.ts';
+import { type OpenedLevel, placed, reportRun } from '../levels/index.ts';
+import { byHolds, showProblems } from '../report-parts/index.ts';
+import {
+  type CheckedLevel,
+  type CheckSettings,
+  crashedLevel,
+  type RunInBrief,
+  refusedLevel,
+  type SearchSettings,
+  unreadableLevel,
+  withKeys,
+} from './checked-level.ts';
+import { ANYWHERE, atFile, type KeptLevel, keptLevel, mayMention } from './level-cache.ts';
 
 /** The report for a file. */
 export interface CheckedFile {
@@ -86,16 +99,13 @@ function refused(file: string, problems: readonly Problem[], text: string, terms
 
 function replay(file: string, { level, document }: OpenedLevel, settings: CheckSettings): Judgement {
   const { terms, requireSlack, search } = settings;
-  // each part of a check has a budget of its own, so that none uses up another's
-  const scene = compile(level, terms);
-  const budget = new WorkBudget(terms.maxWork);
-  const proofs = proofBudget(scene);
-  const scripted = playRuns(scene, budget);
+  const judged = brief(level, terms);
+  const { scene, runs: scripted, budget, proofs } = judged;
   const completing = scripted.findIndex(({ outcome }) => outcome === 'completed');
-  const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(scene, settings, proofs);
+  const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(judged, settings);
 
-  const shown = found ?? chosen(level.runs, scripted, Math.max(completing, 0));
-  const { run: brief, report } = inWords(scene, shown, settings, budget);
+  const shown = found ?? chosen(level.runs, scripted, judged.shown ?? 0);
+  const { run: shownRun, report } = inWords(scene, shown, settings, budget);
   const runs = examineRuns(level, scripted, { scene, budget, found: found?.run });
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
@@ -114,7 +124,7 @@ function replay(file: string, { level, document }: OpenedLevel, settings: CheckS
     },
     lost: proveMineralsLost(scene, asked, proofs),
   });
-  const run = settings.forLock && brief !== null ? { ...brief, ...lockedRun(scene, shown!, document, budget) } : brief;
+  const run = settings.forLock && shownRun !== null ? { ...shownRun, ...lockedRun(scene, shown!, document, budget) } : shownRun;
   const isAnywhere = !mayMention(document.text);
   const hints = commandHints(isAnywhere ? ANYWHERE : shellPath(file));
   const problems = problemsOf(findings, hints).map((problem) => placed(problem, document));
@@ -162,10 +172,9 @@ interface WithoutRun {
 
 const NOT_NEEDED: WithoutRun = { impossible: null, searched: null, found: null };
 
-/** For a level that none of its own runs completes: always tries proofs, and searches on request. */
-function withoutRun(scene: Scene, settings: CheckSettings, budget: WorkBudget): WithoutRun {
+/** For a level that none of its own runs completes, and that is perhaps proved to be impossible: searches on request. */
+function withoutRun({ scene, impossible }: Brief, settings: CheckSettings): WithoutRun {
   const { search } = settings;
-  const impossible = proveGoalImpossible(scene, { minerals: 'any' }, budget);
   if (impossible !== null || search === null) return { ...NOT_NEEDED, impossible };
   const searched = search.claimed === undefined ? searchLevel(scene, search, settings) : unsearched(search.claimed);
   if (searched.found === null) return { ...NOT_NEEDED, impossible: searched.impossible, searched };
@@ -198,9 +207,9 @@ function inWords(
   budget: WorkBudget,
 ): Pick<CheckedLevel, 'run' | 'report'> {
   if (shown === null || shown.run.stopped !== null) return { run: null, report: null };
-  const brief = withinWork(budget, () => inBrief(shown));
-  if (brief === null || !inFull) return { run: brief, report: null };
-  return { run: brief, report: withinWork(budget, () => reportRun(scene, shown.holds, shown.run, null)) };
+  const run = withinWork(budget, () => inBrief(shown));
+  if (run === null || !inFull) return { run, report: null };
+  return { run, report: withinWork(budget, () => reportRun(scene, shown.holds, shown.run, null)) };
 }
 
 function inBrief({ name, run }: PlayedRun): RunInBrief {
@@ -227,4 +236,73 @@ function lockedRun(
 function placeOf(pointer: string, { text, locate }: OpenedLevel['document']): NonNullable<RunInBrief['place']> {
   const { line, column } = locate(pointer);
   return { pointer, line, column, frame: codeFrame(text, line, column) };
+}
+
+/** Hints for the command line about the problems of a level file. @param path the file, quoted for a shell */
+export function commandHints(path: string): Hints {
+  return {
+    firstRun: `find one with gq solve ${path} --write, or add "runs": [{ "name": "solution", "holds": [[press, release], ...] }], in ticks of 1/60 s`,
+    seeRun: (name) => `; to see how it ends: gq simulate ${path} --run ${JSON.stringify(name)}`,
+    seeAccuracies: (name) => `; to compare all accuracies: gq accuracy ${path} --run ${JSON.stringify(name)}`,
+    moreWork: ', or allow more work with --max-work; gq explain work-limit says more',
+    seeLost: `; to see where: gq render ${path} --softlocks -o lost.svg`,
+    seeProof: `; to see why: gq render ${path} --proof -o proof.svg`,
+    search: {
+      keepFound: `: gq solve ${path} --write`,
+      nothingFound: 'draw that run with gq render --holds, make the level easier, or search longer with --budget or gq solve',
+      nearestRun: byHolds,
+      tightRun:
+        'give her more room where timing is tight (gq difficulty --run NAME shows the slack of each press and release), or find a run that forgives more with gq solve',
+    },
+  };
+}
+
+/** Simulated ticks between two looks at the clock. */
+const SLICE = 50_000;
+
+/** What a search found. */
+interface LevelSearch extends Searched {
+  /** A proof that there is no run, found beside the search; null if there is none. */
+  readonly impossible: Proof | null;
+  /** Whether the clock ended it: another search with the same settings may find more or less. */
+  readonly isOutOfTime: boolean;
+}
+
+/**
+ * Searches for a run that completes a level: for any run, or if slack is required, for the most robust one. As long as there is
+ * none, half of the work goes into proofs with ever finer sets.
+ * Blocks the calling thread for as long as the limits allow.
+ */
+function searchLevel(scene: Scene, { limits, seed }: SearchSettings, { requireSlack }: CheckSettings): LevelSearch {
+  const objective = requireSlack === null ? 'first' : 'robust';
+  const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
+  const isLate = (): boolean => performance.now() >= end;
+  const effort = limits.effort ?? undefined;
+  const decider = createDecider(scene, { objective, seed, effort, isStopped: isLate });
+  while (!decider.finished && !isLate()) decider.advance(SLICE);
+  const { best, impossible, closest, finished } = decider;
+  return { found: best?.holds ?? null, impossible, effort: { ...decider.effort }, closest, isOutOfTime: !finished };
+}
+
+/** Where a level is already lost, as reports have it. @param runs those of the level */
+function softlockReport({ states, lasting, places, effort, isFinished }: Softlocks, { runs }: Level): SoftlockReport {
+  return {
+    states,
+    lasting,
+    places: places.map(({ x, y, tick, open, alive, states: beyond, run, holds, standing }) => ({
+      x,
+      y,
+      tick,
+      open,
+      alive,
+      states: beyond,
+      run: run === null ? null : (runs[run]?.name ?? null),
+      holds: holds.map(([press, release]) => [press, release]),
+      known: standing.is === 'proved' ? 'proved' : 'not found',
+      proof: standing.is === 'proved' ? { code: standing.proof.code, reason: standing.proof.reason } : null,
+      searched: standing.is === 'not found' ? standing.ticks : null,
+    })),
+    effort,
+    isFinished,
+  };
 }

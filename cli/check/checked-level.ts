@@ -1,7 +1,9 @@
-import type { Terms } from '../../engine/index.ts';
+import { termsReport } from '../../check/words/index.ts';
+import type { Terms } from '../../engine/basics/index.ts';
 import type { Allowed, Hold, RunReport, SoftlockReport, TermsReport, Verdict } from '../../schema/index.ts';
-import type { Limits } from '../search-options.ts';
-import type { ShownProblem } from '../shown-problem.ts';
+import { nameOfFile } from '../io/index.ts';
+import type { Limits } from '../options/index.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 
 /** A run in brief: what a line about it, and a place in it, need. */
 export interface RunInBrief extends Pick<RunReport, 'outcome' | 'time' | 'tick' | 'minerals' | 'clearance'> {
@@ -68,4 +70,95 @@ export interface SearchSettings {
   readonly seed: number;
   /** The run that the search is said to have found: it is played, and nothing is searched. */
   readonly claimed?: readonly Hold[];
+}
+
+/** The report for a file that can't be read. */
+export function unreadableLevel(file: string, message: string, terms: Terms): CheckedLevel {
+  const hint = 'this level was not checked: make the file readable, or leave it out';
+  return { ...refusedLevel(file, 'invalid', [problemOfFile('unreadable-file', message, hint)], terms), unreadable: true };
+}
+
+/** The report for a level that makes the toolkit itself fail. */
+export function crashedLevel(file: string, error: unknown, terms: Terms): CheckedLevel {
+  const message = `checking this level crashed: ${error instanceof Error ? error.message : String(error)}`;
+  const problem = problemOfFile('crashed', message, 'this is a bug in gq: please report it, with the level file');
+  return refusedLevel(file, 'crashed', [problem], terms);
+}
+
+const problemOfFile = (code: string, message: string, hint: string): ShownProblem => ({
+  code,
+  severity: 'error',
+  message,
+  hint,
+  pointer: '',
+  line: null,
+  column: null,
+  frame: null,
+});
+
+/** The report for a file of which only the problems are known. */
+export function refusedLevel(
+  file: string,
+  verdict: 'invalid' | 'crashed',
+  problems: readonly ShownProblem[],
+  terms: Terms,
+): CheckedLevel {
+  return {
+    file,
+    name: nameOfFile(file),
+    terms: termsReport({ terms, level: terms }),
+    verdict,
+    run: null,
+    found: null,
+    report: null,
+    mineralCount: 0,
+    problems,
+    unreadable: false,
+    ms: 0,
+  };
+}
+
+/**
+ * Says of each problem where it is in a way that survives changes elsewhere in the file: its pointer with ids of objects and
+ * names of runs in place of indices.
+ * @param text the file
+ */
+export function withKeys(problems: readonly ShownProblem[], text: string): ShownProblem[] {
+  const document = problems.some(({ pointer }) => /\/\d/.test(pointer)) ? parsed(text) : null;
+  return problems.map((problem) => ({ ...problem, key: keyOf(problem.pointer, document) }));
+}
+
+/** The key of a pointer into a document; entries of lists without an id or a name are all alike. */
+export function keyOf(pointer: string, document: unknown): string {
+  let value = document;
+  const steps = pointer.split('/').map((step, i) => {
+    if (i === 0) return '';
+    const inner = insideOf(value, step);
+    const isIndex = value === undefined || value === null ? /^\d+$/.test(step) : Array.isArray(value);
+    value = inner;
+    return isIndex ? nameOf(inner) : step;
+  });
+  return steps.join('/');
+}
+
+function insideOf(value: unknown, step: string): unknown {
+  if (typeof value !== 'object' || value === null) return undefined;
+  const key = step.replaceAll('~1', '/').replaceAll('~0', '~');
+  return Object.hasOwn(value, key) ? (value as Record<string, unknown>)[key] : undefined;
+}
+
+function nameOf(entry: unknown): string {
+  if (typeof entry !== 'object' || entry === null) return '*';
+  const { id, name } = entry as { readonly id?: unknown; readonly name?: unknown };
+  const known = typeof id === 'string' ? id : typeof name === 'string' ? name : null;
+  return known === null ? '*' : `=${known.replaceAll('~', '~0').replaceAll('/', '~1')}`;
+}
+
+/** The content of a file; null if it is not JSON. */
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return null;
+  }
 }

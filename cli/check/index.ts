@@ -1,12 +1,14 @@
-export { cutAtBail } from './bail.ts';
-export { checkContent, checkFiles } from './check-files.ts';
-export type { CheckedLevel, CheckSettings } from './checked-level.ts';
+export { checkContent, checkFiles, cutAtBail, levelChecker } from './check-files.ts';
+export { type CheckedLevel, type CheckSettings, crashedLevel, keyOf, unreadableLevel } from './checked-level.ts';
 export { CHECK_CODES } from './codes.ts';
-export { judgeLevels, judgeOf } from './judge-levels.ts';
 export { openLevelCache } from './level-cache.ts';
-export { levelChecker } from './level-checker.ts';
-export { keyOf } from './problem-keys.ts';
-export { crashedLevel, unreadableLevel } from './refused-level.ts';
-export { type AskedOptions, FEW_FILES, refuseLimitsWithoutSearch, SOFTLOCK_EFFORT, settingsFor } from './settings.ts';
-export { exitCodeFor, exitCodeOf, tooManyWarnings } from './summary.ts';
-export { isGood, type Totals, totalsOf } from './totals.ts';
+export {
+  type AskedOptions,
+  FEW_FILES,
+  judgeLevels,
+  judgeOf,
+  refuseLimitsWithoutSearch,
+  SOFTLOCK_EFFORT,
+  settingsFor,
+} from './settings.ts';
+export { exitCodeFor, exitCodeOf, isGood, type Totals, tooManyWarnings, totalsOf } from './totals.ts';

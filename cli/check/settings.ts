@@ -1,8 +1,7 @@
-import type { Configuration } from '../configuration.ts';
+import type { Configuration, ConfiguredTerms } from '../config/index.ts';
 import { Failure } from '../io/index.ts';
-import { limitsOf, type SearchOptions } from '../search-options.ts';
-import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
-import type { CheckSettings } from './checked-level.ts';
+import { limitsOf, type SearchOptions, type TermsOptions, termsFrom } from '../options/index.ts';
+import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
 /**
  * With more files than this, proofs about minerals are not tried, unless --solve takes its time anyway: a check of a thousand
@@ -47,4 +46,19 @@ export function settingsFor(
 function slackOf(asked: number | false | undefined, configured: number | null): number | null {
   if (asked === false) return null;
   return asked ?? (configured || null);
+}
+
+type Configured = Pick<Configuration, 'severity'>;
+
+/** Applies what a configuration and a level say about its problems. The verdict stays. */
+export async function judgeOf({ severity }: Configured): Promise<(level: CheckedLevel) => CheckedLevel> {
+  // imported only if needed: it loads the schema, which usually only the workers load
+  const { applyPolicy } = await import('../../check/policy/index.ts');
+  return (level) => ({ ...level, ...applyPolicy(level.problems, { severity, allow: level.allow ?? {} }) });
+}
+
+/** Applies what a configuration and each level say about problems. Verdicts stay. */
+export async function judgeLevels(levels: readonly CheckedLevel[], configuration: Configured): Promise<readonly CheckedLevel[]> {
+  const isPlain = Object.keys(configuration.severity).length === 0 && levels.every(({ allow }) => allow === undefined);
+  return isPlain ? levels : levels.map(await judgeOf(configuration));
 }

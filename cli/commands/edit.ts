@@ -2,12 +2,11 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { placeFragment } from '../../schema/index.ts';
 import { GAME } from '../build/index.ts';
-import type { CommandResult } from '../command.ts';
-import { addConfigOptions, type ConfigOptions } from '../config-file.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
 import { catchSignals, visible } from '../io/index.ts';
-import { wholeNumberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
+import { wholeNumberOption } from '../options/index.ts';
 
 interface EditOptions extends ConfigOptions {
   readonly port?: number;
@@ -16,20 +15,9 @@ interface EditOptions extends ConfigOptions {
   readonly run?: string;
 }
 
-export function declare(command: Command, _finish: (result: CommandResult) => void): void {
-  addConfigOptions(command)
-    .description('Edit the levels of a folder in the browser. The run and its verdict follow every change at once.')
-    .argument('[dir]', 'folder of level files (default: "levels", or the folder of the file to open)')
-    .option(
-      '--port <n>',
-      `port on 127.0.0.1; 0 for any free port (default: the last one used for this folder, else ${DEFAULT_PORT} or the next free one)`,
-      wholeNumberOption('a port', 0, 65535),
-    )
-    .option('--open [file[:tick]]', 'open the browser: at a level, and at a tick of its run')
-    .option('--run <name>', 'with --open FILE: the run to show (default: the first)')
-    .addHelpText(
-      'after',
-      `
+export const help: CommandHelp = {
+  description: 'Edit the levels of a folder in the browser. The run and its verdict follow every change at once.',
+  more: `
 Prints an address that works until the command ends (Ctrl-C). Anybody who has the address can change the levels in the folder;
 nobody else can. As in other commands, levels are played under the rules of gq.config.json; the page follows changes to that file.
 Changes are saved as they are made, each file completely or not at all. Deleted levels are kept in DIR/.gq-trash.
@@ -42,7 +30,18 @@ Examples:
   $ gq edit levels --open
   $ gq edit --open levels/07-slingshot.level.json:412   where the run is after 412 ticks
   $ gq edit my-levels --port 8080`,
+};
+
+export function declare(command: Command, _finish: (result: CommandResult) => void): void {
+  addConfigOptions(command)
+    .argument('[dir]', 'folder of level files (default: "levels", or the folder of the file to open)')
+    .option(
+      '--port <n>',
+      `port on 127.0.0.1; 0 for any free port (default: the last one used for this folder, else ${DEFAULT_PORT} or the next free one)`,
+      wholeNumberOption('a port', 0, 65535),
     )
+    .option('--open [file[:tick]]', 'open the browser: at a level, and at a tick of its run')
+    .option('--run <name>', 'with --open FILE: the run to show (default: the first)')
     .action(edit);
 }
 
@@ -58,7 +57,7 @@ async function edit(dir: string | undefined, options: EditOptions): Promise<void
   const wanted = typeof options.open === 'string' ? options.open : undefined;
   const { folder, place } = openedPlace(dir, wanted, options.run);
   // an invalid configuration is an error at the start; later the page reports it
-  readConfiguration(options);
+  await readConfiguration(options);
   const { port = null, config } = options;
   const server = await startServer({ folder, port, configFrom: process.cwd(), config, page: PAGE, game: GAME, onCrash });
   const fragment = place === null ? '' : placeFragment(place);

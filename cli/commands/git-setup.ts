@@ -1,5 +1,5 @@
 import { type Command, Option } from 'commander';
-import type { CommandResult } from '../command.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
 import { missing, type OnBrokenRun, setUp, undo } from '../git-setup/index.ts';
 import { Failure, visibleLine } from '../io/index.ts';
 
@@ -9,11 +9,17 @@ interface Options {
   readonly onBrokenRun?: OnBrokenRun;
 }
 
+export const help: CommandHelp = {
+  description:
+    'Tell git to merge and compare level files with gq: settings of this clone, and a line in .gitattributes to commit.',
+  more: `
+Every clone needs it once; running it again changes nothing. Clones without it merge levels as text.
+
+Exit code: 0; 1 with --check when something is missing; 2 when there is no working tree, or git could not be used.`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description(
-      'Tell git to merge and compare level files with gq: settings of this clone, and a line in .gitattributes to commit.',
-    )
     .option('--check', 'only say whether it is set up')
     .option('--undo', 'take back what this command has done')
     .addOption(
@@ -21,13 +27,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
         '--on-broken-run <what>',
         'when no run completes a merged level any more: stop the merge for a look (default), or only warn',
       ).choices(['stop', 'warn']),
-    )
-    .addHelpText(
-      'after',
-      `
-Every clone needs it once; running it again changes nothing. Clones without it merge levels as text.
-
-Exit code: 0; 1 with --check when something is missing; 2 when there is no working tree, or git could not be used.`,
     )
     .action(async (options: Options) => finish(await gitSetup(options)));
 }

@@ -13,12 +13,12 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'simulate',
     summary: 'play one run of a level and report everything that happens',
-    load: () => import('./simulate/index.ts'),
+    load: () => import('./simulate.ts'),
   },
   {
     name: 'solve',
     summary: 'find a run that completes a level, or prove that there is none',
-    load: () => import('./solve/index.ts'),
+    load: () => import('./solve.ts'),
   },
   {
     name: 'fix',
@@ -28,7 +28,7 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'difficulty',
     summary: 'measure how hard levels are: success under timing noise, slack, shortcuts',
-    load: () => import('./difficulty/index.ts'),
+    load: () => import('./difficulty.ts'),
   },
   { name: 'tune', summary: "show what a change of the game's rules does to each level", load: () => import('./tune/index.ts') },
   {
@@ -39,42 +39,42 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'accuracy',
     summary: 'measure error and cost of every accuracy, for one run of a level',
-    load: () => import('./accuracy.ts'),
+    load: () => import('./accuracy/index.ts'),
   },
   {
     name: 'inspect',
     summary: 'show what a level calls for: effects, counts, warnings',
-    load: () => import('./inspect/index.ts'),
+    load: () => import('./inspect.ts'),
   },
   {
     name: 'verify',
     summary: 'verify recorded plays: repeat their inputs and compare what comes of them with what they claim',
-    load: () => import('./verify/index.ts'),
+    load: () => import('./verify.ts'),
   },
   {
     name: 'submit',
     summary: 'run the shards of a plan on a cluster',
-    load: () => import('./submit/index.ts'),
+    load: () => import('./submit.ts'),
   },
   {
     name: 'plan',
     summary: 'split a large set of levels into shards for many machines',
     load: () => import('./plan/index.ts'),
   },
-  { name: 'merge', summary: 'put the results of shards together, and miss nothing', load: () => import('./merge/index.ts') },
-  { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render.ts') },
+  { name: 'merge', summary: 'put the results of shards together, and miss nothing', load: () => import('./merge.ts') },
+  { name: 'render', summary: 'draw a level and its run as SVG or PNG', load: () => import('./render/index.ts') },
   { name: 'diff', summary: 'show what changed in levels, and what that does to them', load: () => import('./diff/index.ts') },
   { name: 'merge-driver', summary: 'merge two versions of a level, for git', load: () => import('./merge-driver.ts') },
   { name: 'git-setup', summary: 'tell git to merge and compare levels with gq', load: () => import('./git-setup.ts') },
   {
     name: 'difftool',
     summary: 'show two versions of a level in the browser, for git difftool',
-    load: async () => ({ declare: (await import('./diff/index.ts')).declareDifftool }),
+    load: async () => (await import('./diff/index.ts')).difftool,
   },
   {
     name: 'import',
     summary: "turn the original game's levels or a Tiled map into level files",
-    load: () => import('./import/index.ts'),
+    load: () => import('./import.ts'),
   },
   {
     name: 'export',
@@ -85,9 +85,9 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'init',
     summary: 'put levels, configuration and a workflow for CI into a project',
-    load: () => import('./init/index.ts'),
+    load: () => import('./init.ts'),
   },
-  { name: 'fmt', summary: 'format level files', load: () => import('./fmt/index.ts') },
+  { name: 'fmt', summary: 'format level files', load: () => import('./fmt.ts') },
   { name: 'schema', summary: 'print the JSON Schema of a level file', load: () => import('./schema.ts') },
   {
     name: 'explain',

@@ -2,13 +2,11 @@ import { dirname, resolve } from 'node:path';
 import { type Command, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
-import type { CommandResult } from '../command.ts';
-import { noConfiguration } from '../configuration.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
+import { noConfiguration, readConfiguration } from '../config/index.ts';
 import { Failure, readBytes, shellPath, systemReason, visibleLine, writeWhole } from '../io/index.ts';
 import { type MergedFile, mergeFiles, mergeText, playAgain } from '../merge-driver/index.ts';
-import { wholeNumberOption } from '../options.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { termsFrom } from '../terms.ts';
+import { termsFrom, wholeNumberOption } from '../options/index.ts';
 
 interface Options {
   readonly markerSize: number;
@@ -21,11 +19,20 @@ const FAILED = 129;
 /** This many conflicts are named in a message. */
 const MOST_NAMED = 5;
 
+export const help: CommandHelp = {
+  description:
+    'Merge two versions of a level for git: by object, run and field. gq git-setup tells git to use it for level files.',
+  more: `
+What only one side changed is taken. What both changed differently stays as we have it, and the file lists both values under
+"conflicts": it is a valid level, which gq check refuses until gq edit or a person has decided. After a clean merge the runs are
+played again, under the terms of the gq.config.json that is nearest to the level. Files that are no valid levels are merged as text.
+
+Exit code: 0 merged; 1 a person must look: a conflict, or no run completes the merged level although one did on both sides; 129
+the files could not be read or written.`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   command
-    .description(
-      'Merge two versions of a level for git: by object, run and field. gq git-setup tells git to use it for level files.',
-    )
     .argument('<base>', 'the version that both started from, %O; an empty file if both added the level')
     .argument('<ours>', 'our version, %A, which becomes the result')
     .argument('<theirs>', 'their version, %B')
@@ -40,16 +47,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
       new Option('--on-broken-run <what>', 'when no run completes the merged level any more: stop for a look, or only warn')
         .choices(['stop', 'warn'])
         .default('stop'),
-    )
-    .addHelpText(
-      'after',
-      `
-What only one side changed is taken. What both changed differently stays as we have it, and the file lists both values under
-"conflicts": it is a valid level, which gq check refuses until gq edit or a person has decided. After a clean merge the runs are
-played again, under the terms of the gq.config.json that is nearest to the level. Files that are no valid levels are merged as text.
-
-Exit code: 0 merged; 1 a person must look: a conflict, or no run completes the merged level although one did on both sides; 129
-the files could not be read or written.`,
     )
     .action(async (base: string, ours: string, theirs: string, path: string, options: Options) =>
       finish(await drive({ base, ours, theirs, path }, options)),
@@ -67,7 +64,7 @@ async function drive(paths: Paths, options: Options): Promise<CommandResult> {
   const say = (text: string) => `${visibleLine(`${paths.path}: ${text}`)}\n`;
   try {
     const notes: string[] = [];
-    const terms = termsOfFolder(dirname(resolve(paths.path)), notes);
+    const terms = await termsOfFolder(dirname(resolve(paths.path)), notes);
     const merged = mergeOrSayWhy(paths, terms);
     const result = await finishMerge(merged, paths, options, terms);
     return { messages: [...notes, ...result.messages].map(say).join(''), exitCode: result.exitCode };
@@ -88,9 +85,9 @@ function mergeOrSayWhy({ base, ours, theirs }: Paths, { rules }: Terms): MergedF
 }
 
 /** The terms of a folder. A configuration that is broken in the middle of a merge must not stop the merge of levels. */
-function termsOfFolder(folder: string, notes: string[]): Terms {
+async function termsOfFolder(folder: string, notes: string[]): Promise<Terms> {
   try {
-    return termsFrom({}, readConfiguration({}, folder));
+    return termsFrom({}, await readConfiguration({}, folder));
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     const terms = termsFrom({}, noConfiguration());

@@ -8,9 +8,8 @@ import {
   REPORT_SCHEMAS,
   type ReportName,
 } from '../../schema/index.ts';
-import type { CommandResult } from '../command.ts';
-import { didYouMean } from '../did-you-mean.ts';
-import { Failure } from '../io/index.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
+import { didYouMean, Failure } from '../io/index.ts';
 
 interface PrintedSchema {
   readonly about: string;
@@ -36,17 +35,14 @@ const SCHEMAS: Readonly<Record<string, PrintedSchema>> = {
 
 const NAMES = Object.keys(SCHEMAS);
 
-export function declare(command: Command, finish: (result: CommandResult) => void): void {
-  const width = Math.max(...NAMES.map((name) => name.length));
-  const list = Object.entries(SCHEMAS).map(([name, { about }]) => `  ${name.padEnd(width)}  ${about}`);
-  command
-    .description('Print the JSON Schema of a level file, of another file, or of a report.')
-    .addArgument(new Argument('[name]', 'what to print the schema of').default('level'))
-    .addHelpText(
-      'after',
-      `
+const WIDTH = Math.max(...NAMES.map((name) => name.length));
+const LIST = Object.entries(SCHEMAS).map(([name, { about }]) => `  ${name.padEnd(WIDTH)}  ${about}`);
+
+export const help: CommandHelp = {
+  description: 'Print the JSON Schema of a level file, of another file, or of a report.',
+  more: `
 Names:
-${list.join('\n')}
+${LIST.join('\n')}
 
 Text editors use it to complete and check level files and gq.config.json that name it in "$schema".
 
@@ -54,7 +50,11 @@ Examples:
   $ gq schema > level.schema.json
   $ gq schema config > config.schema.json
   $ gq schema check > check-report.schema.json`,
-    )
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .addArgument(new Argument('[name]', 'what to print the schema of').default('level'))
     .action((name: string) => finish({ output: schemaOf(name).print(), exitCode: 0 }));
 }
 

@@ -1,12 +1,16 @@
 import { existsSync } from 'node:fs';
-import { Failure, namedPath, siblingHint } from '../io/index.ts';
+import { dirname, relative, resolve } from 'node:path';
+import process from 'node:process';
+import { isSame } from '../../schema/index.ts';
+import { readConfiguration, termsSaid } from '../config/index.ts';
+import { findLevelFiles } from '../find/index.ts';
+import { Failure, namedPath, readBytes, siblingHint, statOrError } from '../io/index.ts';
 import { compareInGit, mergeBase, type Revisions } from './compare-git.ts';
-import { comparePaths } from './compare-paths.ts';
-import type { Comparison } from './comparison.ts';
-import { GIT, shallowHint, treeOf } from './git.ts';
+import type { Comparison, FileVersion, Pair } from './comparison.ts';
+import { GIT, shallowHint, termsOfFolder, treeOf } from './side-terms.ts';
 
 /** What stands on the command line. */
-export interface DiffArguments {
+interface DiffArguments {
   /** What stands before `--`, or all if there is none. */
   readonly words: readonly string[];
   /** What stands after `--`; null if there is none. */
@@ -99,4 +103,65 @@ function sidesOf(revisions: readonly string[], staged: boolean): Revisions {
     return { before: revisions[0], after: revisions[1] };
   }
   return { before: revisions[0] ?? null, after: here };
+}
+
+/** The file that stands for no file in git's protocols. */
+const NOTHING = /^(?:\/dev\/null|nul)$/i;
+
+const isFolder = (path: string): boolean => {
+  const stats = statOrError(path);
+  return !(stats instanceof Error) && stats.isDirectory();
+};
+
+/**
+ * Compares two level files.
+ * @param name what to call the file in reports, its path in the repository: the configuration of its folder applies; by default each
+ *   has its own path, and the configuration is that of the working directory
+ */
+export async function compareFiles(before: string, after: string, name?: string): Promise<Comparison> {
+  const read = (path: string): FileVersion | null => (NOTHING.test(path) ? null : { path: name ?? path, bytes: readBytes(path) });
+  const pair = { before: read(before), after: read(after) };
+  const isEqual = pair.before !== null && pair.after !== null && Buffer.compare(pair.before.bytes, pair.after.bytes) === 0;
+  const configured = termsSaid(await readConfiguration({}, name === undefined ? process.cwd() : dirname(resolve(name))));
+  return {
+    before: { label: name === undefined ? before : `${name} before`, configured },
+    after: { label: name === undefined ? after : `${name} after`, configured },
+    pairs: isEqual || (pair.before === null && pair.after === null) ? [] : [pair],
+    equal: [],
+    messages: [],
+  };
+}
+
+/** Compares the level files of two folders, by their paths in them, each under the terms of its own configuration. */
+async function compareFolders(before: string, after: string): Promise<Comparison> {
+  const messages: string[] = [];
+  const list = async (folder: string): Promise<Map<string, FileVersion>> => {
+    const { files, unreadable } = await findLevelFiles([folder]);
+    for (const { path, reason } of unreadable) throw new Failure(`${path}: the folder can't be read: ${reason}`);
+    return new Map(files.map((path) => [relative(folder, path).replaceAll('\\', '/'), { path, bytes: readBytes(path) }]));
+  };
+  const [earlier, later] = [await list(before), await list(after)];
+  const sides = [before, after].map((folder) => ({ label: folder, configured: termsOfFolder(folder, messages) }));
+  const names = [...new Set([...earlier.keys(), ...later.keys()])].sort((a, b) => (a < b ? -1 : 1));
+  const all = names.map((name): Pair => ({ before: earlier.get(name) ?? null, after: later.get(name) ?? null }));
+  const isEqual = ({ before: b, after: a }: Pair): boolean => b !== null && a !== null && Buffer.compare(b.bytes, a.bytes) === 0;
+  const differ = !isSame(sides[0].configured, sides[1].configured);
+  return {
+    before: sides[0],
+    after: sides[1],
+    pairs: all.filter((pair) => !isEqual(pair)),
+    equal: differ ? all.filter(isEqual).flatMap(({ after: a }) => (a === null ? [] : [a])) : [],
+    messages,
+  };
+}
+
+/**
+ * Compares two files, or two folders.
+ * @throws Failure for a file and a folder
+ */
+async function comparePaths(before: string, after: string): Promise<Comparison> {
+  const folders = [before, after].filter(isFolder);
+  if (folders.length === 2) return compareFolders(before, after);
+  if (folders.length === 0) return compareFiles(before, after);
+  throw new Failure(`${folders[0]} is a folder: expected two files or two folders`);
 }

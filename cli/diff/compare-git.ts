@@ -2,12 +2,10 @@ import { readFileSync, statSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import process from 'node:process';
 import { isSame, MAX_FILE_SIZE } from '../../schema/index.ts';
+import { readConfiguration, termsSaid } from '../config/index.ts';
 import { Failure, namedPath } from '../io/index.ts';
-import { readConfiguration } from '../read-configuration.ts';
-import { termsSaid } from '../terms.ts';
 import type { Comparison, FileVersion, Pair, Side } from './comparison.ts';
-import { GIT, readObjects, shallowHint, splitNul, treeOf } from './git.ts';
-import { termsInTree } from './side-terms.ts';
+import { GIT, readObjects, shallowHint, splitNul, termsInTree, treeOf } from './side-terms.ts';
 
 /** What is compared with what. */
 export interface Revisions {
@@ -26,7 +24,7 @@ const REGULAR = /^100/;
  * @param paths limits the comparison: files, folders and patterns, as git reads them
  * @throws Failure outside of a repository, for unknown revisions, and with every path that matches no level file
  */
-export function compareInGit({ before, after }: Revisions, paths: readonly string[]): Comparison {
+export async function compareInGit({ before, after }: Revisions, paths: readonly string[]): Promise<Comparison> {
   const root = GIT.workTree();
   if (root === null) {
     throw new Failure(
@@ -70,7 +68,7 @@ export function compareInGit({ before, after }: Revisions, paths: readonly strin
   const sides: [Side, Side] = [
     { label: before ?? 'HEAD', configured: termsInTree(root, from, before ?? 'HEAD', messages) },
     after === 'worktree'
-      ? { label: 'the working tree', configured: termsSaid(readConfiguration({})) }
+      ? { label: 'the working tree', configured: termsSaid(await readConfiguration({})) }
       : { label: isTree ? after : 'the index', configured: termsInTree(root, tree, isTree ? after : 'the index', messages) },
   ];
   const differ = !isSame(sides[0].configured, sides[1].configured);

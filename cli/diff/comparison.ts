@@ -1,4 +1,9 @@
-import { type ConfiguredTerms, type TermsOptions, termsFrom } from '../terms.ts';
+import type { Terms } from '../../engine/index.ts';
+import type { Change, Standing } from '../../review/index.ts';
+import type { TermsReport, Verdict } from '../../schema/index.ts';
+import type { ConfiguredTerms } from '../config/index.ts';
+import { type TermsOptions, termsFrom } from '../options/index.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 
 /** Under which terms each side is judged: those of its own configuration, unless options say otherwise. */
 export const termsOfSides = ({ before, after }: Pick<Comparison, 'before' | 'after'>, options: TermsOptions) => ({
@@ -37,4 +42,49 @@ export interface Comparison {
   readonly equal: readonly FileVersion[];
   /** Messages for people. */
   readonly messages: readonly string[];
+}
+
+/** One version of a level, judged. */
+export interface JudgedVersion {
+  /** The path of its file. */
+  readonly file: string;
+  /** The name of the level; of its file if it is not valid. */
+  readonly name: string;
+  /** Under which terms it was judged. */
+  readonly terms: TermsReport;
+  readonly verdict: Verdict;
+  /** Why it is not a valid level; empty for one that is. */
+  readonly problems: readonly ShownProblem[];
+  /** null if it is not a valid level. */
+  readonly standing: Standing | null;
+}
+
+/** What became of a level file. `layout`: its content is the same; `rules`: the file is, and the rules of its folder are not. */
+export type DiffStatus = 'added' | 'removed' | 'changed' | 'renamed' | 'layout' | 'rules';
+
+/** What changed in one level file. This is plain data that a worker can send. */
+export interface DiffedLevel {
+  readonly status: DiffStatus;
+  readonly before: JudgedVersion | null;
+  readonly after: JudgedVersion | null;
+  /** What turns the first version into the second; null unless both are valid levels. */
+  readonly changes: readonly Change[] | null;
+  /** The changes, in words. */
+  readonly words: readonly string[];
+  /** What follows from them, in words. */
+  readonly effects: readonly string[];
+}
+
+/** How levels are judged. */
+export interface DiffSettings {
+  /** Under which each side is judged: those of its own configuration, unless options say otherwise. */
+  readonly terms: { readonly before: Terms; readonly after: Terms };
+  /** Whether to measure slack. */
+  readonly slack: boolean;
+}
+
+/** A message to a worker. */
+export interface DiffTask {
+  readonly pair: Pair;
+  readonly settings: DiffSettings;
 }

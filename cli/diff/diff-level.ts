@@ -11,10 +11,9 @@ import {
   standingInWords,
 } from '../../review/index.ts';
 import { conflictProblems, isSame, type LevelReading, readLevel } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
 import { nameOfFile } from '../io/index.ts';
-import type { FileVersion } from './comparison.ts';
-import type { DiffedLevel, DiffStatus, DiffTask, JudgedVersion } from './diffed-level.ts';
+import { showProblems } from '../report-parts/index.ts';
+import type { DiffedLevel, DiffStatus, DiffTask, FileVersion, JudgedVersion } from './comparison.ts';
 
 type ValidReading = Extract<LevelReading, { readonly ok: true }>;
 

@@ -2,8 +2,7 @@ import { compile, type Run, simulate, type Terms, WorkBudget } from '../../engin
 import type { Mark } from '../../picture/comparison/index.ts';
 import { marksOf, type StandingRun } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
-import type { FileVersion, Pair } from './comparison.ts';
-import type { DiffedLevel, DiffSettings, JudgedVersion } from './diffed-level.ts';
+import type { DiffedLevel, DiffSettings, FileVersion, JudgedVersion, Pair } from './comparison.ts';
 
 /** A version of a level with the run by which it is judged, for a picture. */
 export interface PlayedVersion {

@@ -1,5 +1,5 @@
+import type { DiffedLevel, DiffTask } from './comparison.ts';
 import { diffLevel } from './diff-level.ts';
-import type { DiffedLevel, DiffTask } from './diffed-level.ts';
 
 /** Runs in a worker thread: compares the two versions of one level file. */
 export default function diff(task: DiffTask): DiffedLevel {

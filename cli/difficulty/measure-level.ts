@@ -4,9 +4,8 @@ import { effortInWords, termsReport } from '../../check/words/index.ts';
 import { compile, joinHolds, maxTicksOf, type Scene } from '../../engine/index.ts';
 import { type Hold, type Level, readLevel } from '../../schema/index.ts';
 import { findRuns, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
-import { showProblems } from '../code-frames.ts';
 import { Failure, readBytes } from '../io/index.ts';
-import { closestRunInWords } from '../report-parts/index.ts';
+import { closestRunInWords, showProblems } from '../report-parts/index.ts';
 import {
   type MeasuredLevel,
   type MeasureSettings,

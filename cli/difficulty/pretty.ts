@@ -4,9 +4,8 @@ import { objectName } from '../../schema/index.ts';
 import type { Difficulty, GradeWord } from '../../solver/index.ts';
 import { type Colors, visible, visibleLine } from '../io/index.ts';
 import { alignColumns, percent, robustnessLines, showFileProblems } from '../report-parts/index.ts';
-import { forecastLines } from './forecast-pretty.ts';
 import type { MeasuredLevel } from './measured-level.ts';
-import { playersDetail, playersTable, playsInWords } from './players-pretty.ts';
+import { forecastLines, playersDetail, playersTable, playsInWords } from './players-pretty.ts';
 import type { CollectedPlays } from './plays/index.ts';
 
 /**

@@ -1,4 +1,3 @@
-export { openBrowser } from './open-browser.ts';
-export { openedPlace } from './opened-place.ts';
-export { PAGE } from './page-files.ts';
+export { PAGE } from './app.ts';
+export { openBrowser, openedPlace } from './opened-place.ts';
 export { DEFAULT_PORT, type EditServer, startServer } from './server.ts';

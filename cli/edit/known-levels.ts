@@ -2,12 +2,11 @@ import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
 import type { EditEvent, FolderTerms, LevelEntry, ListResponse, PackOnDisk } from '../../schema/index.ts';
 import { systemReason } from '../io/index.ts';
-import { schemaReference } from '../schema-reference.ts';
-import { changesBetween } from './changes.ts';
+import { schemaReference } from '../levels/index.ts';
+import { changesBetween, SortedEntries } from './changes.ts';
 import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';
 import { readPackOnDisk } from './pack-on-disk.ts';
 import type { EntryReader } from './read-entry.ts';
-import { SortedEntries } from './sorted-entries.ts';
 import { NO_CONFIG, type TermsOnDisk } from './terms-on-disk.ts';
 
 /** The state of a folder as reported to all listeners, kept up to date with the disk. */

@@ -10,28 +10,26 @@ import {
   type TrashResponse,
 } from '../../schema/index.ts';
 import { createFile, moveFile, replaceFile } from '../io/index.ts';
-import type { Base } from './base.ts';
 import { createKnownLevels, type KnownLevels } from './known-levels.ts';
-import { collectLeftovers } from './leftovers.ts';
 import { findLevel, findLevels, findLike, hasFolder, joinId, type LevelFileFound, pathOfNew, splitId } from './level-files.ts';
-import { moveAll } from './move-all.ts';
 import { oneAtATime } from './one-at-a-time.ts';
 import { readPackOnDisk, writePackOnDisk } from './pack-on-disk.ts';
-import { createEntryReader, type EntryReader, entryOf, etagOf } from './read-entry.ts';
-import { Refusal, refusalOf } from './refusal.ts';
+import { type Base, createEntryReader, type EntryReader, entryOf, etagOf } from './read-entry.ts';
 import {
   alreadyThere,
   badName,
   nameTaken,
+  Refusal,
+  refusalOf,
   refuseInvalid,
   refuseReadOnly,
   refuseWayOut,
   unknownFolder,
   unknownLevel,
-} from './refusals.ts';
-import { namesInOrder } from './reorder.ts';
+} from './refusal.ts';
+import { moveAll, namesInOrder } from './reorder.ts';
 import type { TermsOnDisk } from './terms-on-disk.ts';
-import { findTrash, moveToTrash } from './trash.ts';
+import { collectLeftovers, findTrash, moveToTrash } from './trash.ts';
 
 /**
  * The levels of one folder on the disk. Every call looks at the disk again. A change affects only the file that is named by an

@@ -1,11 +1,13 @@
+import { spawn } from 'node:child_process';
 import { realpathSync } from 'node:fs';
 import { basename, dirname, join, relative, sep } from 'node:path';
+import process from 'node:process';
 import type { EditorPlace } from '../../schema/index.ts';
 import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
 import { findLevel, SUFFIX } from './level-files.ts';
 
 /** The folder to edit, and the place to open in it; null: the page decides. */
-export interface OpenedPlace {
+interface OpenedPlace {
   readonly folder: string;
   readonly place: EditorPlace | null;
 }
@@ -87,4 +89,25 @@ function idIn(folder: string, file: string): string | null {
   } catch {
     return null;
   }
+}
+
+/** The command that opens an address in the user's default browser; no shell interprets it. */
+function opener(address: string): [command: string, args: string[]] {
+  if (process.platform === 'darwin') return ['open', [address]];
+  if (process.platform === 'win32') return ['rundll32', ['url.dll,FileProtocolHandler', address]];
+  return ['xdg-open', [address]];
+}
+
+/**
+ * Opens an address in the browser.
+ * @param onFailure called with the reason if it can't be opened
+ */
+export function openBrowser(address: string, onFailure: (why: string) => void): void {
+  const [command, args] = opener(address);
+  const child = spawn(command, args, { stdio: 'ignore', detached: true });
+  child.on('error', (error) => onFailure(`${command}: ${systemReason(error)}`));
+  child.on('exit', (code) => {
+    if (code !== null && code !== 0) onFailure(`${command} ended with ${code}`);
+  });
+  child.unref();
 }

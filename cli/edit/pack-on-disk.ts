@@ -2,10 +2,8 @@ import { accessSync, constants, lstatSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { MAX_FILE_SIZE, PACK_NAME, type PackOnDisk, readPack } from '../../schema/index.ts';
 import { createFile, readRegularFile, replaceFile, systemReason, whyNotWritable } from '../io/index.ts';
-import type { Base } from './base.ts';
-import { etagOf } from './read-entry.ts';
-import { Refusal } from './refusal.ts';
-import { refuseWayOut } from './refusals.ts';
+import { type Base, etagOf } from './read-entry.ts';
+import { Refusal, refuseWayOut } from './refusal.ts';
 
 // if a link has replaced the file since it was looked at, it is not followed; Windows has no such flag
 const NO_FOLLOW = constants.O_NOFOLLOW ?? 0;

@@ -15,13 +15,11 @@ import {
   whyRefused,
   writeSite,
 } from '../build/index.ts';
-import type { ConfigOptions } from '../config-file.ts';
-import { FileFailure } from '../file-failure.ts';
+import { type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { Failure } from '../io/index.ts';
-import { readConfiguration } from '../read-configuration.ts';
+import { FileFailure } from '../report-parts/index.ts';
 import { findLevel } from './level-files.ts';
-import { Refusal } from './refusal.ts';
-import { unknownLevel } from './refusals.ts';
+import { Refusal, unknownLevel } from './refusal.ts';
 
 export interface PublishOptions {
   /** The folder's real path. */
@@ -64,7 +62,7 @@ async function publish(
   const words: SiteWords = { shown: near, ifTaken: 'choose another name', ifChanged: 'choose another name' };
   try {
     planSite(site, new Map(), false, words);
-    const configuration = readConfiguration({ config }, configFrom);
+    const configuration = await readConfiguration({ config }, configFrom);
     const found = level === null ? await findPack([shown], configuration) : null;
     const files = found?.files ?? [fileOf(root, shown, level ?? '')];
     const pack = await checkPack(files, configuration, {

@@ -138,3 +138,6 @@ function whyReadOnly(path: string): string | null {
     return `its folder can't be written: ${systemReason(error)}`;
   }
 }
+
+/** What a change is based on: the etag of the content that the client knows, or that there is no such file. */
+export type Base = { readonly etag: string } | 'no-file';

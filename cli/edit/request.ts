@@ -1,7 +1,7 @@
 import type { IncomingMessage } from 'node:http';
 import type * as z from 'zod';
 import { EDIT_API } from '../../schema/index.ts';
-import type { Base } from './base.ts';
+import type { Base } from './read-entry.ts';
 import { Refusal } from './refusal.ts';
 
 const LIMIT = EDIT_API.MAX_BODY_SIZE;

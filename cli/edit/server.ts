@@ -3,19 +3,15 @@ import type { Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { dirname } from 'node:path';
 import { createAdaptorServer } from '@hono/node-server';
-import type { ConfigOptions } from '../config-file.ts';
+import type { ConfigOptions } from '../config/index.ts';
 import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
-import { createAccess } from './access.ts';
+import { createAccess, keepPort, keptKey, lastPort } from './access.ts';
 import { createApi } from './api.ts';
-import { createApp } from './app.ts';
-import { keptKey } from './kept-key.ts';
-import { keepPort, lastPort } from './last-port.ts';
+import { createApp, readPage } from './app.ts';
 import { openLevelFolder } from './level-folder.ts';
-import { readPage } from './page-files.ts';
 import { createPublish } from './publish.ts';
 import { termsOnDisk } from './terms-on-disk.ts';
-import { watchFolder } from './watch.ts';
-import { watchConfig } from './watch-config.ts';
+import { watchConfig, watchFolder } from './watch.ts';
 
 /** A browser keeps unsaved work under the page's address, which includes the port. So a folder keeps the port that it had. */
 export const DEFAULT_PORT = 4747;

@@ -1,8 +1,8 @@
 import { isAccuracyName } from '../../engine/index.ts';
 import { type ConfigFile, type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
-import { type ConfigOptions, chosenConfig } from '../config-file.ts';
+import { type ConfigOptions, chosenConfig } from '../config/index.ts';
 import { Failure, readBytes } from '../io/index.ts';
-import { termsFrom } from '../terms.ts';
+import { termsFrom } from '../options/index.ts';
 
 /** Returns the terms that the configuration sets now. */
 export type TermsOnDisk = () => FolderTerms;

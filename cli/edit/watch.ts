@@ -1,12 +1,16 @@
 import { type FSWatcher, lstatSync, watch } from 'node:fs';
-import { basename, join, sep } from 'node:path';
+import { basename, dirname, join, sep } from 'node:path';
 import process from 'node:process';
 import { PACK_NAME } from '../../schema/index.ts';
+import { CONFIG_NAME, type ConfigOptions, configFolders } from '../config/index.ts';
 import { systemReason } from '../io/index.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
 
-/** ms from the first change until the folder is read: a checkout changes many files, and some more than once */
+/**
+ * ms from the first change until the folder or the configuration is read: a checkout changes many files, some more than once, and
+ * the program that writes a file may not have finished
+ */
 const PATIENCE = 60;
 
 /** Whether the system can watch a folder with everything below it. Linux reports only changes of the files directly in it. */
@@ -91,5 +95,43 @@ export function watchFolder(root: string, known: KnownLevels): () => void {
     isOver = true;
     if (timer !== null) clearTimeout(timer);
     for (const { watcher } of watchers.values()) watcher.close();
+  };
+}
+
+/**
+ * Reads the terms of the configuration again when it may have changed: it may appear or vanish in any folder of the search. A
+ * change that goes unnoticed shows at the next load of the list.
+ * @param folder the search for the configuration starts here and goes upwards
+ * @param config a file to watch instead, or false for none
+ * @returns a function that stops it
+ */
+export function watchConfig(
+  folder: string,
+  known: Pick<KnownLevels, 'refreshTerms'>,
+  config?: ConfigOptions['config'],
+): () => void {
+  if (config === false) return () => {};
+  const isNamed = typeof config === 'string';
+  const watched = isNamed ? basename(config) : CONFIG_NAME;
+  let timer: NodeJS.Timeout | null = null;
+  const look = (): void => {
+    timer = null;
+    known.refreshTerms();
+  };
+  const watchers = (isNamed ? [dirname(config)] : configFolders(folder)).flatMap((at): FSWatcher[] => {
+    try {
+      const watcher = watch(at, { persistent: false }, (_, name) => {
+        if (name === null || name === watched) timer ??= setTimeout(look, PATIENCE);
+      });
+      // the folder is gone or can't be watched: its changes go unnoticed
+      watcher.on('error', () => watcher.close());
+      return [watcher];
+    } catch {
+      return [];
+    }
+  });
+  return () => {
+    if (timer !== null) clearTimeout(timer);
+    for (const watcher of watchers) watcher.close();
   };
 }

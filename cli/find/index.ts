@@ -1,6 +1,6 @@
 import { basename, join, relative, resolve, sep } from 'node:path';
 import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
-import type { Configuration } from '../configuration.ts';
+import type { Configuration } from '../config/index.ts';
 import {
   entryName,
   Failure,

@@ -1,17 +1,25 @@
 export { addToLeast, MOST_ASSIGNED } from './balance.ts';
+export { reportWhole } from './do-whole.ts';
 export { type Gathered, gather, resultsIn } from './gather.ts';
-export { contentsOf, JOBS, type JobName } from './job-names.ts';
+export { contentsOf, JOBS, type JobName } from './job.ts';
 export { jobOf } from './jobs/index.ts';
 export { makePlan } from './make-plan.ts';
-export { mergedRecords } from './merged-records.ts';
 export { MOST_SHARDS, type Plan, planText, readPlan } from './plan.ts';
-export { rangesOf, readRanges } from './ranges.ts';
 export { readCosts } from './read-costs.ts';
-export { replaySample } from './replay.ts';
-export { reportWhole } from './report-whole.ts';
+export { mergedRecords, replaySample } from './replay.ts';
 export { recordOfLine } from './result.ts';
-export { maxArraySize, submitJob, USUAL_ARRAY_SIZE } from './sbatch.ts';
 export { ignoreFor, setPaths } from './set-paths.ts';
-export { shardOfPlan } from './shard-command.ts';
-export { chooseShard, type Environment } from './shard-number.ts';
-export { arrayJob, logsOf, mergeJob, reportOf, type SlurmOrder, submission } from './slurm.ts';
+export { chooseShard, type Environment, shardOfPlan } from './shard-command.ts';
+export {
+  arrayJob,
+  logsOf,
+  maxArraySize,
+  mergeJob,
+  rangesOf,
+  readRanges,
+  reportOf,
+  type SlurmOrder,
+  submission,
+  submitJob,
+  USUAL_ARRAY_SIZE,
+} from './slurm.ts';

@@ -1,4 +1,4 @@
-import type { Entry } from '../io/index.ts';
+import type { Contents, Entry } from '../io/index.ts';
 
 /** A plain JSON object. */
 export type Json = Readonly<Record<string, unknown>>;
@@ -22,3 +22,11 @@ export interface ShardRecord {
   readonly ms: number;
   readonly result: Json;
 }
+
+/** What can be done with a large set; each is the command of that name. */
+export const JOBS = ['check', 'solve', 'difficulty', 'verify'] as const;
+
+export type JobName = (typeof JOBS)[number];
+
+/** What a set consists of that a job works on. */
+export const contentsOf = (job: string): Contents => (job === 'verify' ? 'plays' : 'levels');

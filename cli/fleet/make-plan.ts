@@ -11,10 +11,9 @@ import {
   readSet,
 } from '../io/index.ts';
 import { type Balanced, balance, type Costs } from './balance.ts';
-import { contentHash, entryHash, SetDigest, ShardDigest } from './digest.ts';
-import { contentsOf, type JobName } from './job-names.ts';
+import { assignedOf, contentHash, entryHash, SetDigest, ShardDigest, shardOf } from './digest.ts';
+import { contentsOf, type JobName } from './job.ts';
 import { type Code, ownCode, PLAN_VERSION, type Plan, sealed } from './plan.ts';
-import { assignedOf, shardOf } from './rule.ts';
 import { setPaths } from './set-paths.ts';
 
 /** What to plan. */

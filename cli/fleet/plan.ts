@@ -4,7 +4,7 @@ import { ENGINE_ID } from '../../game/index.ts';
 import { strictJson } from '../../schema/json/index.ts';
 import { codeFingerprint } from '../cache/index.ts';
 import { Failure, namedPath, readRegularFile, readVersion, systemReason } from '../io/index.ts';
-import { JOBS } from './job-names.ts';
+import { JOBS } from './job.ts';
 
 export const PLAN_VERSION = 1;
 

@@ -1,9 +1,9 @@
 import { createHash } from 'node:crypto';
+import FlatQueue from 'flatqueue';
 import { type Batch, Failure, namedPath, readSet, sizeOf } from '../io/index.ts';
-import type { ShardRecord } from './job.ts';
-import { contentsOf } from './job-names.ts';
+import { contentsOf, type ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';
-import { mergedRecords } from './merged-records.ts';
+import { LineReader } from './line-reader.ts';
 import type { Plan } from './plan.ts';
 import { recordOfLine } from './result.ts';
 import { limitsFor } from './run-shard.ts';
@@ -12,7 +12,7 @@ import { type Asked, sharedText, workInThreads } from './threads.ts';
 import type { Common } from './worker.ts';
 
 /** What replays of a sample have shown. */
-export interface Replayed {
+interface Replayed {
   readonly replayed: number;
   /** Records that are not true. */
   readonly refuted: readonly { readonly file: string; readonly truth: string }[];
@@ -86,3 +86,42 @@ const otherSet = (why: string): Failure =>
   new Failure(
     `no result was repeated, as the set is no longer that of the plan: ${why}: a level has changed, is missing or is new; restore it, or merge with --replay none`,
   );
+
+/** Bytes of all results that are in memory at a time, about. */
+const MEMORY = 64 * 1024 * 1024;
+
+const LEAST_PIECE = 8 * 1024;
+const MOST_PIECE = 256 * 1024;
+
+const NUMBER = /^\{"n":(\d+),/;
+
+/**
+ * The records of results in the order of the set.
+ * @param results whole results that have each record once between them
+ * @throws Error if a number is missing or double
+ */
+export function* mergedRecords(results: readonly string[]): Generator<Buffer> {
+  const piece = Math.max(LEAST_PIECE, Math.min(MOST_PIECE, Math.floor(MEMORY / results.length)));
+  const readers = results.map((path) => new LineReader(path, piece));
+  const lines: (Buffer | null)[] = [];
+  const queue = new FlatQueue<number>();
+  const advance = (i: number): void => {
+    const line = readers[i].next();
+    lines[i] = line;
+    const number = line === null ? null : NUMBER.exec(line.toString('latin1', 0, 32));
+    // the line of the end has no number
+    if (number != null) queue.push(i, Number(number[1]));
+  };
+  for (const [i, reader] of readers.entries()) {
+    reader.next();
+    advance(i);
+  }
+  for (let expected = 0; ; expected++) {
+    const n = queue.peekValue();
+    if (n === undefined) return;
+    if (n !== expected) throw new Error(`expected record ${expected}, found ${n}`);
+    const i = queue.pop()!;
+    yield lines[i]!;
+    advance(i);
+  }
+}

@@ -1,11 +1,10 @@
 import { lstatSync } from 'node:fs';
 import { type Batch, entriesOf, Failure, makeFolders, namedPath, readBytes, readSet, sizeOf, systemReason } from '../io/index.ts';
-import { DIGEST, SetDigest, ShardDigest } from './digest.ts';
-import { contentsOf } from './job-names.ts';
+import { assignedOf, DIGEST, SetDigest, ShardDigest } from './digest.ts';
+import { contentsOf } from './job.ts';
 import { jobOf } from './jobs/index.ts';
 import type { Plan } from './plan.ts';
 import { headerOf, inspect, ResultWriter, resultPath } from './result.ts';
-import { assignedOf } from './rule.ts';
 import { setPaths } from './set-paths.ts';
 import { type Asked, sharedText, workInThreads } from './threads.ts';
 import type { Common, Done } from './worker.ts';

@@ -1,8 +1,7 @@
-import { type Batch, entriesOf, openPool, readBytes, sizeOf } from '../io/index.ts';
-import { contentHash, DIGEST, entryHash } from './digest.ts';
+import { type Batch, entriesOf, openPool, readBytes, runInParts, sizeOf } from '../io/index.ts';
+import { contentHash, DIGEST, entryHash, shardOf } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';
-import { shardOf } from './rule.ts';
 import type { Done, Task } from './worker.ts';
 
 /**
@@ -65,15 +64,16 @@ export async function workInThreads<Tag>(
     await pool.destroy();
   }
 
-  async function runTask(task: Task): Promise<Done> {
-    try {
-      return await pool.run(task);
-    } catch (error) {
-      if (stopping.aborted) throw error;
-      // the thread died with the whole batch: its entries one at a time, to find the one that kills it
-      if (sizeOf(task.batch) > 1) return joined(await Promise.all(singles(task).map(runTask)));
-      return crashed(task, error);
-    }
+  function runTask(task: Task): Promise<Done> {
+    return runInParts((part): Promise<Done> => pool.run(part), task, {
+      split: singles,
+      join: joined,
+      crashed,
+      stopped(error) {
+        if (stopping.aborted) throw error;
+        return null;
+      },
+    });
   }
 }
 

@@ -1,8 +1,7 @@
 import { type Batch, type Contents, entriesOf, readBytes, sizeOf } from '../io/index.ts';
-import { contentHash, DIGEST, entryHash } from './digest.ts';
+import { contentHash, DIGEST, entryHash, type Rule, shardOf } from './digest.ts';
 import type { ShardRecord, Work } from './job.ts';
 import { jobOf } from './jobs/index.ts';
-import { type Rule, shardOf } from './rule.ts';
 
 /** What all tasks of a thread have in common. */
 export interface Common {

@@ -1,8 +1,6 @@
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
-import { repositoryOf, shellWord, tryGit } from '../io/index.ts';
-import { readText } from './read-text.ts';
-import { readTemplate } from './templates.ts';
+import { Failure, readRegularFile, repositoryOf, shellWord, systemReason, tryGit } from '../io/index.ts';
 
 /** Where levels are checked for everybody. */
 export type Ci = 'github' | 'gitlab' | 'none';
@@ -105,3 +103,27 @@ export function planCi(folder: string, ci: Ci): PlannedText | null {
   if (ci === 'none') return null;
   return withManager(ci === 'github' ? planGithub(root, inside) : planGitlab(root, inside), [folder, root]);
 }
+
+/** Files of a project that are read here are small: configuration, workflows, a manifest. Bytes. */
+const LARGEST = 4 * 1024 * 1024;
+
+/**
+ * The text of a file of the project; null if there is none.
+ * @throws Failure if it can't be read
+ */
+export function readText(path: string): string | null {
+  try {
+    return Buffer.from(readRegularFile(path, LARGEST)).toString();
+  } catch (error) {
+    if (['ENOENT', 'ENOTDIR'].includes((error as NodeJS.ErrnoException).code ?? '')) return null;
+    throw new Failure(`${path}: can't be read: ${systemReason(error)}; gq init writes a file here`);
+  }
+}
+
+const ROOT = new URL('../../../', import.meta.url);
+
+/** A ready-made file of the package, in its folder `templates`. */
+export const readTemplate = (name: string): string => readFileSync(new URL(`templates/${name}`, ROOT), 'utf8');
+
+/** A level of the package. */
+export const readShippedLevel = (name: string): string => readFileSync(new URL(`levels/${name}`, ROOT), 'utf8');

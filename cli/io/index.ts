@@ -22,7 +22,18 @@ export {
   packFileOf,
   sortedByPlay,
 } from './level-names.ts';
-export { Failure, namedPath, notice, shellPath, shellWord, systemReason, takeNotices, visible, visibleLine } from './messages.ts';
+export {
+  didYouMean,
+  Failure,
+  namedPath,
+  notice,
+  shellPath,
+  shellWord,
+  systemReason,
+  takeNotices,
+  visible,
+  visibleLine,
+} from './messages.ts';
 export {
   type Batch,
   type Contents,
@@ -34,7 +45,7 @@ export {
   readSet,
   sizeOf,
 } from './packs/index.ts';
-export { openPool, runInPool } from './pool.ts';
+export { openPool, runInParts, runInPool, startThread, type Thread } from './pool.ts';
 export { isStream, readBytes, readStdin, readVersion, STDIN, STDIN_NAME, siblingHint, stdinName } from './read.ts';
 export { NotAFile, openRegularFile, readBeyond, readRegularFile } from './regular-file.ts';
 export { expectOutput, type Inputs, levelsRead, Outputs, realTarget, standing, whyNotWritable } from './replaceable.ts';

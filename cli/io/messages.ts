@@ -1,4 +1,5 @@
 import process from 'node:process';
+import { closestName } from '../../schema/basics/index.ts';
 
 /**
  * An error that the user can fix: the command ends with exit code 2 and this message, without a stack. The message says what
@@ -76,4 +77,10 @@ export function takeNotices(): string {
   const lines = waiting;
   waiting = '';
   return lines;
+}
+
+/** ` (did you mean X?)`, or an empty text if no candidate is close. */
+export function didYouMean(word: string, candidates: readonly string[]): string {
+  const best = closestName(word, candidates);
+  return best === null ? '' : ` (did you mean ${best}?)`;
 }

@@ -46,3 +46,87 @@ export async function runInPool<Task, Result>(
     await pool.destroy();
   }
 }
+
+/** How a task of several parts goes on when the thread that works on it dies. */
+export interface Parts<Task, Result> {
+  /** A task for each part. */
+  readonly split: (task: Task) => readonly Task[];
+  /** The result of a task from those of its parts. */
+  readonly join: (results: readonly Result[]) => Result;
+  /** What becomes of a single part on which a thread has died. */
+  readonly crashed: (part: Task, error: unknown) => Result;
+  /** The result if the work was stopped, so that the error means nothing; null if it was not. May throw. */
+  readonly stopped: (error: unknown) => Result | null;
+}
+
+/**
+ * Runs a task in a thread. Where the thread dies with it, its parts run one at a time, to find the one that kills a thread; the
+ * others have their results all the same.
+ */
+export async function runInParts<Task, Result>(
+  run: (task: Task) => Promise<Result>,
+  task: Task,
+  parts: Parts<Task, Result>,
+): Promise<Result> {
+  try {
+    return await run(task);
+  } catch (error) {
+    const stopped = parts.stopped(error);
+    if (stopped !== null) return stopped;
+    const tasks = parts.split(task);
+    if (tasks.length === 1) return parts.crashed(task, error);
+    return parts.join(await Promise.all(tasks.map((part) => runInParts(run, part, parts))));
+  }
+}
+
+/** A worker thread with a state of its own, which answers requests one after the other. */
+export interface Thread<Request, Answer> {
+  /** @throws the error of the thread if it has died */
+  ask(request: Request): Promise<Answer>;
+  end(): Promise<unknown>;
+}
+
+/**
+ * Starts a thread that keeps a state between requests, which no thread of a pool does.
+ * @param filename URL of a module that answers each message with one
+ */
+export async function startThread<Request, Answer>(filename: URL, workerData: unknown): Promise<Thread<Request, Answer>> {
+  // loaded only by who needs it
+  const { Worker } = await import('node:worker_threads');
+  const worker = new Worker(filename, { workerData });
+  // if the worker has died, the next request throws its error
+  let failure: Error | null = null;
+  worker.on('error', (error) => {
+    failure = error instanceof Error ? error : new Error(String(error));
+  });
+  let last: Promise<unknown> = Promise.resolve();
+
+  const put = (request: Request): Promise<Answer> =>
+    new Promise((resolve, reject) => {
+      if (failure !== null) return reject(failure);
+      const take = (answer: Answer): void => {
+        leave();
+        resolve(answer);
+      };
+      const gone = (code: number): void => {
+        leave();
+        reject(failure ?? new Error(`a worker thread ended with code ${code} before it answered`));
+      };
+      const leave = (): void => {
+        worker.off('message', take);
+        worker.off('exit', gone);
+      };
+      worker.on('message', take);
+      worker.on('exit', gone);
+      worker.postMessage(request);
+    });
+
+  return {
+    ask(request) {
+      const answer = last.then(() => put(request));
+      last = answer.catch(() => {});
+      return answer;
+    },
+    end: () => worker.terminate(),
+  };
+}

@@ -1,9 +1,9 @@
+import { readFileSync } from 'node:fs';
 import { dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { formatLock, LOCK_VERSION, type Lock, readLock } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
 import { colorsFor, Failure, readBytes, shellPath, statOrError, writeWhole } from '../io/index.ts';
-import { showFileProblems } from '../report-parts/index.ts';
+import { showFileProblems, showProblems } from '../report-parts/index.ts';
 
 /** A lock file that was read. */
 export interface OpenedLock {
@@ -52,4 +52,37 @@ export async function writeLock(file: string, lock: Lock): Promise<boolean> {
   if (!(statOrError(file) instanceof Error) && Buffer.from(text).equals(readBytes(file))) return false;
   await writeWhole(file, text);
   return true;
+}
+
+/**
+ * Tells which level files have another entry in a lock than before, or no longer one, or a new one.
+ * @param before the text that the lock had; null: there was none
+ */
+export function changedEntries(file: string, before: string | null): (levelFile: string) => boolean {
+  const [old, now] = [entriesIn(before), entriesIn(textOrNull(file))];
+  // nothing is known of a lock that is no lock; the comparison says what is wrong with it
+  if (old === null || now === null) return () => true;
+  return (levelFile) => {
+    const key = lockKey(file, levelFile);
+    return old.get(key) !== now.get(key);
+  };
+}
+
+function textOrNull(file: string): string | null {
+  try {
+    return readFileSync(file, 'utf8');
+  } catch {
+    return null;
+  }
+}
+
+/** The entries of a lock as texts, by their keys; null if it is not one. */
+function entriesIn(text: string | null): Map<string, string> | null {
+  if (text === null) return null;
+  try {
+    const { levels } = JSON.parse(text) as { levels: Record<string, unknown> };
+    return new Map(Object.entries(levels).map(([key, entry]) => [key, JSON.stringify(entry)]));
+  } catch {
+    return null;
+  }
 }

@@ -9,9 +9,8 @@ import {
   readPack,
   type SeverityMap,
 } from '../../schema/index.ts';
-import { showProblems } from '../code-frames.ts';
 import { type FoundPack, levelIdOf, NotAFile, readRegularFile, sortedByPlay, systemReason } from '../io/index.ts';
-import type { ShownProblem } from '../shown-problem.ts';
+import { type ShownProblem, showProblems } from '../report-parts/index.ts';
 
 /** What was found about a pack file. */
 export interface CheckedPack {

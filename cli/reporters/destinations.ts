@@ -1,8 +1,17 @@
 import { lstatSync, statSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { Option } from 'commander';
-import { didYouMean } from '../did-you-mean.ts';
-import { Failure, type Inputs, namedPath, Outputs, realTarget, standing, systemReason, whyNotWritable } from '../io/index.ts';
+import {
+  didYouMean,
+  Failure,
+  type Inputs,
+  namedPath,
+  Outputs,
+  realTarget,
+  standing,
+  systemReason,
+  whyNotWritable,
+} from '../io/index.ts';
 import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
 
 /** A report that is asked for. */

@@ -1,8 +1,7 @@
 import { plural } from '../../check/words/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
 import { earlyEndInWords } from './early-end.ts';
-import { pathInWorkspace } from './paths.ts';
-import type { ReportContext, Results } from './reporter.ts';
+import { pathInWorkspace, type ReportContext, type Results } from './reporter.ts';
 import { type Annotation, workflowCommands } from './workflow-command.ts';
 
 /** The results of `check` as workflow commands, which GitHub shows at the lines of a pull request, and a summary line. */

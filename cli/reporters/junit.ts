@@ -1,13 +1,10 @@
 import type { CheckedLevel } from '../check/index.ts';
 import { visibleLine } from '../io/index.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
-import type { ShownProblem } from '../shown-problem.ts';
-import { unlistedInWords } from './early-end.ts';
-import { pathInRepository } from './paths.ts';
-import type { ReportContext, Results } from './reporter.ts';
-import { runInWords } from './run-in-words.ts';
-import { xmlAttributes, xmlText } from './xml.ts';
+import { runInWords, unlistedInWords } from './early-end.ts';
+import { pathInRepository, type ReportContext, type Results } from './reporter.ts';
 
 type State = 'passed' | 'failure' | 'error' | 'skipped';
 
@@ -159,4 +156,34 @@ function output(level: CheckedLevel, linkTo: EditorLink | null): string {
   for (const problem of level.problems) if (problem.severity === 'warning') lines.push(problemText(level, problem));
   lines.push(...placeText(level, linkTo));
   return `${lines.join('\n')}\n`;
+}
+
+/**
+ * Text for XML 1.0. Characters that no XML document can hold, not even as references, become visible \u escapes: control
+ * characters, lone surrogates, U+FFFE and U+FFFF.
+ */
+function xmlText(text: string): string {
+  return (
+    text
+      // biome-ignore lint/suspicious/noControlCharactersInRegex: control characters are what this looks for
+      .replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\u007f-\u0084\u0086-\u009f\ufffe\uffff]|\p{Surrogate}/gu, asEscape)
+      .replaceAll('&', '&amp;')
+      .replaceAll('<', '&lt;')
+      .replaceAll('>', '&gt;')
+      // a reader turns a plain one into a newline
+      .replaceAll('\r', '&#13;')
+  );
+}
+
+/** Text for an attribute in double quotes, whose newlines and tabs a reader would turn into spaces. */
+const xmlAttribute = (text: string): string =>
+  xmlText(text).replaceAll('"', '&quot;').replaceAll('\n', '&#10;').replaceAll('\t', '&#9;');
+
+const asEscape = (character: string): string => `\\u${character.charCodeAt(0).toString(16).padStart(4, '0')}`;
+
+/** The attributes of an element; those that are undefined are left out. */
+function xmlAttributes(attributes: Readonly<Record<string, string | number | undefined>>): string {
+  return Object.entries(attributes)
+    .map(([name, value]) => (value === undefined ? '' : ` ${name}="${xmlAttribute(String(value))}"`))
+    .join('');
 }

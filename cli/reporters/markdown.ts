@@ -1,11 +1,12 @@
+import { statSync } from 'node:fs';
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { visible } from '../io/index.ts';
+import type { ResultFile } from '../command.ts';
+import { visible, visibleLine } from '../io/index.ts';
+import { MAX_SHOWN, type ShownProblem } from '../report-parts/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
-import { MAX_SHOWN, type ShownProblem } from '../shown-problem.ts';
-import { markdownBlock, markdownCode, markdownText } from './markdown-text.ts';
-import type { ReportContext, Results } from './reporter.ts';
-import { runInWords } from './run-in-words.ts';
+import { runInWords } from './early-end.ts';
+import { pathInWorkspace, type ReportContext, type Results } from './reporter.ts';
 
 /** Bytes that a comment on GitHub may have. */
 export const COMMENT_BYTES = 65_536;
@@ -179,4 +180,56 @@ function earlyEnd({ unchecked, interrupted }: Results): string[] {
   const files = unchecked.slice(0, 20).map((file) => `- ${markdownCode(file)}\n`);
   const more = unchecked.length > 20 ? `- and ${unchecked.length - 20} more\n` : '';
   return [`\n**${why}**: ${plural(unchecked.length, 'level')} not checked\n\n${files.join('')}${more}`];
+}
+
+/** Text on one line that is shown as it is: no markup, no HTML, no mention of a person or an issue, no end of a table's cell. */
+export const markdownText = (text: string): string =>
+  wellFormedLine(text)
+    .replace(/[&<>|\\`*_[\]~]|@|#(?=\d)|:(?=\/\/)|(?<=\bwww)\./g, (found) => {
+      if (/[&<>|\\]/.test(found)) return entity(found);
+      // a service that looks for mentions and addresses finds none across a comment
+      return /[`*_[\]~]/.test(found) ? `\\${found}` : `${found}<!-- -->`;
+    })
+    // what would begin a list or a heading
+    .replace(/^[-+=](?= |$)|^#(?=#{0,5} )|^\d(?=\d*[.)](?: |$))/, entity);
+
+const entity = (character: string): string => `&#${character.charCodeAt(0)};`;
+
+/** Text in the letters of code, in a table's cell as well. */
+export function markdownCode(text: string): string {
+  const line = wellFormedLine(text);
+  if (/^[^`|\\]+$/.test(line) && line.trim() === line) return `\`${line}\``;
+  return `<code>${line.replace(/[!-/:-@[-`{-~]/g, entity)}</code>`;
+}
+
+/** Lines in the letters of code: a block that nothing in the text can end. */
+export function markdownBlock(text: string): string {
+  const longest = Math.max(2, ...[...text.matchAll(/`+/g)].map(([run]) => run.length));
+  const fence = '`'.repeat(longest + 1);
+  return `${fence}text\n${text.trimEnd().split('\n').map(wellFormedLine).join('\n')}\n${fence}\n`;
+}
+
+/** Characters that move the cursor or break a line become visible, and so do halves of characters. */
+const wellFormedLine = (text: string): string =>
+  visibleLine(text)
+    .replace(/[\u2028\u2029]/g, ' ')
+    .replace(/\p{Surrogate}/gu, '\ufffd');
+
+/** Bytes that GitHub takes as the summary of a step; of a larger file it takes nothing. */
+const STEP_BYTES = 1024 * 1024;
+
+/**
+ * What to add to the summary of a step of a workflow, of which earlier commands may have written a part.
+ * @param path `GITHUB_STEP_SUMMARY`
+ */
+export function stepSummary(
+  path: string,
+  results: Results,
+  { linkTo, places }: Pick<ReportContext, 'linkTo' | 'places'>,
+): { readonly files: ResultFile[]; readonly messages: string } {
+  const before = statSync(path, { throwIfNoEntry: false })?.size ?? 0;
+  const start = before === 0 ? '' : '\n';
+  const content = markdownWithin(results, linkTo, STEP_BYTES - before - start.length, (file) => pathInWorkspace(file, places));
+  if (content !== '') return { files: [{ path, content: start + content, mode: 'append' }], messages: '' };
+  return { files: [], messages: 'warning: the summary of this step is full (1 MiB): the table of levels is left out\n' };
 }

@@ -4,8 +4,7 @@ import type { CommandResult, ResultFile } from '../command.ts';
 import { colorsFor, PLAIN, readVersion, widthOf } from '../io/index.ts';
 import { inPieces } from '../report-parts/index.ts';
 import type { Destination } from './destinations.ts';
-import { placesOf } from './places.ts';
-import type { ReportContext, Reporter, ReporterName, Results } from './reporter.ts';
+import { placesOf, type ReportContext, type Reporter, type ReporterName, type Results } from './reporter.ts';
 
 /** Loads a reporter, and with it the words that it needs: only one that is used. */
 const REPORTERS: Readonly<Record<ReporterName, () => Promise<Reporter>>> = {
@@ -61,7 +60,7 @@ export async function reportCheck(
   const messages = results.excess && !isSaid ? `error: ${results.excess}\n` : '';
   const summary = process.env.GITHUB_STEP_SUMMARY;
   if (!summary || !reports.some(({ name }) => name === 'github')) return { output, files, messages, exitCode };
-  const { stepSummary } = await import('./step-summary.ts');
+  const { stepSummary } = await import('./markdown.ts');
   const step = stepSummary(summary, results, context);
   return { output, files: [...files, ...step.files], messages: messages + step.messages, exitCode };
 }

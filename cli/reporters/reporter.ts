@@ -1,6 +1,8 @@
+import { realpathSync } from 'node:fs';
+import { isAbsolute, relative, resolve, sep } from 'node:path';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
-import type { Colors } from '../io/index.ts';
+import { type Colors, entryName, repositoryOf } from '../io/index.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
 import type { EditorLink } from '../show-failure/index.ts';
 
@@ -61,3 +63,43 @@ export interface Places {
 
 /** Makes a report. It depends on nothing else. */
 export type Reporter = (results: Results, context: ReportContext) => string;
+
+/** The folders to which paths in reports are relative. */
+export function placesOf(directory: string, { GITHUB_WORKSPACE }: NodeJS.ProcessEnv): Places {
+  const given = GITHUB_WORKSPACE ? [resolve(directory, GITHUB_WORKSPACE)] : [];
+  return { directory, workspaces: [...new Set(given.flatMap((path) => [path, real(path)]))], root: repositoryOf(directory) };
+}
+
+/** A working directory is known by its real path, while a variable may name a link to it. */
+function real(path: string): string {
+  try {
+    return realpathSync(path);
+  } catch {
+    return path;
+  }
+}
+
+const withSlashes = (path: string): string => (sep === '/' ? path : path.split(sep).join('/'));
+
+/** A path relative to the first of some folders that contains it, with slashes; null if none does. */
+function below(folders: readonly string[], file: string, directory: string): string | null {
+  // the name of an entry of a pack is no path: dots in it lead nowhere
+  const { pack, label } = entryName(file) ?? { pack: file, label: null };
+  for (const folder of folders) {
+    const path = relative(folder, resolve(directory, pack));
+    const isOutside = path === '' || path === '..' || path.startsWith(`..${sep}`) || isAbsolute(path);
+    if (!isOutside) return label === null ? withSlashes(path) : `${withSlashes(path)}#${label}`;
+  }
+  return null;
+}
+
+/** A path as GitHub wants it: relative to its workspace; else as it was given. */
+export const pathInWorkspace = (file: string, { workspaces, directory }: Places): string =>
+  below(workspaces, file, directory) ?? withSlashes(file);
+
+/** What a service takes for the root of the repository: GitHub's workspace, else the repository itself. */
+export const rootOf = ({ workspaces, root }: Places): string => workspaces[0] ?? root;
+
+/** A path relative to that root; null if it is outside. */
+export const pathInRepository = (file: string, { workspaces, root, directory }: Places): string | null =>
+  below(workspaces.length > 0 ? workspaces : [root], file, directory);

@@ -6,11 +6,10 @@ import type { CodeExplanation } from '../../schema/index.ts';
 import { type CheckedLevel, keyOf } from '../check/index.ts';
 import { EXPLAINED_CODES } from '../explained-codes.ts';
 import { visible, visibleLine } from '../io/index.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 import { failureOf } from '../show-failure/index.ts';
-import type { ShownProblem } from '../shown-problem.ts';
 import { unlistedInWords } from './early-end.ts';
-import { pathInRepository, rootOf } from './paths.ts';
-import type { ReportContext, Results } from './reporter.ts';
+import { pathInRepository, type ReportContext, type Results, rootOf } from './reporter.ts';
 
 const SCHEMA = 'https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json';
 

@@ -1,5 +1,5 @@
 import type { Hold, LevelFile } from '../../schema/index.ts';
-import { replaceLevel } from '../replace-level.ts';
+import { replaceLevel } from '../levels/index.ts';
 
 /** A run that was added to a level file, or that was already there under this name. */
 export interface AddedRun {

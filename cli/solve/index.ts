@@ -1,5 +1,4 @@
 export { addRuns, DEFAULT_NAME, freeName } from './add-runs.ts';
-export { progressText } from './progress-text.ts';
+export { progressText } from './rounds.ts';
 export { type AskedRuns, askedRuns, type SolveSettings, settingsFor } from './settings.ts';
-export { replayRuns, type Solved, type SolvedRun, solveHere, solveLevel } from './solve-level.ts';
-export { solveReport } from './solve-report.ts';
+export { replayRuns, type Solved, type SolvedRun, solveHere, solveLevel, solveReport } from './solve-level.ts';

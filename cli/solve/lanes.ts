@@ -1,9 +1,7 @@
 import { compile, isAccuracyName, maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { createAnytimeProof, createSolver, measureRobustness, type Robustness, type Solver } from '../../solver/index.ts';
-import { PROOF_LANE, type Round } from './lane-numbers.ts';
-import type { LaneState } from './messages.ts';
-import type { AskedRuns, SolveSettings } from './settings.ts';
+import { type AskedRuns, type LaneState, PROOF_LANE, type Round, type SolveSettings } from './settings.ts';
 
 /** The number of executions for each probability. */
 const SAMPLES = 1000;

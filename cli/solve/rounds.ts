@@ -1,6 +1,5 @@
 import { type Closest, type Effort, mergeSolutions, type Proof, proofShare, type Solution } from '../../solver/index.ts';
-import { LANES, PROOF_LANE, type Round } from './lane-numbers.ts';
-import type { LaneState } from './messages.ts';
+import { LANES, type LaneState, PROOF_LANE, type Round } from './settings.ts';
 
 /** Ticks of a lane in the first round, and in the longest; rounds get longer at first. */
 const FIRST_STEP = 20_000;
@@ -17,7 +16,7 @@ export interface Found {
 }
 
 /** What a search in rounds needs of whoever has the lanes. */
-export interface Rounds {
+interface Rounds {
   /** The limit of all lanes together, ticks; null: none. */
   readonly effort: number | null;
   /** The wanted number of really different runs. */
@@ -72,4 +71,16 @@ function together(states: readonly LaneState[], count: number): Found {
     ),
     impossible: states.find(({ impossible }) => impossible !== null)?.impossible ?? null,
   };
+}
+
+/** The progress of a search in one line. */
+export function progressText({ solutions, effort, closest }: Found, seconds: number): string {
+  const so = `solving, ${seconds.toFixed(0)} s, ${(effort.ticks / 1e6).toFixed(1)} million ticks: `;
+  const [best] = solutions;
+  if (best === undefined) {
+    return `${so}no run yet${closest === null ? '' : `, closest ${closest.distance.toFixed(1)} px`}; Ctrl-C ends`;
+  }
+  const presses = `${best.holds.length} ${best.holds.length === 1 ? 'press' : 'presses'}`;
+  const p40 = best.p40 === null ? '' : `, success at 40 ms ${(100 * best.p40.p).toFixed(0)} %`;
+  return `${so}${best.time.toFixed(2)} s, ${presses}${p40}; Ctrl-C drops it`;
 }

@@ -1,13 +1,14 @@
 import { proveGoalImpossible } from '../../check/index.ts';
+import { termsReport } from '../../check/words/index.ts';
 import { compile, type Run, simulate } from '../../engine/index.ts';
-import type { Hold } from '../../schema/index.ts';
-import { type Closest, type Effort, type Proof, type Robustness, verifyRun } from '../../solver/index.ts';
+import type { Hold, SolutionReport, SolveReport } from '../../schema/index.ts';
+import { type Closest, type Effort, type Proof, type Robustness, type Solution, verifyRun } from '../../solver/index.ts';
 import { catchSignals, leaveSignals } from '../io/index.ts';
-import type { Limits } from '../search-options.ts';
-import { LANES, PROOF_LANE } from './lane-numbers.ts';
+import type { Limits } from '../options/index.ts';
+import { robustnessJson } from '../report-parts/index.ts';
 import { measureRun, openLanes } from './lanes.ts';
 import { type Found, searchInRounds } from './rounds.ts';
-import type { SolveSettings } from './settings.ts';
+import { LANES, PROOF_LANE, type SolveSettings } from './settings.ts';
 import { startWorkerPool } from './worker-pool.ts';
 
 /** A run that was found and replayed, with its robustness. */
@@ -30,7 +31,7 @@ export interface Solved {
   readonly impossible: Proof | null;
 }
 
-export interface SolveOptions {
+interface SolveOptions {
   readonly limits: Limits;
   /** The largest number of threads; the result does not depend on it. */
   readonly jobs: number;
@@ -41,7 +42,7 @@ export interface SolveOptions {
 export const solveLevel = (settings: SolveSettings, { limits, jobs, onRound }: SolveOptions): Promise<Solved> =>
   solveBy(settings, async () => {
     catchSignals();
-    const pool = startWorkerPool(settings, jobs);
+    const pool = await startWorkerPool(settings, jobs);
     try {
       const found = await pool.search(limits, onRound);
       return { ...found, measured: await pool.measure(found.solutions.map(({ holds }) => holds)) };
@@ -100,3 +101,36 @@ async function solveBy(
   const isFound = runs.length > 0;
   return { runs, effort, seconds: since(), closest: isFound ? null : closest, impossible: isFound ? null : proved };
 }
+
+/** The results of `solve` as JSON has them. */
+export function solveReport({ level, terms, seed, count }: SolveSettings, solved: Solved): SolveReport {
+  const { runs, closest, impossible } = solved;
+  const under = termsReport({ terms, level });
+  const effort = { ...solved.effort, seconds: solved.seconds, seed };
+  const toReport = (found: SolvedRun | undefined): SolutionReport => ({
+    level: level.name,
+    accuracy: terms.accuracy.name,
+    terms: under,
+    found: found !== undefined,
+    holds: found === undefined ? null : holdsOf(found),
+    outcome: found?.run.outcome ?? null,
+    time: found?.run.time ?? null,
+    tick: found?.run.tick ?? null,
+    minerals: [...(found?.run.minerals ?? [])],
+    effort,
+    robustness: found === undefined ? null : robustnessJson(found.robustness),
+    closest: closest === null ? null : { ...closest, holds: holdsOf(closest) },
+    impossible:
+      impossible === null
+        ? null
+        : { code: impossible.code, reason: impossible.reason, certificate: jsonOf(impossible.certificate) },
+    hash: found?.run.hash ?? null,
+  });
+  const report: SolveReport = { version: 1, ...toReport(runs[0]) };
+  if (count > 1) report.solutions = runs.map(toReport);
+  return report;
+}
+
+const holdsOf = ({ holds }: Pick<Solution, 'holds'>): [number, number][] => holds.map(([press, release]) => [press, release]);
+
+const jsonOf = (certificate: unknown) => certificate as NonNullable<SolutionReport['impossible']>['certificate'];

@@ -1,11 +1,18 @@
 import type { Hold } from '../../schema/index.ts';
 import type { Robustness } from '../../solver/index.ts';
-import type { Limits } from '../search-options.ts';
-import { LANES, PROOF_LANE, type Round } from './lane-numbers.ts';
-import type { LaneState } from './messages.ts';
+import { startThread, type Thread } from '../io/index.ts';
+import type { Limits } from '../options/index.ts';
 import { type Found, searchInRounds } from './rounds.ts';
-import type { SolveSettings } from './settings.ts';
-import { startThread } from './thread.ts';
+import {
+  type Answer,
+  LANES,
+  type LaneState,
+  PROOF_LANE,
+  type Request,
+  type Round,
+  type SolveSettings,
+  type WorkerData,
+} from './settings.ts';
 
 /** Threads that share a search. */
 export interface WorkerPool {
@@ -24,13 +31,15 @@ export interface WorkerPool {
  * Starts worker threads that share the lanes of a search.
  * @param jobs the largest number of threads; the result does not depend on it
  */
-export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPool {
+export async function startWorkerPool(settings: SolveSettings, jobs: number): Promise<WorkerPool> {
   const threads = Math.min(jobs, LANES);
   const stopped = new Int32Array(new SharedArrayBuffer(4));
-  const workers = Array.from({ length: threads }, (_, thread) => {
+  const starting = Array.from({ length: threads }, (_, thread) => {
     const own = [...Array(LANES).keys(), PROOF_LANE].filter((lane) => lane % threads === thread);
-    return startThread({ settings, lanes: own, stop: stopped.buffer as SharedArrayBuffer });
+    const data: WorkerData = { settings, lanes: own, stop: stopped.buffer as SharedArrayBuffer };
+    return startThread<Request, Answer>(new URL('./worker.js', import.meta.url), data);
   });
+  const workers = await Promise.all(starting);
   const isStopped = (): boolean => Atomics.load(stopped, 0) !== 0;
   const halt = (): void => {
     Atomics.store(stopped, 0, 1);
@@ -38,7 +47,7 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
 
   /** Advances every lane to a total number of ticks, unless it is stopped before. */
   async function advance(round: Round): Promise<LaneState[]> {
-    const answers = await Promise.all(workers.map((worker) => worker.ask({ kind: 'advance', round }, 'advance')));
+    const answers = await Promise.all(workers.map((worker) => ask(worker, { kind: 'advance', round })));
     return answers.flatMap((answer) => answer.lanes).sort((a, b) => a.lane - b.lane);
   }
 
@@ -56,11 +65,20 @@ export function startWorkerPool(settings: SolveSettings, jobs: number): WorkerPo
   return {
     search,
     async measure(runs) {
-      const answers = runs.map((holds, i) => workers[i % threads].ask({ kind: 'measure', holds }, 'measure'));
+      const answers = runs.map((holds, i) => ask(workers[i % threads], { kind: 'measure', holds }));
       return (await Promise.all(answers)).map((answer) => answer.robustness);
     },
     async close() {
       await Promise.all(workers.map((worker) => worker.end()));
     },
   };
+}
+
+type AnswerTo<R extends Request> = Extract<Answer, { kind: R['kind'] }>;
+
+/** @throws what went wrong in the thread */
+async function ask<R extends Request>(worker: Thread<Request, Answer>, request: R): Promise<AnswerTo<R>> {
+  const answer = await worker.ask(request);
+  if (answer.kind === request.kind) return answer as AnswerTo<R>;
+  throw new Error(answer.kind === 'failed' ? answer.why : `asked for ${request.kind}, a worker gave ${answer.kind}`);
 }

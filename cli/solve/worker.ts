@@ -1,6 +1,6 @@
 import { parentPort, workerData } from 'node:worker_threads';
 import { openLanes } from './lanes.ts';
-import type { Answer, Request, WorkerData } from './messages.ts';
+import type { Answer, Request, WorkerData } from './settings.ts';
 
 const { settings, lanes, stop } = workerData as WorkerData;
 const stopped = new Int32Array(stop);

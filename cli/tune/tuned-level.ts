@@ -1,7 +1,8 @@
 import type { Terms } from '../../engine/index.ts';
 import type { Hold, RuleName, TermsReport } from '../../schema/index.ts';
-import type { Limits } from '../search-options.ts';
-import type { ShownProblem } from '../shown-problem.ts';
+import { runInPool } from '../io/index.ts';
+import type { Limits } from '../options/index.ts';
+import type { ShownProblem } from '../report-parts/index.ts';
 import type { Change, Sweep } from './rule-options.ts';
 
 /** Which rules to change, and how to find the effects. */
@@ -66,4 +67,22 @@ export interface TunedLevel {
   readonly why: string;
   /** 0: done; 1: not a valid level; 2: the file can't be read or a value is out of a rule's range */
   readonly code: 0 | 1 | 2;
+}
+
+/**
+ * Finds the effects of changed rules on level files in worker threads.
+ * @param jobs the largest number of threads
+ * @param onProgress called after each file with the number of files that are done
+ * @returns one entry for each file, sorted by the smallest change that makes its run fail, then in the order of the files
+ */
+export async function tuneLevels(
+  files: readonly string[],
+  settings: TuneSettings,
+  jobs: number,
+  onProgress: (done: number) => void,
+): Promise<TunedLevel[]> {
+  const tasks = files.map((file): TuneTask => ({ file, settings }));
+  const levels = await runInPool<TuneTask, TunedLevel>(new URL('./worker.js', import.meta.url), tasks, jobs, onProgress);
+  const roomOf = ({ room }: TunedLevel): number => room ?? Number.POSITIVE_INFINITY;
+  return levels.sort((a, b) => (roomOf(a) === roomOf(b) ? 0 : roomOf(a) - roomOf(b)));
 }

@@ -1,5 +1,4 @@
-export { itemOf, itemOfFile, itemOfLine } from './item-of.ts';
-export { linesOf, readLine } from './lines.ts';
+export { itemOf, itemOfFile, itemOfLine, linesOf, readLine } from './lines.ts';
 export {
   addPlayOptions,
   deskSettings,

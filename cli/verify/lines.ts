@@ -1,13 +1,15 @@
 import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
 import { strictJson } from '../../schema/json/index.ts';
+import { entryName, packFormat, shellPath } from '../io/index.ts';
+import type { PlayItem } from './verify-plays.ts';
 
 /** Bytes of the longest line that is read: a play of the largest size as text, and room for its name. */
-export const MOST_BYTES = 2 * PLAY_LIMITS.bytes;
+const MOST_BYTES = 2 * PLAY_LIMITS.bytes;
 
 const NEWLINE = 0x0a;
 
 /** A line of standard input. */
-export interface InputLine {
+interface InputLine {
   /** From 1. */
   readonly number: number;
   /** null: the line is longer than any play. */
@@ -46,7 +48,7 @@ export async function* linesOf(stream: AsyncIterable<Uint8Array>): AsyncGenerato
 }
 
 /** What a line of standard input says. */
-export type SubmittedPlay =
+type SubmittedPlay =
   | { readonly id: string | number | null; readonly subject: string | null; readonly bytes: Uint8Array }
   | { readonly id: string | number | null; readonly verdict: 'malformed' | 'too-long'; readonly why: string };
 
@@ -86,4 +88,35 @@ function submitted(id: string | number | null, subject: string | null, text: str
     return { id, verdict: 'too-long', why: `expected a play of at most ${PLAY_LIMITS.bytes} bytes, found a longer one` };
   }
   return { id, verdict: 'malformed', why: 'expected the base64url of a play: letters, digits, - and _ without padding' };
+}
+
+/**
+ * A play of a set.
+ * @param name its path, or where it is in its pack: `plays.ndjson#12`, `plays.tar#a.gqr`
+ */
+export function itemOf(name: string, content: Uint8Array): PlayItem {
+  const inPack = entryName(name);
+  if (inPack === null || packFormat(inPack.pack)?.kind !== 'ndjson') return itemOfFile(name, content);
+  const text = content.length > MOST_BYTES ? null : Buffer.from(content).toString();
+  const line = Number(inPack.label);
+  const item = itemOfLine(inPack.pack, line, text);
+  if (item !== null) return item;
+  // lines of white space alone are no entries, but JavaScript knows more kinds of it
+  const why = 'expected a play, found white space';
+  return { file: inPack.pack, line, id: null, subject: null, content: { verdict: 'malformed', why } };
+}
+
+/** The play in a file. */
+export function itemOfFile(file: string, content: Uint8Array): PlayItem {
+  const isText = content[0] === 0x7b || content[0] === 0x22;
+  const why = `expected a play, found text; if its lines are plays: gq verify - < ${shellPath(file)}`;
+  return { file, line: null, id: null, subject: null, content: isText ? { verdict: 'malformed', why } : content };
+}
+
+/** The play in a line; null if there is none. @param file the pack; null for standard input */
+export function itemOfLine(file: string | null, line: number, text: string | null): PlayItem | null {
+  const read = readLine(text);
+  if (read === null) return null;
+  const place = { file, line, id: read.id };
+  return 'why' in read ? { ...place, subject: null, content: read } : { ...place, subject: read.subject, content: read.bytes };
 }

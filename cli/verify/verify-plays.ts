@@ -1,8 +1,7 @@
 import { decodePlay, type Play, type VerifiedPlay, type VerifyOptions } from '../../game/index.ts';
 import { whyOtherAccuracy } from '../../game/play/index.ts';
 import type { OwnRules, VerifyReport } from '../../schema/index.ts';
-import { type Candidate, candidateFor } from './candidate.ts';
-import { type Catalogue, type KnownLevel, readCatalogue } from './catalogue.ts';
+import { type Candidate, type Catalogue, candidateFor, type KnownLevel, readCatalogue } from './catalogue.ts';
 import { enginesIn, loadEngine, ownEngine } from './engine-module.ts';
 import type { ReplayTask } from './replay.ts';
 import type { Threads } from './threads.ts';

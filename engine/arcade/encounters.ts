@@ -1,13 +1,13 @@
 import { TICK } from '../constants.ts';
-import { boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
+import { boxOverlapsCircle } from '../contact/index.ts';
 import type { Frame } from '../frames/index.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
 import {
-  ALIEN_TOUCH,
   ASTEROID,
   AX,
   AY,
   BLACK_HOLE,
+  CHASER,
   COS,
   FRAME,
   HEAD,
@@ -31,7 +31,7 @@ import { NUMBERS, type World } from './world.ts';
 
 // V8 folds constants of the same module, but loads imported ones
 const DT = TICK;
-const { PULL, PUSH, RECOIL, LIMIT } = NUMBERS;
+const { PULL, RECOIL, LIMIT } = NUMBERS;
 
 /** Frames among objects that are made before it is examined again whether objects are near. */
 const FRAMES_AMONG = 6;
@@ -52,7 +52,7 @@ export class Encounters {
 
   /**
    * Makes some frames among objects; stops where she leaves the cell or the run ends.
-   * @param alert - whether an alien matters
+   * @param alert - whether a chaser matters
    */
   meet(cell: Neighbourhood, until: number, held: boolean, alert: boolean): void {
     const { recorder } = this;
@@ -62,10 +62,7 @@ export class Encounters {
       targetR,
       recoil,
       rocks,
-      aliens,
-      repulsorX,
-      repulsorY,
-      repulsorR,
+      chasers,
       places,
       placesFrom,
       placesStep,
@@ -79,12 +76,10 @@ export class Encounters {
       frameStates,
     } = this.world;
     const pull = numbers[PULL];
-    const push = numbers[PUSH];
     const kickback = numbers[RECOIL];
     const speedLimit = numbers[LIMIT];
     const { left, right, top, bottom, rivals, deadly, discs } = cell;
     const near = cell.minerals;
-    const fields = cell.repulsors;
     const rangeSquared = range * range;
     const limit = Math.min(until, s[FRAME] + (alert ? FRAMES_ALERT : FRAMES_AMONG));
     let frame = s[FRAME];
@@ -160,27 +155,12 @@ export class Encounters {
           break;
         }
         if (near.length > 0) this.collectMinerals(near);
-        if (alert) aliens.explode(frame, recorder);
+        if (alert) chasers.explode(frame, recorder);
       }
       if (alert) {
-        const alien = aliens.move(frame, recorder);
-        if (alien >= 0 && going && s[OUTCOME] === 0) this.end(ALIEN_TOUCH, this.world.scene.aliens.index[alien]);
+        const chaser = chasers.move(frame, recorder);
+        if (chaser >= 0 && going && s[OUTCOME] === 0) this.end(CHASER, chasers.circles.index[chaser]);
       }
-
-      // the first repulsor in the level's list that contains her pushes her
-      let field = -1;
-      for (let k = 0; k < fields.length; k++) {
-        const i = fields[k];
-        const dx = x - repulsorX[i];
-        const dy = y - repulsorY[i];
-        if (!circlesOverlap(dx, dy, repulsorR[i])) continue;
-        const d = Math.sqrt(dx * dx + dy * dy);
-        ax = d > 0 ? (push * dx) / d : push;
-        ay = d > 0 ? (push * dy) / d : 0;
-        field = i;
-        break;
-      }
-      if (recorder !== null) recorder.field(s, frame, field);
 
       if (frameRules.length > 0) {
         const { body } = this;

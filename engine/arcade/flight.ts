@@ -1,5 +1,5 @@
 import { TICK } from '../constants.ts';
-import { AHEAD } from './aliens.ts';
+import { AHEAD } from './chasers.ts';
 import { AX, AY, COS, FRAME, HEAD, MOVED, SIN, VX, VY, X, Y } from './layout.ts';
 import { limitSpeed } from './limit-speed.ts';
 import { ROCK, ROCK_FRAMES } from './rocks.ts';
@@ -21,8 +21,8 @@ export class Flight {
     private readonly world: World,
     private readonly around: Surroundings,
   ) {
-    // only aliens follow it
-    this.path = world.aliens.count > 0 ? new Float64Array(2 * AHEAD) : NOWHERE;
+    // only chasers follow it
+    this.path = world.chasers.count > 0 ? new Float64Array(2 * AHEAD) : NOWHERE;
   }
 
   /**

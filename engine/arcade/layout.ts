@@ -15,7 +15,7 @@ export const OUTCOME = 10;
 export const TOUCHED = 11;
 /** Number of minerals counted. */
 export const MINERALS = 12;
-/** 1 once an alien has been awake; until then all of them sleep where the level has them. */
+/** 1 once a chaser has been awake; until then all of them sleep where the level has them. */
 export const ROUSED = 13;
 /** Number of asteroids that recoil has moved. */
 export const MOVED = 14;
@@ -23,18 +23,17 @@ export const MOVED = 14;
 export const STRAYED = 15;
 /** 1 if the gun was held in the last frame. */
 export const HELD = 16;
-/** For a recorder, which reports changes: the last frame's nearest target and field, or -1, and whether the gun was held. */
+/** For a recorder, which reports changes: the last frame's nearest target, or -1, and whether the gun was held. */
 export const SEEN_TARGET = 17;
-export const SEEN_FIELD = 18;
-export const SEEN_HELD = 19;
-export const HEAD = 20;
+export const SEEN_HELD = 18;
+export const HEAD = 19;
 
 // OUTCOME is 0 while the run goes on, then one of these.
 export const LOST = 1;
 export const BLACK_HOLE = 2;
 export const NOVA = 3;
 export const ASTEROID = 4;
-export const ALIEN_TOUCH = 5;
+export const CHASER = 5;
 
 /** The kind of object touched, by outcome. */
 export const TOUCH_KIND: readonly (BodyKind | null)[] = [null, null, 'blackHole', 'nova', 'asteroid', 'alien'];

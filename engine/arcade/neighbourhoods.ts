@@ -1,6 +1,6 @@
-import type { Circles } from '../circles.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import { DIAGONAL, Square } from './square.ts';
+import { DIAGONAL, Square, type Watchers } from './square.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
@@ -31,12 +31,13 @@ export interface Neighbourhood {
   /** Codes of what ends the run by touch: 0 is the black hole, novae begin at 1, targets at 1 + novae; ascending. */
   readonly deadly: Int32Array;
   readonly minerals: Int32Array;
-  readonly repulsors: Int32Array;
   /** Discs of each frame rule. */
   readonly discs: readonly Int32Array[];
+  /** How many of all these a frame here looks at. */
+  readonly things: number;
   /** Only the gun acts: nothing can be touched, there is no field, and the range does not end. */
   readonly quiet: boolean;
-  /** Aliens at their places in the level neither see nor touch her. */
+  /** Chasers at their places in the level neither see nor touch her. */
   readonly unseen: boolean;
   /** Bounds of the cell, px: from `left` and `top` inclusive to `right` and `bottom` exclusive. */
   readonly left: number;
@@ -81,11 +82,14 @@ export class Neighbourhoods {
 
   constructor(
     scene: Scene,
+    chasers: Watchers,
     /** Discs of each frame rule. */
-    private readonly discs: readonly Circles[],
+    private readonly discs: readonly IndexedCircles[],
+    /** Which of these count as looks of the budget. */
+    private readonly areWork: readonly boolean[],
   ) {
-    const { targets, coldCount, novae, minerals, repulsors, level } = scene;
-    this.square = new Square(scene, level.recoil ? DRIFT : 0);
+    const { targets, coldCount, novae, minerals, level } = scene;
+    this.square = new Square(scene, chasers, level.recoil ? DRIFT : 0);
     // all novae, and those targets that are hot
     const deadly = below(1 + novae.count + targets.count - coldCount);
     for (let k = 1 + novae.count; k < deadly.length; k++) deadly[k] += coldCount;
@@ -97,8 +101,8 @@ export class Neighbourhoods {
       rivals: below(targets.count),
       deadly,
       minerals: below(minerals.count),
-      repulsors: below(repulsors.count),
       discs: discs.map(({ count }) => below(count)),
+      things: deadly.length + minerals.count + this.looks(discs.map(({ count }) => count)),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -140,20 +144,13 @@ export class Neighbourhoods {
     const deadly = square.taken();
     square.addMinerals();
     const minerals = square.taken();
-    square.addRepulsors();
-    const repulsors = square.taken();
     const discs = this.discs.map((list) => {
       square.addDiscs(list);
       return square.taken();
     });
     square.addRivals();
     const rivals = square.taken();
-    const quiet =
-      square.isInRange &&
-      deadly.length === 0 &&
-      minerals.length === 0 &&
-      repulsors.length === 0 &&
-      discs.every(({ length }) => length === 0);
+    const quiet = square.isInRange && deadly.length === 0 && minerals.length === 0 && discs.every(({ length }) => length === 0);
     const unseen = square.isUnseen;
     const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
     // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
@@ -163,8 +160,8 @@ export class Neighbourhoods {
       rivals,
       deadly,
       minerals,
-      repulsors,
       discs,
+      things: deadly.length + minerals.length + this.looks(discs.map(({ length }) => length)),
       quiet,
       unseen,
       left: column * SIDE,
@@ -176,6 +173,11 @@ export class Neighbourhoods {
       freeTop: y - free,
       freeBottom: y + free,
     };
+  }
+
+  /** How many of so many discs of each frame rule count as looks. */
+  private looks(counts: readonly number[]): number {
+    return counts.reduce((sum, count, k) => (this.areWork[k] ? sum + count : sum), 0);
   }
 
   /** Half the side of the largest square around a quiet cell that is as quiet, with as many rivals and the same `unseen`, px. */
@@ -194,7 +196,6 @@ export class Neighbourhoods {
     if (!square.isInRange) return false;
     square.addDeadly();
     square.addMinerals();
-    square.addRepulsors();
     for (const list of this.discs) square.addDiscs(list);
     return square.counted() === 0;
   }

@@ -2,10 +2,9 @@ import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
-import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE } from '../simulation.ts';
-import type { Trajectory } from '../trajectory.ts';
+import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Trajectory } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { SEEN_FIELD, SEEN_HELD, SEEN_TARGET } from './layout.ts';
+import { SEEN_HELD, SEEN_TARGET } from './layout.ts';
 
 /** Records every frame and event of an `arcade` run. Row f is the state after frame f and stands for time f / 60 s. */
 export class FrameRecorder implements Trajectory {
@@ -13,9 +12,9 @@ export class FrameRecorder implements Trajectory {
   private count = 0;
   private readonly state = new Float64Array(STATE_SIZE);
   // the history of the other objects is kept separately: few of many move
-  private alienLog: ChangeLog | null = null;
+  private chaserLog: ChangeLog | null = null;
   private asteroidLog: ChangeLog | null = null;
-  private readonly aliens: Float64Array;
+  private readonly chasers: Float64Array;
   private readonly asteroids: Float64Array;
   private readonly asteroidsMove: boolean;
 
@@ -30,7 +29,7 @@ export class FrameRecorder implements Trajectory {
     private readonly keeps = true,
     readonly events: RunEvent[] = [],
   ) {
-    this.aliens = new Float64Array(3 * scene.aliens.count);
+    this.chasers = new Float64Array(3 * scene.aliens.count);
     this.asteroids = new Float64Array(2 * scene.targets.count);
     this.asteroidsMove = scene.level.recoil;
     this.rows = new Float64Array(STATE_SIZE * 1024);
@@ -45,8 +44,8 @@ export class FrameRecorder implements Trajectory {
   }
 
   aliensAt(time: number, out: Float64Array): void {
-    this.alienLog?.seek(this.rowAt(time), this.aliens);
-    out.set(this.aliens);
+    this.chaserLog?.seek(this.rowAt(time), this.chasers);
+    out.set(this.chasers);
   }
 
   asteroidsAt(time: number, out: Float64Array): void {
@@ -63,17 +62,15 @@ export class FrameRecorder implements Trajectory {
 
   /** The smallest gap to a hazard at any frame. */
   clearance(): Clearance | null {
-    const { scene, state, aliens, asteroids } = this;
+    const { scene, state, chasers, asteroids } = this;
     const near = new ClearanceTracker(scene);
-    const { novae, targets, coldCount } = scene;
-    const things = novae.count + scene.aliens.count + targets.count - coldCount;
     this.asteroidsAt(0, asteroids);
     for (let row = 0; row < this.count; row++) {
-      this.budget.look(1 + things / 8);
+      this.budget.look(1 + near.count / 8);
       this.read(row, state);
-      this.alienLog?.seek(row, aliens);
+      this.chaserLog?.seek(row, chasers);
       this.asteroidLog?.seek(row, asteroids);
-      near.see(row * TICK, state[0], state[1], state[4], state[5], aliens, asteroids);
+      near.see(row * TICK, state[0], state[1], state[4], state[5], chasers, asteroids);
     }
     return near.best;
   }
@@ -90,7 +87,7 @@ export class FrameRecorder implements Trajectory {
   /** Records the state of a simulation at the end of a frame. */
   row(simulation: Simulation): void {
     if (!this.keeps) return;
-    const { state, aliens, asteroids, budget } = this;
+    const { state, chasers, asteroids, budget } = this;
     if (STATE_SIZE * this.count === this.rows.length) {
       const grown = new Float64Array(2 * this.rows.length);
       grown.set(this.rows);
@@ -99,12 +96,12 @@ export class FrameRecorder implements Trajectory {
     simulation.readState(state);
     this.rows.set(state, STATE_SIZE * this.count);
     budget.record(8 * STATE_SIZE);
-    if (aliens.length > 0) {
-      simulation.readAliens(aliens);
-      this.alienLog ??= new ChangeLog(3, aliens, budget);
-      this.alienLog.next();
-      for (let i = 0; 3 * i < aliens.length; i++) this.alienLog.set(i, aliens, 3 * i);
-      budget.look(aliens.length >> 4);
+    if (chasers.length > 0) {
+      simulation.readAliens(chasers);
+      this.chaserLog ??= new ChangeLog(3, chasers, budget);
+      this.chaserLog.next();
+      for (let i = 0; 3 * i < chasers.length; i++) this.chaserLog.set(i, chasers, 3 * i);
+      budget.look(chasers.length >> 4);
     }
     if (this.asteroidsMove) {
       simulation.readAsteroids(asteroids);
@@ -130,20 +127,11 @@ export class FrameRecorder implements Trajectory {
     s[SEEN_HELD] = held ? 1 : 0;
   }
 
-  /** @param s - the state, as for {@link button} */
-  field(s: Float64Array, frame: number, now: number): void {
-    const before = s[SEEN_FIELD];
-    if (now === before) return;
-    s[SEEN_FIELD] = now;
-    if (before >= 0) this.events.push({ time: frame * TICK, type: 'leave', index: before });
-    if (now >= 0) this.events.push({ time: frame * TICK, type: 'enter', index: now });
-  }
-
   mineral(frame: number, index: number): void {
     this.events.push({ time: frame * TICK, type: 'mineral', index });
   }
 
-  alien(frame: number, index: number, awake: boolean): void {
+  alertness(frame: number, index: number, awake: boolean): void {
     this.events.push({ time: frame * TICK, type: awake ? 'wake' : 'sleep', index });
   }
 

@@ -1,3 +1,4 @@
+import { hazardCount } from '../clearance.ts';
 import { TICK } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
@@ -32,7 +33,7 @@ const FEW_FRAMES = 3;
 /**
  * The original game frame by frame, at 60 Hz, quirks included (accuracy `arcade`): semi-implicit Euler whose checks use the
  * places of the previous frame. Within a frame, velocities come first, then the gun and the checks on the old places (lost,
- * completed, burned: the first counts), then aliens and repulsors set accelerations, then everything moves.
+ * completed, burned: the first counts), then chasers and fields set accelerations, then everything moves.
  *
  * Each frame examines only what is near enough to matter (`neighbourhoods.ts`); the bits are those of examining everything.
  */
@@ -43,7 +44,9 @@ export class ArcadeSimulation implements Simulation {
   private readonly surroundings: Surroundings;
   private readonly flight: Flight;
   private readonly encounters: Encounters;
-  private readonly hasAliens: boolean;
+  private readonly hasChasers: boolean;
+  /** How many objects end the run by touch, besides the black hole. */
+  private readonly hazards: number;
 
   constructor(
     scene: Scene,
@@ -56,7 +59,8 @@ export class ArcadeSimulation implements Simulation {
     this.surroundings = new Surroundings(this.world);
     this.flight = new Flight(this.world, this.surroundings);
     this.encounters = new Encounters(this, this.world, recorder);
-    this.hasAliens = scene.aliens.count > 0;
+    this.hazards = hazardCount(scene);
+    this.hasChasers = this.world.chasers.count > 0;
   }
 
   get tick(): number {
@@ -64,9 +68,8 @@ export class ArcadeSimulation implements Simulation {
   }
 
   get work(): Work {
-    const { targets, coldCount, novae, minerals, aliens } = this.scene;
     const pieces = this.s[FRAME];
-    const circles = 1 + novae.count + (targets.count - coldCount) + minerals.count + aliens.count;
+    const circles = 1 + this.hazards + this.scene.minerals.count;
     return { pieces, forceEvaluations: this.s[HELD_FRAMES], guards: pieces * circles, roots: 0 };
   }
 
@@ -141,12 +144,12 @@ export class ArcadeSimulation implements Simulation {
   }
 
   readAliens(out: Float64Array): void {
-    this.world.aliens.read(out);
+    this.world.chasers.read(out);
   }
 
-  /** They are not counted here, so any alien may have stirred. */
+  /** They are not counted here, so any chaser may have stirred. */
   get mayAliensHaveStirred(): boolean {
-    return this.hasAliens;
+    return this.hasChasers;
   }
 
   readAsteroids(out: Float64Array): void {
@@ -164,27 +167,27 @@ export class ArcadeSimulation implements Simulation {
   }
 
   advance(ticks: number, held: boolean): number {
-    const { s, surroundings, flight, hasAliens, recorder } = this;
+    const { s, surroundings, flight, hasChasers, recorder } = this;
     if (s[OUTCOME] !== 0) return 0;
-    const { aliens, budget } = this.world;
+    const { chasers, budget } = this.world;
     const from = s[FRAME];
     const until = from + ticks;
     while (s[FRAME] < until && s[OUTCOME] === 0) {
       const cell = surroundings.here();
       const start = s[FRAME];
-      if (hasAliens) aliens.lookAhead(cell);
-      if (recorder === null && aliens.ahead >= FEW_FRAMES && !this.world.isBusy && surroundings.isAway(cell, aliens.room)) {
+      if (hasChasers) chasers.lookAhead(cell);
+      if (recorder === null && chasers.ahead >= FEW_FRAMES && !this.world.isBusy && surroundings.isAway(cell, chasers.room)) {
         const frame = s[FRAME];
-        const chased = aliens.moving > 0;
-        flight.fly(chased ? Math.min(until, frame + aliens.ahead) : until, held, chased);
-        if (chased) aliens.follow(flight.path, frame, s[FRAME] - frame);
+        const chased = chasers.moving > 0;
+        flight.fly(chased ? Math.min(until, frame + chasers.ahead) : until, held, chased);
+        if (chased) chasers.follow(flight.path, frame, s[FRAME] - frame);
       } else {
-        const alert = hasAliens && !aliens.restWhileIn(cell);
+        const alert = hasChasers && !chasers.restWhileIn(cell);
         this.encounters.meet(cell, until, held, alert);
-        const things = cell.deadly.length + cell.minerals.length + cell.repulsors.length + (alert ? aliens.count : 0);
+        const things = cell.things + (alert ? chasers.count : 0);
         budget.look((s[FRAME] - start) * (3 + things / 8));
       }
-      budget.look((s[FRAME] - start) * (1 + (cell.rivals.length + s[MOVED]) / 8) + aliens.looked / 8);
+      budget.look((s[FRAME] - start) * (1 + (cell.rivals.length + s[MOVED]) / 8) + chasers.looked / 8);
     }
     const advanced = s[FRAME] - from;
     if (held) s[HELD_FRAMES] += advanced;

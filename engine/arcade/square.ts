@@ -1,11 +1,16 @@
-import type { Circles } from '../circles.ts';
+import type { Circles, IndexedCircles, SpatialIndex } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import type { SpatialIndex } from '../spatial-index.ts';
 
 /** A square's half diagonal divided by half its side, rounded up. */
 export const DIAGONAL = 1.4143;
 
 const NONE = new Int32Array(0);
+
+/** What may see her, where the level places it, and how far it sees, px. */
+export interface Watchers {
+  readonly circles: Circles;
+  readonly sight: number;
+}
 
 /**
  * A square whose surroundings are examined: what can matter to her anywhere in it. What it finds collects in a list, ascending,
@@ -23,6 +28,7 @@ export class Square {
   /** @param drift - how far recoil may have moved an asteroid, px */
   constructor(
     private readonly scene: Scene,
+    private readonly chasers: Watchers,
     private readonly drift: number,
   ) {}
 
@@ -72,15 +78,9 @@ export class Square {
     this.add(minerals, minerals.spatial, 0, 0, box.halfDiagonal, 0);
   }
 
-  /** Adds the repulsors whose fields she may enter. */
-  addRepulsors(): void {
-    const { repulsors } = this.scene;
-    this.add(repulsors, repulsors.spatial, 0, 0, 0, 0);
-  }
-
   /** Adds the discs that her centre may enter. */
-  addDiscs(discs: Circles): void {
-    this.add(discs, null, 0, 0, 0, 0);
+  addDiscs(discs: IndexedCircles): void {
+    this.add(discs, discs.spatial, 0, 0, 0, 0);
   }
 
   /** Adds the targets that may be the nearest. */
@@ -101,12 +101,13 @@ export class Square {
     return !(this.closest * (1 + 1e-9) + this.toCorner + this.drift + 1e-3 >= this.scene.level.range);
   }
 
-  /** Whether aliens at their places in the level neither see nor touch her. */
+  /** Whether chasers at their places in the level neither see nor touch her. */
   get isUnseen(): boolean {
-    const { aliens, rules, box } = this.scene;
-    for (let i = 0; i < aliens.count; i++) {
-      const reach = Math.max(rules.alienSight, box.halfDiagonal + aliens.r[i]);
-      if (this.within(this.distance(aliens.x[i], aliens.y[i]), reach)) return false;
+    const { circles, sight } = this.chasers;
+    const { halfDiagonal } = this.scene.box;
+    for (let i = 0; i < circles.count; i++) {
+      const reach = Math.max(sight, halfDiagonal + circles.r[i]);
+      if (this.within(this.distance(circles.x[i], circles.y[i]), reach)) return false;
     }
     return true;
   }

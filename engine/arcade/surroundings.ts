@@ -1,4 +1,4 @@
-import type { Circles } from '../circles.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import { MOVED, STRAYED, X, Y } from './layout.ts';
 import { type Neighbourhood, Neighbourhoods } from './neighbourhoods.ts';
 import { ROCK_LEEWAY } from './rocks.ts';
@@ -16,13 +16,18 @@ export class Surroundings {
   /** Targets that may be the nearest within the area. */
   rivals: Int32Array = NONE;
   private readonly nearest = new Int32Array(1);
-  private readonly discs: readonly Circles[];
+  private readonly discs: readonly IndexedCircles[];
   private readonly neighbourhoods: Neighbourhoods;
   private cell: Neighbourhood;
 
   constructor(private readonly world: World) {
     this.discs = world.frameRules.map((rule) => rule.discs(world.scene));
-    this.neighbourhoods = new Neighbourhoods(world.scene, this.discs);
+    this.neighbourhoods = new Neighbourhoods(
+      world.scene,
+      world.chasers,
+      this.discs,
+      world.frameRules.map(({ isWork }) => isWork === true),
+    );
     this.cell = this.neighbourhoods.everything;
   }
 
@@ -103,7 +108,7 @@ export class Surroundings {
   /** How far she can move along each axis before anything in the neighbourhood can matter, px. */
   private gap(cell: Neighbourhood): number {
     const { s, range, recoil, rocks, places, placesFrom, placesStep, deadlyX, deadlyY, deadlyR, firstTarget } = this.world;
-    const { mineralX, mineralY, mineralR, collected, repulsorX, repulsorY, repulsorR, box } = this.world;
+    const { mineralX, mineralY, mineralR, collected, box } = this.world;
     const { halfDiagonal } = box;
     const { rivals, deadly } = cell;
     if (rivals.length === 0) return 0;
@@ -133,12 +138,6 @@ export class Surroundings {
       const dx = Math.abs(mineralX[i] - x);
       const dy = Math.abs(mineralY[i] - y);
       gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - mineralR[i]);
-    }
-    for (let k = 0; k < cell.repulsors.length && gap >= AWAY; k++) {
-      const i = cell.repulsors[k];
-      const dx = Math.abs(repulsorX[i] - x);
-      const dy = Math.abs(repulsorY[i] - y);
-      gap = Math.min(gap, (dx > dy ? dx : dy) - repulsorR[i]);
     }
     for (let k = 0; k < cell.discs.length && gap >= AWAY; k++) {
       const { x: discX, y: discY, r } = this.discs[k];

@@ -2,14 +2,14 @@ import type { Box } from '../contact/index.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
 import type { FrameRule } from '../frames/index.ts';
 import type { Scene } from '../scene.ts';
-import { expectSnapshot } from '../snapshot.ts';
+import { expectSnapshot } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { Aliens } from './aliens.ts';
-import { COS, HEAD, SEEN_FIELD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
+import { Chasers } from './chasers.ts';
+import { COS, HEAD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
 
 /** Indices in {@link World.numbers}. */
-export const NUMBERS = { PULL: 0, PUSH: 1, RECOIL: 2, LIMIT: 3 } as const;
+export const NUMBERS = { PULL: 0, RECOIL: 1, LIMIT: 2 } as const;
 
 /** Up to this many doubles are copied faster one by one. */
 const FEW = 48;
@@ -22,21 +22,18 @@ export class World {
   readonly s: Float64Array;
   readonly recoil: boolean;
   /**
-   * Pull, push, recoil and speed limit. In a typed array, because V8 reads doubles from it directly, but boxed ones from an
+   * Pull, recoil and speed limit. In a typed array, because V8 reads doubles from it directly, but boxed ones from an
    * object.
    */
   readonly numbers: Float64Array;
   readonly box: Box;
   readonly rocks: Rocks;
-  readonly aliens: Aliens;
+  readonly chasers: Chasers;
   readonly range: number;
   readonly targetR: Float64Array;
   readonly mineralX: Float64Array;
   readonly mineralY: Float64Array;
   readonly mineralR: Float64Array;
-  readonly repulsorX: Float64Array;
-  readonly repulsorY: Float64Array;
-  readonly repulsorR: Float64Array;
   /** Index in the state of the flags of collected minerals. */
   readonly collected: number;
   // what ends the run by touch, by its code in a neighbourhood; moving asteroids are kept elsewhere
@@ -49,7 +46,7 @@ export class World {
   readonly places: Float64Array;
   readonly placesFrom: number;
   readonly placesStep: number;
-  /** Frame rules of effects that the original game does not have, and the index in the state of each one's doubles. */
+  /** Frame rules of effects that act only where levels call for them, and the index in the state of each one's doubles. */
   readonly frameRules: readonly FrameRule[];
   readonly frameStates: readonly number[];
   private readonly start: Float64Array;
@@ -58,14 +55,16 @@ export class World {
     readonly scene: Scene,
     readonly budget: WorkBudget,
   ) {
-    const { level, targets, novae, repulsors, aliens, minerals } = scene;
+    const { level, targets, novae, minerals } = scene;
     const { blackHole } = level;
     this.recoil = level.recoil;
-    const { pull, push, recoil, speedLimit } = scene.rules;
-    this.numbers = Float64Array.of(pull, push, recoil, speedLimit);
+    const { pull, recoil, speedLimit } = scene.rules;
+    this.numbers = Float64Array.of(pull, recoil, speedLimit);
     this.box = scene.box;
     this.frameRules = ALL_EFFECTS.frameRulesOf(scene.effects);
-    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Aliens.length(aliens.count) + minerals.count;
+    const chase = ALL_EFFECTS.chaseOf(scene.effects);
+    const chased = chase?.circles(scene).count ?? 0;
+    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Chasers.length(chased) + minerals.count;
     this.frameStates = this.frameRules.map((rule) => {
       const at = length;
       length += rule.stateLength?.(scene) ?? 0;
@@ -74,16 +73,13 @@ export class World {
     this.s = new Float64Array(length);
     this.start = new Float64Array(length);
     this.rocks = new Rocks(this.s, scene);
-    this.aliens = new Aliens(this.s, scene, this.rocks.end, budget);
-    this.collected = this.aliens.end;
+    this.chasers = new Chasers(this.s, scene, this.rocks.end, budget);
+    this.collected = this.chasers.end;
     this.range = level.range;
     this.targetR = targets.r;
     this.mineralX = minerals.x;
     this.mineralY = minerals.y;
     this.mineralR = minerals.r;
-    this.repulsorX = repulsors.x;
-    this.repulsorY = repulsors.y;
-    this.repulsorR = repulsors.r;
     this.places = this.recoil ? this.s : new Float64Array(2 * targets.count);
     this.placesFrom = this.recoil ? HEAD : 0;
     this.placesStep = this.recoil ? ROCK : 2;
@@ -104,9 +100,8 @@ export class World {
     s[VY] = level.astronaut.vy;
     s[COS] = 1;
     s[SEEN_TARGET] = -1;
-    s[SEEN_FIELD] = -1;
     this.rocks.layOut(s);
-    this.aliens.layOut(s);
+    this.chasers.layOut(s);
     for (const [k, rule] of this.frameRules.entries()) rule.layOut?.(this.scene, s, this.frameStates[k]);
     if (this.recoil) return;
     for (let i = 0; i < targets.count; i++) {
@@ -124,7 +119,7 @@ export class World {
 
   reset(): void {
     copy(this.start, this.s);
-    this.aliens.forget();
+    this.chasers.forget();
   }
 
   snapshot(into?: Float64Array): Float64Array {
@@ -136,7 +131,7 @@ export class World {
   restore(snapshot: Float64Array): void {
     expectSnapshot(snapshot, this.s.length);
     copy(snapshot, this.s);
-    this.aliens.forget();
+    this.chasers.forget();
   }
 }
 

@@ -1,10 +1,10 @@
-import type { ClearanceTracker } from '../clearance.ts';
-import { alienTravel, gapAt, ownTravel, rockTravel, sweptTime } from '../events/index.ts';
+import type { ClearanceTracker, HazardList } from '../clearance.ts';
+import { chaserTravel, gapAt, ownTravel, rockTravel, sweptTime } from '../events/index.ts';
 import {
   ALERTNESS,
   type Motion,
-  placeAlien,
   placeAt,
+  placeChaser,
   placeCircle,
   placeRock,
   RECORDS,
@@ -35,11 +35,12 @@ const FINEST = 1e-8;
  * @param length - how long she is on it, s
  */
 export function approachHazards(m: Motion, start: number, length: number, tracker: ClearanceTracker): void {
-  const { s, her, base, toCircle, scene } = m;
-  const { novae, targets, coldCount, aliens } = scene;
-  // distances at one time cost less than marches
-  const standing = novae.spatial === null ? novae.count : 0;
-  m.budget.look(1 + ((standing + targets.count - coldCount + aliens.count) >> 3));
+  const { s, her, base, toCircle } = m;
+  const { lists } = tracker;
+  // distances at one time cost less than marches; what an index finds is not examined one by one
+  let examined = 0;
+  for (const list of lists) if (!isFoundByIndex(list)) examined += list.circles.count - list.first;
+  m.budget.look(1 + (examined >> 3));
   const next = s[NEXT];
   s[NEXT] = Math.min(next, length);
   placeAt(m, 0);
@@ -54,33 +55,38 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
     const far = Math.sqrt(toCircle[0] * toCircle[0] + toCircle[1] * toCircle[1]) - r - m.box.halfDiagonal - travel - moves;
     if (far < tracker.least) approach(m, start, length, tracker, kind, i, r, pull);
   };
-  const nova = (i: number) => {
-    const dx = novae.x[i] - x;
-    const dy = novae.y[i] - y;
-    const near = within + novae.r[i];
-    if (dx * dx + dy * dy > near * near) return;
-    placeCircle(m, novae.x[i], novae.y[i], m.originX, m.originY);
-    consider('nova', novae.index[i], novae.r[i], 0, 0);
-  };
-  if (novae.spatial !== null && within < Number.POSITIVE_INFINITY) for (const i of novae.spatial.around(x, y, within)) nova(i);
-  else for (let i = 0; i < novae.count; i++) nova(i);
-  for (let i = coldCount; i < targets.count; i++) {
-    placeRock(m, i);
-    consider('asteroid', targets.index[i], targets.r[i], m.kappa, rockTravel(m, i, length));
-  }
-  for (let i = 0; i < aliens.count; i++) {
-    if (s[m.chasers + CHASER * i + 4] === GONE) continue;
-    placeAlien(m, i);
-    consider(
-      'alien',
-      i,
-      aliens.r[i],
-      m.circleMotion === SERIES ? m.rules.alienPull : 0,
-      alienTravel(m, i, m.rules.alienPull, length),
-    );
+  for (const list of lists) {
+    const { kind, circles, first, movedBy } = list;
+    const standing = (i: number) => {
+      const dx = circles.x[i] - x;
+      const dy = circles.y[i] - y;
+      const near = within + circles.r[i];
+      if (dx * dx + dy * dy > near * near) return;
+      placeCircle(m, circles.x[i], circles.y[i], m.originX, m.originY);
+      consider(kind, circles.index[i], circles.r[i], 0, 0);
+    };
+    if (isFoundByIndex(list) && within < Number.POSITIVE_INFINITY) {
+      for (const i of circles.spatial?.around(x, y, within) ?? []) standing(i);
+      continue;
+    }
+    for (let i = first; i < circles.count; i++) {
+      if (movedBy === 'nothing') {
+        standing(i);
+      } else if (movedBy === 'recoil') {
+        placeRock(m, i);
+        consider(kind, circles.index[i], circles.r[i], m.kappa, rockTravel(m, i, length));
+      } else if (s[m.chasers + CHASER * i + 4] !== GONE) {
+        placeChaser(m, i);
+        const pull = m.circleMotion === SERIES ? m.chaserPull : 0;
+        consider(kind, circles.index[i], circles.r[i], pull, chaserTravel(m, i, m.chaserPull, length));
+      }
+    }
   }
   s[NEXT] = next;
 }
+
+/** What stands still is found by its index, if it has one. */
+const isFoundByIndex = ({ circles, movedBy }: HazardList): boolean => movedBy === 'nothing' && circles.spatial !== null;
 
 /** The same for one hazard, the placed circle. */
 function approach(

@@ -61,13 +61,12 @@ const LONGEST_DRAG = 4;
 
 export function expand(m: Motion): void {
   const { s, flow, integrator, ux, uy, px, py, work } = m;
-  const aliens = m.scene.aliens.count;
   const held = s[HELD] === 1;
   const kind = s[KIND];
   let awake = s[AWAKE_COUNT];
   const dragged = m.recoil && held && s[FIELD] >= 0;
   if (dragged) {
-    const o = m.chasers + CHASER * aliens;
+    const o = m.chasers + CHASER * m.chaserCount;
     const rock = m.rocks + ROCK * s[TARGET];
     for (let k = 0; k < ROCK; k++) s[o + k] = s[rock + k];
     s[o + 4] = AWAKE;
@@ -168,13 +167,13 @@ function recoilOnLine(m: Motion, kappa: number): void {
 }
 
 /**
- * Expands the aliens that are awake, and the asteroid that she drags from within a field.
+ * Expands the chasers that are awake, and the asteroid that she drags from within a field.
  * @param longest - natural length of the piece, s
  * @returns the length for which all of them hold, s
  */
 export function expandChasers(m: Motion, longest: number): number {
   const { s, ux, uy, px, py, wx, wy } = m;
-  const aliens = m.scene.aliens.count;
+  const dragged = m.chaserCount;
   for (let k = 0; k < wx.length; k++) {
     const known = k <= s[DEGREE];
     wx[k] = known ? ux[k] + (m.recoil ? px[k] : 0) : 0;
@@ -182,29 +181,29 @@ export function expandChasers(m: Motion, longest: number): number {
   }
   wx[0] += s[BASE_X];
   wy[0] += s[BASE_Y];
-  const drags = m.recoils && s[m.chasers + CHASER * aliens + 4] === AWAKE;
+  const drags = m.recoils && s[m.chasers + CHASER * dragged + 4] === AWAKE;
   // a fixed step depends on its length, so the length is determined before the first step, as it is after a restore
   let h = drags ? Math.min(longest, longestDrag(m)) : longest;
   const awake = s[AWAKE_COUNT];
-  for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), m.rules.alienPull, h);
+  for (let k = 0; k < awake; k++) h = expandChaser(m, awakeAt(m, k), m.chaserPull, h);
   if (drags) h = expandDragged(m, h);
   return h;
 }
 
 /** Longest piece of the asteroid that she holds while she is in a field, s; begins its series. */
 function longestDrag(m: Motion): number {
-  const aliens = m.scene.aliens.count;
-  beginSeries(m, aliens);
+  const dragged = m.chaserCount;
+  beginSeries(m, dragged);
   if (m.s[MEETS] !== NOT) return LONGEST_DRAG;
   if (staysInHer(m)) return m.s[KIND] === COAST ? Number.POSITIVE_INFINITY : LONGEST_STAY;
-  return untilMeeting(m, m.chaserX[aliens], m.chaserY[aliens]);
+  return untilMeeting(m, m.chaserX[dragged], m.chaserY[dragged]);
 }
 
 /** Expands the asteroid that she holds while she is in a field. */
 function expandDragged(m: Motion, longest: number): number {
-  const aliens = m.scene.aliens.count;
-  if (m.s[MEETS] === NOT && !staysInHer(m)) return expandChaser(m, aliens, m.kappa, longest);
-  dragOnLine(m, m.chaserX[aliens], m.chaserY[aliens]);
+  const dragged = m.chaserCount;
+  if (m.s[MEETS] === NOT && !staysInHer(m)) return expandChaser(m, dragged, m.kappa, longest);
+  dragOnLine(m, m.chaserX[dragged], m.chaserY[dragged]);
   return longest;
 }
 
@@ -214,7 +213,7 @@ function expandDragged(m: Motion, longest: number): number {
  */
 function staysInHer(m: Motion): boolean {
   const { s, wx, wy } = m;
-  const o = m.chasers + CHASER * m.scene.aliens.count;
+  const o = m.chasers + CHASER * m.chaserCount;
   const dx = wx[0] - s[o];
   const dy = wy[0] - s[o + 1];
   const d = Math.sqrt(dx * dx + dy * dy);
@@ -277,7 +276,7 @@ function dragOnLine(m: Motion, qx: Float64Array, qy: Float64Array): void {
 
 /**
  * An asteroid that is dragged past her, beside her line. Its series ends before it could meet her, as at the pass of a centre:
- * a pass so close that the last terms do not show it must not be stepped over. Aliens touch her before that.
+ * a pass so close that the last terms do not show it must not be stepped over. Chasers that kill touch her before that.
  */
 function untilMeeting(m: Motion, qx: Float64Array, qy: Float64Array): number {
   const { wx, wy } = m;

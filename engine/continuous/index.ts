@@ -1,5 +1,4 @@
-export { EventRecorder } from './event-recorder.ts';
 export type { Method } from './method.ts';
-export { PieceRecorder } from './recording.ts';
+export { EventRecorder, PieceRecorder } from './recording.ts';
 export { ContinuousSimulation } from './simulation.ts';
 export { WHOLE_METHOD } from './whole-method.ts';

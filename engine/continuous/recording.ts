@@ -2,8 +2,7 @@ import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
-import type { RunEvent } from '../simulation.ts';
-import type { Trajectory } from '../trajectory.ts';
+import type { RunEvent, Trajectory } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
 import { ContinuousSimulation } from './simulation.ts';
@@ -59,8 +58,8 @@ export class PieceRecorder implements Recorder, Trajectory {
         for (const i of crowd.altered) this.chasers.set(i, s, chasers + CHASER * i);
         crowd.altered.length = 0;
       }
-      const { count } = this.scene.aliens;
-      if (motion.recoils) this.chasers.set(count, s, chasers + CHASER * count);
+      const dragged = motion.chaserCount;
+      if (motion.recoils) this.chasers.set(dragged, s, chasers + CHASER * dragged);
     }
     if (minerals > rocks) {
       this.rocks ??= new ChangeLog(ROCK, s.subarray(rocks, minerals), budget);
@@ -132,8 +131,8 @@ export class PieceRecorder implements Recorder, Trajectory {
   /** The smallest gap to a hazard. */
   clearance(): Clearance | null {
     const { scene, events } = this;
-    if (scene.novae.count + scene.aliens.count + scene.targets.count - scene.coldCount === 0) return null;
     const near = new ClearanceTracker(scene);
+    if (near.count === 0) return null;
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
     for (let i = 0; i < this.starts.length; i += stride) this.approach(i, 0, near);
@@ -143,5 +142,19 @@ export class PieceRecorder implements Recorder, Trajectory {
     // rounding must not contradict the run: it ended with the contact, or there was none
     const touched = events.at(-1)?.type === 'collided';
     return { ...best, distance: touched ? Math.min(0, best.distance) : Math.max(0, best.distance) };
+  }
+}
+
+/** Gives the events of a simulation to a list, and keeps nothing else. */
+export class EventRecorder implements Recorder {
+  readonly keeps = false;
+
+  /** @param events - receives the events */
+  constructor(private readonly events: RunEvent[]) {}
+
+  piece(): void {}
+
+  event(event: RunEvent): void {
+    this.events.push(event);
   }
 }

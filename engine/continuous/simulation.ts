@@ -2,7 +2,7 @@ import type { ChangeLog } from '../change-log.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import {
   ALERTNESS,
-  alienPlaceAt,
+  chaserPlaceAt,
   MODES,
   Motion,
   ONSETS,
@@ -16,8 +16,7 @@ import {
 } from '../motion/index.ts';
 import { objectLists } from '../object-lists.ts';
 import type { Scene } from '../scene.ts';
-import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
-import { expectSnapshot } from '../snapshot.ts';
+import { type Ending, expectSnapshot, type Mode, type Simulation, type Work } from '../simulation.ts';
 import { type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { begin, setFlow } from './begin.ts';
 import { button } from './button.ts';
@@ -78,7 +77,7 @@ export class ContinuousSimulation implements Simulation {
     this.start = motion.s.slice();
     if (motion.crowd !== null) motion.crowd.changed = false;
     this.startHead = this.start.subarray(0, motion.chasers);
-    this.startRest = this.start.subarray(motion.chasers + CHASER * scene.aliens.count);
+    this.startRest = this.start.subarray(motion.chasers + CHASER * motion.chaserCount);
   }
 
   get tick(): number {
@@ -116,7 +115,7 @@ export class ContinuousSimulation implements Simulation {
     const { motion, start } = this;
     const { s, crowd } = motion;
     if (s[AWAKE_COUNT] === 0 && !crowd?.changed) {
-      // all aliens sleep where the level has them
+      // all chasers sleep where the level has them
       s.set(this.startHead);
       s.set(this.startRest, s.length - this.startRest.length);
       if (motion.recoils) motion.near.skin = -1;
@@ -214,12 +213,12 @@ export class ContinuousSimulation implements Simulation {
   aliensAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { s, originX, originY, chasers } = motion;
-    const { count } = this.scene.aliens;
+    const count = this.motion.chaserCount;
     for (let i = 0; i < count; i++) {
       const o = chasers + CHASER * i;
-      // nearly all of many aliens stand still
+      // nearly all of many stand still
       if (s[o + 4] === AWAKE) {
-        alienPlaceAt(motion, i, t, body);
+        chaserPlaceAt(motion, i, t, body);
         out[3 * i] = originX + body[0];
         out[3 * i + 1] = originY + body[1];
       } else {

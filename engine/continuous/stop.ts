@@ -24,9 +24,9 @@ export function stop(m: Motion, t: number, time: number): void {
   s[SIN] = facing[1];
   const awake = s[AWAKE_COUNT];
   for (let k = 0; k < awake; k++) settleChaser(m, awakeAt(m, k), t);
-  const drag = m.chasers + CHASER * m.scene.aliens.count;
+  const drag = m.chasers + CHASER * m.chaserCount;
   if (m.recoils && s[drag + 4] === AWAKE) {
-    settleChaser(m, m.scene.aliens.count, t);
+    settleChaser(m, m.chaserCount, t);
     const rock = m.rocks + ROCK * s[TARGET];
     for (let k = 0; k < ROCK; k++) s[rock + k] = s[drag + k];
     if (movesAlong(m, s[TARGET])) straightenBody(m, rock);

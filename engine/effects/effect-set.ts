@@ -1,22 +1,22 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { layOutRules } from '../events/index.ts';
 import type { FrameRule } from '../frames/index.ts';
-import type { EventRule, Parts } from '../motion/index.ts';
+import type { Indexing } from '../indexed-circles.ts';
+import type { Chase, EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';
-import type { Indexing } from '../spatial-index.ts';
-import type { Effect } from './effect.ts';
+import type { Effect, EngineEffect } from './effect.ts';
 import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, LISTED_FIRST } from './order.ts';
 
 /** Chosen effects, and what follows from them once somebody has asked for it. */
 interface Chosen {
-  readonly effects: readonly Effect[];
+  readonly effects: readonly EngineEffect[];
   parts: Parts | null;
   frameRules: readonly FrameRule[] | null;
 }
 
 /** The effects that a program includes: all of them, or what its levels call for. */
 export class EffectSet {
-  private readonly all: readonly Effect[];
+  private readonly all: readonly EngineEffect[];
   private readonly rules: readonly EventRule[];
   // found again by the choice itself: a level is simulated more than once, at more than one accuracy
   private readonly chosen = new WeakMap<EffectChoice, Chosen>();
@@ -51,7 +51,7 @@ export class EffectSet {
   }
 
   /** The effects that are part of a scene. */
-  of(choice: EffectChoice): readonly Effect[] {
+  of(choice: EffectChoice): readonly EngineEffect[] {
     return this.chosenBy(choice).effects;
   }
 
@@ -67,6 +67,16 @@ export class EffectSet {
     const chosen = this.chosenBy(choice);
     chosen.frameRules ??= chosen.effects.flatMap(({ frame }) => frame ?? []);
     return chosen.frameRules;
+  }
+
+  /** Whether the objects of a kind chase her. */
+  hasChaser(kind: string): boolean {
+    return this.all.some(({ chase }) => chase?.kind === kind);
+  }
+
+  /** What chases her in a scene with these effects; null if nothing does. */
+  chaseOf(choice: EffectChoice): Chase | null {
+    return chaseOf(this.chosenBy(choice).effects);
   }
 
   private chosenBy(choice: EffectChoice): Chosen {
@@ -85,7 +95,7 @@ export class EffectSet {
     return chosen;
   }
 
-  private layOut(effects: readonly Effect[]): Parts {
+  private layOut(effects: readonly EngineEffect[]): Parts {
     const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
       effects.flatMap((effect) => {
         const hook = effect[name];
@@ -98,9 +108,15 @@ export class EffectSet {
         byName(this.rules, LISTED_FIRST),
         effects.flatMap(({ events }) => events ?? []),
       ),
+      chase: chaseOf(effects),
       central: forces.filter((force) => force.acts === 'instead'),
       steady: forces.filter((force) => force.acts === 'beside'),
-      own: effects.flatMap(({ name, stateLength }) => (stateLength === undefined ? [] : [{ name, length: stateLength }])),
+      circles: effects.flatMap(({ circles }) => circles ?? []),
+      // of all effects, so that every motion has them in one shape, which V8 reads fast
+      own: this.all.flatMap((effect) => {
+        const { name, stateLength } = effect;
+        return stateLength === undefined ? [] : [{ name, length: effects.includes(effect) ? stateLength : () => 0 }];
+      }),
       indexing: this.indexing,
       moved: hooks('moved'),
       beforePiece: hooks('beforePiece'),
@@ -111,6 +127,9 @@ export class EffectSet {
     };
   }
 }
+
+const chaseOf = (effects: readonly EngineEffect[]): Chase | null =>
+  effects.find(({ chase }) => chase !== undefined)?.chase ?? null;
 
 /** Those of a list that an order names, in that order. */
 const byName = <T extends { readonly name: string }>(list: readonly T[], order: readonly string[]): readonly T[] =>

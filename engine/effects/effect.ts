@@ -1,8 +1,8 @@
 import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { FrameRule } from '../frames/index.ts';
-import type { CentralForce, EventRule, Motion, SteadyForce } from '../motion/index.ts';
+import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
+import type { CentralForce, Chase, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
-import type { Indexing } from '../spatial-index.ts';
 
 /**
  * A part of the game that is simulated only where a level calls for it. All members that take a `Motion` belong to the
@@ -113,4 +113,17 @@ export interface Effect {
    * @returns whether it may
    */
   mayRepeat?(m: Motion): boolean;
+}
+
+/** An effect as the engine's parts declare it. */
+export interface EngineEffect extends Effect {
+  /** Its objects, if they chase her. */
+  readonly chase?: Chase;
+  /**
+   * The circles that its events look for. Where there are many, an index finds those near her.
+   *
+   * @param scene - the scene
+   * @returns the circles
+   */
+  circles?(scene: Scene): IndexedCircles;
 }

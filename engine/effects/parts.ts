@@ -1,6 +1,6 @@
 import type { ObjectList } from '../../schema/basics/index.ts';
 import { INDEXING } from '../box-index.ts';
-import type { Indexing } from '../spatial-index.ts';
+import type { Indexing } from '../indexed-circles.ts';
 import { alienChase, alienExplosion } from './aliens/index.ts';
 import { blackHole } from './black-hole/index.ts';
 import type { Effect } from './effect.ts';

@@ -4,7 +4,7 @@ export { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './con
 export { gapAt, offerContact, sweptTime } from './contact.ts';
 export { justFired, offer, offerAs } from './first-event.ts';
 export {
-  alienTravel,
+  chaserTravel,
   distanceToNear,
   eachTargetNear,
   farthestRockTravel,

@@ -98,10 +98,10 @@ export function rockTravel(m: Motion, i: number, h: number): number {
 }
 
 /**
- * Upper bound of how far an alien moves in `h` s, px.
+ * Upper bound of how far a chaser moves in `h` s, px.
  * @param pull - its acceleration while it is awake, px/s²
  */
-export function alienTravel(m: Motion, i: number, pull: number, h: number): number {
+export function chaserTravel(m: Motion, i: number, pull: number, h: number): number {
   const { s } = m;
   const o = m.chasers + CHASER * i;
   if (s[o + 4] !== AWAKE) return 0;

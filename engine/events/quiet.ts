@@ -1,4 +1,4 @@
-import type { Circles } from '../circles.ts';
+import type { Circles } from '../indexed-circles.ts';
 import { type Motion, SLOTS } from '../motion/index.ts';
 import { SURPLUS } from '../tolerances.ts';
 import { safeStep } from './conservative-advancement.ts';
@@ -11,7 +11,7 @@ const LONGEST = 4;
 
 /**
  * Quiet time: for how long no event can happen, s, whatever the flow does. It is the shortest first step towards any guard,
- * with bounds that hold for every piece. 0 while an alien chases her.
+ * with bounds that hold for every piece. 0 while a chaser chases her.
  */
 export function quietTime(m: Motion): number {
   const { s, near, path, parts, ux, uy, strongest, integrator } = m;

@@ -1,4 +1,4 @@
-import type { Circles } from '../circles.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent } from '../simulation.ts';
 
@@ -23,7 +23,9 @@ export interface Frame {
  * anything moves. It matters only while her centre is inside or close to one of its discs.
  */
 export interface FrameRule {
-  discs(scene: Scene): Circles;
+  discs(scene: Scene): IndexedCircles;
+  /** Set if each disc near her counts as a look of the budget. */
+  readonly isWork?: true;
   /** Number of doubles of state that it needs. */
   stateLength?(scene: Scene): number;
   /** Writes its state at the start of a run, from `at` on. */

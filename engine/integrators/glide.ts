@@ -1,5 +1,5 @@
 import { type Flow, type Glide, isInCentre, LINEAR, ontoLine } from '../motion/index.ts';
-import { closePass, untilGrid } from './step-near.ts';
+import { closePass, untilGrid } from './fixed-step.ts';
 
 const end4 = new Float64Array(4);
 

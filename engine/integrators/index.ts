@@ -5,7 +5,7 @@ import { rk4 } from './rk4.ts';
 import { taylorOf } from './taylor.ts';
 import { verlet } from './verlet.ts';
 
-export { untilGrid } from './step-near.ts';
+export { untilGrid } from './fixed-step.ts';
 export { taylorOf } from './taylor.ts';
 
 /**

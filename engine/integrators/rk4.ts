@@ -2,9 +2,8 @@ import { CENTRAL, type Flow, type Glide } from '../motion/index.ts';
 import { HEAD_ON } from '../tolerances.ts';
 import { cubicFrom } from './cubic.ts';
 import { dragRungeKutta } from './drag.ts';
-import { fixedStep } from './fixed-step.ts';
+import { fixedStep, stepNear, untilGrid } from './fixed-step.ts';
 import { glideBy } from './glide.ts';
-import { stepNear, untilGrid } from './step-near.ts';
 
 // working memory: accelerations at the stages, and what a step adds
 const a = new Float64Array(2);

@@ -1,9 +1,8 @@
 import { CENTRAL, type Flow, type Glide } from '../motion/index.ts';
 import { HEAD_ON } from '../tolerances.ts';
 import { dragQuadratic } from './drag.ts';
-import { fixedStep } from './fixed-step.ts';
+import { fixedStep, stepNear, untilGrid } from './fixed-step.ts';
 import { glideBy } from './glide.ts';
-import { stepNear, untilGrid } from './step-near.ts';
 
 // working memory: accelerations at both ends
 const a = new Float64Array(4);

@@ -2,11 +2,11 @@ import type { Level } from '../../schema/basics/index.ts';
 import { compileWith } from '../compile-with.ts';
 import { ContinuousSimulation, EventRecorder, type Method } from '../continuous/index.ts';
 import { BASE, EffectSet, type GamePart, LISTS_OF_BASE } from '../effects/index.ts';
+import { INDEX_FROM, type Indexing } from '../indexed-circles.ts';
 import { taylorOf } from '../integrators/index.ts';
 import { objectLists } from '../object-lists.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
-import { INDEX_FROM, type Indexing } from '../spatial-index.ts';
 import { DEFAULT_TERMS } from '../terms.ts';
 import { unlimited } from '../work-budget.ts';
 

@@ -56,8 +56,8 @@ export function placeRock(m: Motion, i: number): void {
   m.circleVY = s[o + 3];
 }
 
-/** Makes an alien the circle that guards examine, on its chase if it is awake. */
-export function placeAlien(m: Motion, i: number): void {
+/** Makes a chaser the circle that guards examine, on its chase if it is awake. */
+export function placeChaser(m: Motion, i: number): void {
   const o = m.chasers + CHASER * i;
   placeCircle(m, m.s[o], m.s[o + 1], 0, 0);
   if (m.s[o + 4] !== AWAKE) return;

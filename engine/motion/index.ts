@@ -1,6 +1,6 @@
 export { centralSeries } from './central-series.ts';
 export { chaserSeries } from './chaser-series.ts';
-export { DRIFTS, IS_BASE, placeAlien, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
+export { DRIFTS, IS_BASE, placeChaser, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
 export { CENTRAL, COAST, Flow, isInCentre, LINEAR, SLIDE, STEADY } from './flow.ts';
 export { rebase } from './frame.ts';
 export type { Glide, Integrator } from './integrator.ts';
@@ -20,6 +20,8 @@ export {
   actingForce,
   awakeAt,
   type CentralForce,
+  type Chase,
+  type ChaserCircles,
   type Crowd,
   type EventRule,
   GOES_ON,
@@ -32,7 +34,7 @@ export {
 } from './motion.ts';
 export { distanceSquared, nearest } from './nearest.ts';
 export { PackedPieces } from './packed-pieces.ts';
-export { alienPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAndTurnAt } from './places.ts';
+export { chaserPlaceAt, directionAt, lookAt, placeAt, rockAt, settleAndTurnAt } from './places.ts';
 export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
 export { drivenSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
 export { expandSlide } from './rim-piece.ts';

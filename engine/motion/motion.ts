@@ -1,9 +1,9 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { TICK_RATE } from '../constants.ts';
 import type { Box } from '../contact/index.ts';
+import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
-import type { Indexing } from '../spatial-index.ts';
 import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COAST, Flow, STEADY } from './flow.ts';
@@ -20,10 +20,6 @@ const FIXED_STEP_ROOM = 1.05;
 
 /** The series of a chaser that has not begun to chase, and of what no chaser follows. */
 const NO_SERIES = new Float64Array(0);
-
-/** Whether a list of objects is so long that it has an index. */
-const hasIndex = (list: unknown): boolean =>
-  typeof list === 'object' && list !== null && 'spatial' in list && list.spatial !== null;
 
 /** The modes of motion between two events. */
 export const MODES = ['coast', 'pull', 'pull on a line', 'push', 'push on a line', 'slide on a rim', 'steady force'] as const;
@@ -109,6 +105,22 @@ export interface SteadyForce {
   add(m: Motion): void;
 }
 
+/** What chases her, as the level places it. */
+export interface ChaserCircles extends IndexedCircles {
+  /** Pairs that overlap at the start, two indices each, in the order in which they explode. */
+  readonly explosions: Int32Array;
+}
+
+/** Objects that chase her: they sleep until she is in sight, then they accelerate towards her. A level has one sort of them. */
+export interface Chase {
+  readonly kind: BodyKind;
+  circles(scene: Scene): ChaserCircles;
+  /** Their acceleration, px/s². */
+  pull(rules: Rules): number;
+  /** How far they see, from centre to centre, px. */
+  sight(rules: Rules): number;
+}
+
 type Hook = (m: Motion) => void;
 
 /** What the chosen effects contribute to a motion. */
@@ -120,10 +132,13 @@ export interface Parts {
   readonly first: readonly EventRule[];
   readonly always: readonly EventRule[];
   readonly alwaysQuiet: readonly EventRule[];
-  /** Doubles of state that effects need for themselves. */
+  /** Circles that events look for, of which an index may find some. */
+  readonly circles: readonly ((scene: Scene) => IndexedCircles)[];
+  /** Doubles of state that effects need for themselves; none for those that the level does not call for. */
   readonly own: readonly { readonly name: string; length(scene: Scene): number }[];
   /** Finds objects where there are many. */
   readonly indexing: Indexing;
+  readonly chase: Chase | null;
   readonly central: readonly CentralForce[];
   readonly steady: readonly SteadyForce[];
   /** Called when she has been moved from one place to another: updates what depends on her place. */
@@ -157,11 +172,11 @@ export class Path {
   reach = 0;
 }
 
-/** Which aliens are awake, and where the others sleep. */
+/** Which chasers are awake, and where the others sleep. */
 export interface Crowd {
-  /** Indices of the aliens that are awake, ascending; the state has their number. */
+  /** Indices of the chasers that are awake, ascending; the state has their number. */
   readonly awake: Int32Array;
-  /** Aliens that woke, fell asleep or exploded since this list was emptied; for a recorder. */
+  /** Those that woke, fell asleep or are gone since this list was emptied; for a recorder. */
   readonly altered: number[];
   /** Whether any of them may differ from the start. */
   changed: boolean;
@@ -203,8 +218,12 @@ export class Motion {
   /** Places of the chasers while they chase: coefficients. They follow from the state and are no part of it. */
   readonly chaserX: Float64Array[] = [];
   readonly chaserY: Float64Array[] = [];
-  /** Null if the level has no aliens. */
+  /** Null if nothing chases her. */
   crowd: Crowd | null = null;
+  /** How many objects chase her; the asteroid that she drags has this index. */
+  readonly chaserCount: number;
+  /** Their acceleration, px/s². */
+  readonly chaserPull: number;
   readonly path = new Path();
   /** Asteroids that the gun has held, ascending; all others are where the level places them. Follows from the state. */
   readonly stirred: number[] = [];
@@ -212,8 +231,6 @@ export class Motion {
   readonly chasers: number;
   readonly rocks: number;
   readonly minerals: number;
-  /** Index of the first flag that says whether a repulsor contains her; one flag per repulsor. */
-  readonly inside: number;
   /** Index in the state at which each effect's own doubles begin, by the effect's name. */
   readonly own: Readonly<Record<string, number>>;
   /** Index from which each target that moves has the number of the line that it moves along. */
@@ -277,14 +294,9 @@ export class Motion {
     this.recorder = recorder;
     this.strongest = FIXED_STEP_ROOM * scene.strongest;
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
-    const { level, targets, aliens, minerals, novae, repulsors } = scene;
+    const { level, targets, minerals } = scene;
     this.recoils = level.recoil && targets.count > 0;
-    this.crowded =
-      targets.spatial !== null ||
-      novae.spatial !== null ||
-      minerals.spatial !== null ||
-      repulsors.spatial !== null ||
-      Object.values(scene.own).some(hasIndex);
+    this.crowded = targets.spatial !== null || parts.circles.some((circles) => circles(scene).spatial !== null);
     this.originX = level.astronaut.x;
     this.originY = level.astronaut.y;
     this.targetX = new Float64Array(targets.count);
@@ -293,14 +305,15 @@ export class Motion {
       this.targetX[i] = targets.x[i] - this.originX;
       this.targetY[i] = targets.y[i] - this.originY;
     }
-    // an asteroid that she holds while in a field is dragged along like an alien: one more chaser
-    const chasers = aliens.count + (this.recoils ? 1 : 0);
+    this.chaserCount = parts.chase?.circles(scene).count ?? 0;
+    this.chaserPull = parts.chase?.pull(scene.rules) ?? 0;
+    // an asteroid that she holds while in a field is dragged along: one more chaser
+    const chasers = this.chaserCount + (this.recoils ? 1 : 0);
     const length = this.integrator.degree + 1;
     this.chasers = HEAD;
     this.rocks = this.chasers + CHASER * chasers;
     this.minerals = this.rocks + (this.recoils ? ROCK * targets.count : 0);
-    this.inside = this.minerals + minerals.count;
-    this.lines = this.inside + repulsors.count;
+    this.lines = this.minerals + minerals.count;
     let end = this.lines + (this.recoils ? targets.count : 0);
     const own: Record<string, number> = {};
     for (const { name, length } of parts.own) {
@@ -357,7 +370,7 @@ export class Motion {
   }
 }
 
-/** The index of the k-th awake alien. */
+/** The index of the k-th awake chaser. */
 export function awakeAt({ crowd }: Motion, k: number): number {
   return crowd === null ? -1 : crowd.awake[k];
 }

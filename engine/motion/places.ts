@@ -141,8 +141,8 @@ export function lookAt(m: Motion, t: number): void {
   toTarget[3] -= her[3];
 }
 
-/** Writes place (relative to the origin) and velocity of an alien after `t` to out[0..3]. */
-export function alienPlaceAt(m: Motion, i: number, t: number, out: Float64Array): void {
+/** Writes place (relative to the origin) and velocity of a chaser after `t` to out[0..3]. */
+export function chaserPlaceAt(m: Motion, i: number, t: number, out: Float64Array): void {
   const { s } = m;
   const o = m.chasers + CHASER * i;
   if (s[o + 4] === AWAKE) {

@@ -1,6 +1,6 @@
 /**
  * The state of a run in continuous time is one typed array, so that a snapshot is one copy. It begins with these slots. Then
- * follow the chasers and asteroids, a flag for each mineral and repulsor, and the coefficients of the current piece.
+ * follow the chasers and asteroids, a flag for each mineral, what effects keep for themselves, and the coefficients of the current piece.
  *
  * Files destructure the slots that they need at their top, `const { START } = SLOTS;`. V8 folds constants of the same file into
  * the code; it reads and checks imported ones at every use.

@@ -1,5 +1,4 @@
-import { isHazard, nameOf, staysPut } from './bodies.ts';
-import { covers, distance, px } from './geometry.ts';
+import { covers, distance, px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 
 /** The black hole lies inside a hazard, so touching it means touching the hazard. */
@@ -13,13 +12,13 @@ export const blackHoleCovered: Rule = {
   },
   *find({ level, bodies }) {
     for (const body of bodies) {
-      if (!isHazard(body) || !covers(body, level.blackHole)) continue;
-      const moves = staysPut(body, level.recoil) ? '' : ', at least until the hazard moves';
+      if (!body.isHazard || !covers(body, level.blackHole)) continue;
+      const moves = body.staysPut ? '' : ', at least until the hazard moves';
       yield {
         message:
-          `${nameOf(body)} covers the black hole: the centres are ${px(distance(body, level.blackHole))} apart, ` +
+          `${body.name} covers the black hole: the centres are ${px(distance(body, level.blackHole))} apart, ` +
           `the radii ${px(body.radius)} and ${px(level.blackHole.radius)}${moves}`,
-        hint: `move ${nameOf(body)} away from the black hole, or make it smaller`,
+        hint: `move ${body.name} away from the black hole, or make it smaller`,
         pointer: '/blackHole',
       };
     }

@@ -1,46 +1,94 @@
-import { type Level, objectName } from '../../schema/basics/index.ts';
+import {
+  appearanceOfObject,
+  type Disc,
+  KINDS,
+  type Level,
+  LISTED_KINDS,
+  type ListedKind,
+  listOf,
+  OBJECT_LISTS,
+  type ObjectList,
+  objectName,
+  objectsIn,
+  type Place,
+} from '../../schema/basics/index.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
 
 /** A solid circle of a level, which she may touch. Lengths are in px. */
 export interface Body {
-  readonly kind: 'asteroid' | 'hot asteroid' | 'nova' | 'alien' | 'black hole';
+  readonly kind: ListedKind | 'blackHole';
   readonly x: number;
   readonly y: number;
   readonly radius: number;
   /** Index within the level's list of that kind, from 0. */
   readonly index: number;
+  /** Its name in a sentence: `nova 3`, `the black hole`. */
+  readonly name: string;
+  /** Whether touching it ends a run with `collided`. */
+  readonly isHazard: boolean;
+  /** Whether it stays where the level places it during a whole run. */
+  readonly staysPut: boolean;
 }
 
-/** The list of a level that holds each kind of body. */
-export const LIST_OF = { asteroid: 'asteroids', 'hot asteroid': 'asteroids', nova: 'novae', alien: 'aliens' } as const;
+/** The kinds of which an object can be deadly: all their objects are drawn solid. */
+const SOLID = LISTED_KINDS.filter((kind) => KINDS[kind].deadly || KINDS[kind].variant?.deadly === true);
 
-/** Asteroids, novae, aliens, then the black hole. */
+/** The solid objects of a level in the order of a file, then the black hole. */
 export function bodiesOf(level: Level): Body[] {
   const bodies: Body[] = [];
-  const add = (
-    kind: Body['kind'],
-    index: number,
-    o: { readonly x: number; readonly y: number; readonly radius: number },
-  ): void => {
-    bodies.push({ kind, x: o.x, y: o.y, radius: o.radius, index });
-  };
-  for (const [i, o] of level.asteroids.entries()) add(o.hot ? 'hot asteroid' : 'asteroid', i, o);
-  for (const [i, o] of level.novae.entries()) add('nova', i, o);
-  for (const [i, o] of level.aliens.entries()) add('alien', i, o);
-  add('black hole', 0, level.blackHole);
+  for (const kind of SOLID) {
+    const chases = ALL_EFFECTS.hasChaser(kind);
+    // recoil moves what the gun targets
+    const stays = !chases && !(kind === 'asteroid' && level.recoil);
+    for (const [index, object] of objectsIn(level, kind).entries()) {
+      const { x, y, radius } = object;
+      const isHazard = appearanceOfObject(kind, object).deadly;
+      bodies.push({ kind, x, y, radius, index, name: objectName(kind, index, object), isHazard, staysPut: stays });
+    }
+  }
+  const { x, y, radius } = level.blackHole;
+  bodies.push({ kind: 'blackHole', x, y, radius, index: 0, name: 'the black hole', isHazard: false, staysPut: true });
   return bodies;
 }
 
 /** The JSON pointer of a body in the level file. */
-export const pointerOf = ({ kind, index }: Body): string => (kind === 'black hole' ? '/blackHole' : `/${LIST_OF[kind]}/${index}`);
+export const pointerOf = ({ kind, index }: Body): string => (kind === 'blackHole' ? '/blackHole' : `/${listOf(kind)}/${index}`);
 
-/** The name of a body in a sentence: `nova 3`, `the black hole`. */
-export function nameOf({ kind, index }: Body): string {
-  if (kind === 'black hole') return 'the black hole';
-  return kind === 'hot asteroid' ? objectName('asteroid', index, { hot: true }) : objectName(kind, index);
+/** A length in words: px with at most three decimals. */
+export const px = (length: number): string => `${Math.round(length * 1000) / 1000} px`;
+
+/** Distance between two places, px. */
+export function distance(a: Place, b: Place): number {
+  const dx = a.x - b.x;
+  const dy = a.y - b.y;
+  return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** Whether touching it ends a run with `collided`. */
-export const isHazard = ({ kind }: Body): boolean => kind === 'nova' || kind === 'hot asteroid' || kind === 'alien';
+/** Whether the whole of `disc` lies inside `by`, so that touching the one means touching the other. */
+export const covers = (by: Disc, disc: Disc): boolean => distance(by, disc) + disc.radius <= by.radius;
 
-/** Whether it stays where the level places it during a whole run. */
-export const staysPut = ({ kind }: Body, recoil: boolean): boolean => kind === 'nova' || (kind === 'hot asteroid' && !recoil);
+/**
+ * For each list of a level: the indices of objects at exactly the place of an earlier one in the list, each with that one's
+ * index.
+ */
+export type Copies = Readonly<Record<ObjectList, ReadonlyMap<number, number>>>;
+
+const NONE: ReadonlyMap<number, number> = new Map();
+
+export const copiesOf = (level: Level): Copies =>
+  Object.fromEntries(OBJECT_LISTS.map((list) => [list, copiesIn(level[list])])) as Record<
+    ObjectList,
+    ReadonlyMap<number, number>
+  >;
+
+function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
+  if (list.length < 2) return NONE;
+  const order = [...list.keys()].sort((a, b) => list[a].x - list[b].x || list[a].y - list[b].y || a - b);
+  const copies: [number, number][] = [];
+  let first = order[0];
+  for (const i of order.slice(1)) {
+    if (list[i].x === list[first].x && list[i].y === list[first].y) copies.push([i, first]);
+    else first = i;
+  }
+  return copies.length === 0 ? NONE : new Map(copies.sort((a, b) => a[0] - b[0]));
+}

@@ -1,6 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { nameOf, staysPut } from './bodies.ts';
-import { covers, distance, px } from './geometry.ts';
+import { covers, distance, px } from './bodies.ts';
 import { overlapsBetween } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
@@ -14,7 +13,7 @@ export const mineralCovered: Rule = {
     fix: 'Move the mineral out until at least part of it can be touched from outside.',
   },
   *find({ level, bodies }) {
-    const hazards = bodies.filter((body) => staysPut(body, level.recoil));
+    const hazards = bodies.filter(({ isHazard, staysPut }) => isHazard && staysPut);
     if (hazards.length === 0) return;
     const minerals = level.minerals.map(({ x, y, radius }, index) => ({ x, y, radius, index }));
     const told = new Set<number>();
@@ -24,7 +23,7 @@ export const mineralCovered: Rule = {
       const name = objectName('mineral', mineral.index);
       const apart = distance(hazard, mineral);
       yield {
-        message: `${name} lies inside ${nameOf(hazard)}: the centres are ${px(apart)} apart, the radii ${px(mineral.radius)} and ${px(hazard.radius)}`,
+        message: `${name} lies inside ${hazard.name}: the centres are ${px(apart)} apart, the radii ${px(mineral.radius)} and ${px(hazard.radius)}`,
         hint: `move ${name} outwards by more than ${px(hazard.radius - mineral.radius - apart)}`,
         pointer: `/minerals/${mineral.index}`,
       };

@@ -1,5 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { outOfReach, RULE_OF_REACH } from './out-of-reach.ts';
+import { outOfReach, RULE_OF_REACH } from './black-hole-out-of-reach.ts';
 import type { Rule } from './warning.ts';
 
 /** A mineral too far from every asteroid to be collected. */

@@ -1,9 +1,10 @@
-import { isHazard, LIST_OF, nameOf, pointerOf } from './bodies.ts';
-import { covers, distance, px } from './geometry.ts';
+import { entryName, listOf, OBJECT_LISTS } from '../../schema/basics/index.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
+import { covers, distance, pointerOf, px } from './bodies.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 
-/** Solid objects that overlap. Repulsor fields and minerals may lie anywhere; aliens that overlap each other explode. */
+/** Solid objects that overlap. What is not solid may lie anywhere; chasers that overlap each other explode. */
 export const overlapping: Rule = {
   explanation: {
     code: 'overlapping',
@@ -14,16 +15,38 @@ export const overlapping: Rule = {
   },
   *find({ level, bodies, copies }) {
     // copies are reported by `same-place` and would fill the list here
-    const distinct = bodies.filter(({ kind, index }) => kind === 'black hole' || !copies[LIST_OF[kind]].has(index));
+    const distinct = bodies.filter(({ kind, index }) => kind === 'blackHole' || !copies[listOf(kind)].has(index));
     for (const [a, b] of overlaps(distinct)) {
-      if (a.kind === 'alien' && b.kind === 'alien') continue;
-      if (b.kind === 'black hole' && isHazard(a) && covers(a, level.blackHole)) continue;
+      if (a.kind === b.kind && ALL_EFFECTS.hasChaser(a.kind)) continue;
+      if (b.kind === 'blackHole' && a.isHazard && covers(a, level.blackHole)) continue;
       const depth = px(a.radius + b.radius - distance(a, b));
       yield {
-        message: `${nameOf(a)} and ${nameOf(b)} overlap by ${depth}: the centres are ${px(distance(a, b))} apart, the radii ${px(a.radius)} and ${px(b.radius)}`,
+        message: `${a.name} and ${b.name} overlap by ${depth}: the centres are ${px(distance(a, b))} apart, the radii ${px(a.radius)} and ${px(b.radius)}`,
         hint: `move one of them ${depth} away from the other`,
         pointer: pointerOf(a),
       };
+    }
+  },
+};
+
+/** A copy that was never moved from its original. */
+export const samePlace: Rule = {
+  explanation: {
+    code: 'same-place',
+    severity: 'warning',
+    title: 'two objects of one kind have the same centre',
+    why: 'Most likely one of them is a copy that was pasted and not moved. The player sees one object, the gun targets the first of two asteroids, and two minerals are collected together.',
+    fix: 'Move the second one, or delete it.',
+  },
+  *find({ copies }) {
+    for (const list of OBJECT_LISTS) {
+      for (const [i, first] of copies[list]) {
+        yield {
+          message: `${entryName(list, i)} has the same centre as ${entryName(list, first)}`,
+          hint: `move or delete ${entryName(list, i)}`,
+          pointer: `/${list}/${i}`,
+        };
+      }
     }
   },
 };

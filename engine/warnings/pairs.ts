@@ -1,5 +1,5 @@
 import Flatbush from 'flatbush';
-import type { Disc } from './geometry.ts';
+import type { Disc } from '../../schema/basics/index.ts';
 
 // for fewer discs than this, comparing all pairs is faster than building an index
 const INDEX_FROM = 64;

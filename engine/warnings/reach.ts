@@ -1,9 +1,9 @@
 import Flatbush from 'flatbush';
-import type { Asteroid, Level, Rules } from '../../schema/basics/index.ts';
+import type { Asteroid, Level, Place, Rules } from '../../schema/basics/index.ts';
 import { TICK } from '../constants.ts';
 import { boxOf } from '../contact/index.ts';
 import { EFFECTS } from '../effects/index.ts';
-import { distance, type Place } from './geometry.ts';
+import { distance } from './bodies.ts';
 
 /** Where she can be at all: never farther than the range from an asteroid that she can reach. */
 export interface Reach {

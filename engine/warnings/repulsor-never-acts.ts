@@ -1,5 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { covers, distance, px } from './geometry.ts';
+import { covers, distance, px } from './bodies.ts';
 import { overlaps } from './pairs.ts';
 import type { Rule } from './warning.ts';
 

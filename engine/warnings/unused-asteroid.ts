@@ -1,7 +1,7 @@
 import { type Level, objectName } from '../../schema/basics/index.ts';
 import type { Run } from '../simulate.ts';
 import { STATE_SIZE } from '../simulation.ts';
-import { px } from './geometry.ts';
+import { px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 
 // how often a run is sampled for the asteroids that keep her in range, s; she moves about 10 px in between

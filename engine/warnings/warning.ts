@@ -1,8 +1,7 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import type { Box } from '../contact/index.ts';
 import type { Run } from '../simulate.ts';
-import type { Body } from './bodies.ts';
-import type { Copies } from './copies.ts';
+import type { Body, Copies } from './bodies.ts';
 import type { Reach } from './reach.ts';
 
 /** Something in a valid level that its designer most likely did not intend. */

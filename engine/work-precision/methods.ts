@@ -1,5 +1,4 @@
-import { ACCURACIES, type Accuracy } from '../accuracy.ts';
-import { accuracyOf } from '../accuracy-of.ts';
+import { ACCURACIES, type Accuracy, accuracyOf } from '../accuracy.ts';
 
 /** Steps per second at which fixed-step integrators are measured, Hz. */
 export const RATES = [15, 30, 60, 120, 240, 480, 960] as const;

@@ -1,4 +1,4 @@
-export { countCollected } from './collected.ts';
+export { countCollected } from './body.ts';
 export { createPlayer } from './create-player.ts';
 export type { Ghost } from './ghost.ts';
 export { holdsOf } from './gun.ts';

@@ -1,8 +1,6 @@
 import { maxTicksOf, type RunEvent, type Scene, type Simulation, TICK, TICK_RATE } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/basics/index.ts';
-import { Body } from './body.ts';
-import { countCollected } from './collected.ts';
-import { eventPlace } from './event-place.ts';
+import { Body, countCollected, eventPlace } from './body.ts';
 import { type Ghost, GhostRun } from './ghost.ts';
 import { Gun, type GunCopy } from './gun.ts';
 import type { AttemptOptions, PlayEnding, PlayEvent, PlayerOptions } from './options.ts';

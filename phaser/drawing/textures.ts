@@ -1,9 +1,7 @@
 import type { Textures } from 'phaser';
-import { type Brush, TEXTURE_UNIT } from './brush.ts';
-import { GAME_COLOURS, type Theme } from './colours.ts';
+import { type Brush, dice, disc, drawGlow, drawSpark, fadingDisc, faint, TEXTURE_UNIT } from './brush.ts';
+import { GAME_COLOURS, type GameColours, type Theme } from './colours.ts';
 import { DRAWINGS } from './drawings.ts';
-import { drawGlow, drawSpark } from './light.ts';
-import { drawHaze, drawStars } from './space.ts';
 
 /** side of a tile of stars, px */
 export const STAR_TILE = 512;
@@ -72,4 +70,25 @@ export function drawStarTiles(textures: Textures.TextureManager, theme: Theme, f
   const colours = GAME_COLOURS[theme];
   drawTexture(textures, far, STAR_TILE, (brush) => drawStars(brush, colours, STAR_TILE, 160, 1.1, 3));
   drawTexture(textures, near, STAR_TILE, (brush) => drawStars(brush, colours, STAR_TILE, 40, 1.9, 11));
+}
+
+/** A seamless tile of stars; few of them are large. Here the brush uses px. */
+function drawStars(brush: Brush, colours: GameColours, size: number, count: number, biggest: number, seed: number): void {
+  const roll = dice(seed);
+  for (let i = 0; i < count; i++) {
+    const x = size * roll();
+    const y = size * roll();
+    const radius = 0.4 + (biggest - 0.4) * roll() ** 4;
+    brush.fillStyle = faint(colours.star, 0.25 + 0.65 * roll());
+    disc(brush, x, y, radius);
+  }
+}
+
+/** A soft tinted cloud, drawn large behind everything. */
+function drawHaze(brush: Brush, colours: GameColours): void {
+  fadingDisc(brush, 1, [
+    [0, faint(colours.haze, 0.9)],
+    [0.5, faint(colours.haze, 0.35)],
+    [1, faint(colours.haze, 0)],
+  ]);
 }

@@ -1,5 +1,9 @@
+import type { Ink } from '../ink.ts';
+import { textWidth } from '../text.ts';
+import { num, polyline } from '../xml.ts';
+
 /** A logarithmic axis over whole decades. */
-export interface LogAxis {
+interface LogAxis {
   /** Powers of ten at its ends. */
   readonly low: number;
   readonly high: number;
@@ -34,4 +38,111 @@ export function powerOfTen(power: number): string {
   if (power >= 0 && power <= 4) return (10 ** power).toLocaleString('en-US');
   if (power < 0 && power >= -3) return (10 ** power).toFixed(-power);
   return `1e${power}`;
+}
+
+interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** The place of a label. */
+interface Label {
+  /** The beginning of its baseline. */
+  readonly x: number;
+  readonly y: number;
+  /** Whether a line should lead to its point, because the label is far from it. */
+  readonly leader: boolean;
+}
+
+const overlap = (a: Box, b: Box): number =>
+  Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) *
+  Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+
+/**
+ * Finds places for labels near their points, one after the other, where they cover as little as possible of the points and of
+ * each other.
+ * @param points all marks in the picture
+ * @param within the labels stay inside this box
+ */
+export function placeLabels(
+  labels: readonly { readonly text: string; readonly size: number; readonly x: number; readonly y: number }[],
+  points: readonly (readonly [x: number, y: number])[],
+  within: Box,
+): Label[] {
+  const taken: Box[] = points.map(([x, y]) => ({ left: x - 5, right: x + 5, top: y - 5, bottom: y + 5 }));
+  return labels.map(({ text, size, x, y }) => {
+    const width = textWidth(text, size);
+    let best: { box: Box; cost: number; far: boolean } | null = null;
+    for (const reach of [11, 20, 32, 46, 62]) {
+      for (const [dx, dy] of DIRECTIONS) {
+        const left = dx > 0 ? x + dx * reach : dx < 0 ? x + dx * reach - width : x - width / 2;
+        const middle = y + dy * reach;
+        const box: Box = { left: left - 3, right: left + width + 3, top: middle - size / 2 - 3, bottom: middle + size / 2 + 3 };
+        const outside = Math.max(
+          0,
+          within.left - box.left,
+          box.right - within.right,
+          within.top - box.top,
+          box.bottom - within.bottom,
+        );
+        const cost = 1000 * outside + 3 * reach + taken.reduce((sum, other) => sum + overlap(box, other), 0);
+        if (best === null || cost < best.cost) best = { box, cost, far: reach > 20 };
+      }
+    }
+    const { box, far } = best!;
+    taken.push(box);
+    return { x: box.left + 3, y: box.bottom - 3, leader: far };
+  });
+}
+
+const DIRECTIONS = [
+  [1, 0],
+  [-1, 0],
+  [0, -1],
+  [0, 1],
+  [0.8, -0.8],
+  [0.8, 0.8],
+  [-0.8, -0.8],
+  [-0.8, 0.8],
+] as const;
+
+/** What a line of a diagram stands for. Each has a mark of its own shape. */
+export type LineKind = Extract<Ink, 'arcade' | 'euler' | 'verlet' | 'rk4' | 'taylor' | 'peer'>;
+
+function outline(kind: LineKind, x: number, y: number, r: number): string {
+  const corners = (count: number, first: number, inner: number): string =>
+    polyline(
+      Array.from({ length: count }, (_, i) => {
+        const angle = first + (2 * Math.PI * i) / count;
+        const reach = i % 2 === 1 ? inner : r;
+        return [x + reach * Math.cos(angle), y + reach * Math.sin(angle)] as const;
+      }),
+      true,
+    );
+  switch (kind) {
+    case 'arcade':
+      return corners(10, -Math.PI / 2, 0.45 * r);
+    case 'euler':
+      return corners(3, -Math.PI / 2, r);
+    case 'verlet':
+      return corners(4, Math.PI / 4, r);
+    case 'rk4':
+      return corners(4, 0, r);
+    case 'taylor':
+      return `M${num(x - 0.85 * r)} ${num(y)}a${num(0.85 * r)} ${num(0.85 * r)} 0 1 0 ${num(1.7 * r)} 0a${num(0.85 * r)} ${num(0.85 * r)} 0 1 0 ${num(-1.7 * r)} 0Z`;
+    case 'peer':
+      return corners(4, -Math.PI / 2, 0.5 * r);
+  }
+}
+
+/**
+ * Draws the mark of a line in `currentColor`.
+ * @param r half its size
+ * @param hollow whether it marks a failure
+ */
+export function drawMark(kind: LineKind, x: number, y: number, r: number, hollow: boolean): string {
+  const fill = hollow ? 'fill="none" stroke="currentColor" stroke-width="1.3"' : 'fill="currentColor"';
+  return `<path d="${outline(kind, x, y, r)}" ${fill} stroke-linejoin="round"/>`;
 }

@@ -1,9 +1,7 @@
 import { type Ground, type Ink, inked, inkStyle } from '../ink.ts';
 import { drawText, type TextStyle, textWidth } from '../text.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
-import { decades, logAxis, powerOfTen } from './axis.ts';
-import { placeLabels } from './label.ts';
-import { drawMark, type LineKind } from './mark.ts';
+import { decades, drawMark, type LineKind, logAxis, placeLabels, powerOfTen } from './axis.ts';
 
 /** One measured setting in a diagram. */
 export interface DiagramPoint {

@@ -1,6 +1,5 @@
-import { radial } from '../radial-gradient.ts';
 import type { Theme } from '../theme.ts';
-import { num, polyline } from '../xml.ts';
+import { num, polyline, radial } from '../xml.ts';
 import type { KindInPicture } from './kind-in-picture.ts';
 
 const ARMS = 3;

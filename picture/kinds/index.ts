@@ -10,6 +10,7 @@ import { repulsor } from './repulsor.ts';
 import { wind } from './wind.ts';
 import { wormhole } from './wormhole.ts';
 
+export { ALIEN_INK } from './alien.ts';
 export { drawAstronaut } from './astronaut.ts';
 export type { Look } from './kind-in-picture.ts';
 

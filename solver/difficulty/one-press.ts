@@ -80,7 +80,7 @@ export function countOnePress(scene: Scene, goal: Goal, length: number, maxTicks
   return { count, tried: (steps * (steps + 1)) / 2, example, ticks };
 }
 
-// Ticks after which the filter is asked again, because a repulsor may have turned her away for good.
+// Ticks after which the filter is asked again, because a field may have turned her away for good.
 const LOOK_AGAIN = 60;
 
 /**
@@ -100,7 +100,7 @@ const MARGIN = 0.5;
 
 /**
  * Tells without a simulation that drifting on cannot reach the black hole. She flies on a straight line until she meets a
- * repulsor or a disc in which another effect acts on her.
+ * disc in which an effect acts on her.
  */
 interface CoastingFilter {
   /**
@@ -137,7 +137,7 @@ function coastingFilter(scene: Scene): CoastingFilter {
 /** Discs in which something other than the gun may turn or move her. */
 function turningDiscs(scene: Scene): Circles[] {
   const frames = EFFECTS.flatMap((effect) => (effect.frame && effect.calledFor(scene.level).called ? [effect.frame] : []));
-  return [scene.repulsors, ...frames.map((frame) => frame.discs(scene))];
+  return frames.map((frame) => frame.discs(scene));
 }
 
 /** Whether |d + v t| <= reach + drift t for some t >= 0. */

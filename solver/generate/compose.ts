@@ -55,8 +55,9 @@ export function* compose(
   };
   let composed = site.layout;
   while (!holds(composed)) {
-    if (composed.aliens.length === 0) return 'unforgiving';
-    composed = { ...composed, aliens: composed.aliens.slice(1) };
+    const { aliens } = composed.placed;
+    if (aliens.length === 0) return 'unforgiving';
+    composed = { ...composed, placed: { ...composed.placed, aliens: aliens.slice(1) } };
   }
   const stage: Stage = {
     theme,

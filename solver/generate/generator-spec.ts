@@ -22,19 +22,16 @@ export type WantedSize =
  * What a generated level may contain besides cold asteroids, novae and minerals: hot asteroids (`hot`), a list of objects, or
  * `recoil`.
  */
-export type Ingredient = 'hot' | 'repulsors' | 'aliens' | 'recoil' | PlacedList;
+export type Ingredient = 'hot' | 'recoil' | PlacedList;
+
+const listsThatAre = (isUsual: boolean): readonly PlacedList[] =>
+  PLACED_KINDS.filter((kind) => kind.isUsual === isUsual).map(({ list }) => list);
 
 /** Every ingredient that a generated level may contain. */
-export const INGREDIENTS: readonly Ingredient[] = [
-  'hot',
-  'repulsors',
-  'aliens',
-  'recoil',
-  ...PLACED_KINDS.map(({ list }) => list),
-];
+export const INGREDIENTS: readonly Ingredient[] = ['hot', ...listsThatAre(true), 'recoil', ...listsThatAre(false)];
 
 /** The ingredients that are used by default. An addition to this list changes the levels of all seeds. */
-export const USUAL_INGREDIENTS: readonly Ingredient[] = ['hot', 'repulsors', 'aliens'];
+export const USUAL_INGREDIENTS: readonly Ingredient[] = ['hot', ...listsThatAre(true)];
 
 /** What {@link createGenerator} should make. */
 export interface GeneratorOptions {

@@ -58,14 +58,17 @@ function endingOf(simulation: Simulation, holds: readonly Hold[]): string {
   return `${ending?.outcome ?? 'timeout'} ${ending?.tick ?? 0} ${simulation.mineralCount}`;
 }
 
-type List = 'aliens' | 'repulsors' | 'novae' | 'asteroids' | PlacedList;
+type List = 'novae' | 'asteroids' | PlacedList;
 
 /** Every object that may be idle: the list that it is in, and its place there. */
 function objectsOf(layout: Layout): { list: List; place: unknown }[] {
-  const own = (['aliens', 'repulsors', 'novae', 'asteroids'] as const).flatMap((list) =>
-    layout[list].map((place) => ({ list, place })),
-  );
-  return [...own, ...PLACED_KINDS.flatMap(({ list }) => layout.placed[list].map((place) => ({ list, place })))];
+  const lists: { list: List; turn: number; objects: readonly unknown[] }[] = [
+    { list: 'novae', turn: 2, objects: layout.novae },
+    { list: 'asteroids', turn: 3, objects: layout.asteroids },
+    ...PLACED_KINDS.map(({ list, turn }) => ({ list, turn, objects: layout.placed[list] })),
+  ];
+  lists.sort((a, b) => a.turn - b.turn);
+  return lists.flatMap(({ list, objects }) => objects.map((place) => ({ list, place })));
 }
 
 // px between neighbours of one row or ring, at most.

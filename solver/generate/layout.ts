@@ -12,11 +12,9 @@ export interface Layout {
   readonly recoil: boolean;
   readonly rules: OwnRules;
   readonly asteroids: readonly (Disc & { readonly hot: boolean })[];
-  readonly repulsors: readonly Disc[];
-  readonly aliens: readonly Disc[];
   readonly novae: readonly Disc[];
   readonly minerals: readonly Disc[];
-  /** Objects of the kinds that are placed only on request. */
+  /** Objects of the kinds that are placed near asteroids. */
   readonly placed: Readonly<Record<PlacedList, readonly PlacedObject[]>>;
 }
 
@@ -45,12 +43,12 @@ export const distance = (a: Place, b: Place): number => {
   return Math.sqrt(dx * dx + dy * dy);
 };
 
-/** All objects that are drawn solid, and repulsors, whose rims should be visible as a whole. */
-export function bodiesOf({ blackHole, asteroids, repulsors, aliens, novae, placed }: Layout): Disc[] {
+/** All objects that are drawn solid, or whose rims should be visible as a whole. */
+export function bodiesOf({ blackHole, asteroids, novae, placed }: Layout): Disc[] {
   const solid = PLACED_KINDS.filter(({ isSolid }) => isSolid).flatMap(({ kind, list }) =>
     placed[list].flatMap((object) => placesIn(kind, object).map(({ x, y }) => ({ x, y, radius: object.radius }))),
   );
-  return [blackHole, ...asteroids, ...repulsors, ...aliens, ...novae, ...solid];
+  return [blackHole, ...asteroids, ...novae, ...solid];
 }
 
 /** Whether a disc lies within the margins and keeps its distance from all other objects and from the start. */
@@ -68,8 +66,7 @@ function isClear(layout: Layout, spec: GeneratorSpec, { x, y, radius }: Disc, ma
 }
 
 /**
- * Lays out a chain of asteroids, each in range of the one before, and repulsors, aliens and other ingredients near them. The
- * black hole, novae and minerals are added later, when her path is known.
+ * Lays out a chain of asteroids, each in range of the one before, and other ingredients near them. The black hole, novae and minerals are added later, when her path is known.
  * @returns null when the chain did not fit
  */
 export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
@@ -111,40 +108,32 @@ export function layOut(random: Random, spec: GeneratorSpec): Layout | null {
 
   // A place near an asteroid, where she may pass. Objects out of every asteroid's range would be mere decoration.
   const inPlay = (): Place => near(layout.asteroids[random.below(layout.asteroids.length)], 50, 190);
-  const some = (ingredient: 'repulsors' | 'aliens' | PlacedList, inThree: number) =>
-    spec.ingredients.includes(ingredient) && random.below(3) < inThree ? between(1, Math.max(1, Math.round(count / 2))) : 0;
-  for (let n = some('repulsors', 1); n > 0; n--) {
-    const disc = tryOften(() => {
-      const field = { ...inPlay(), radius: random.below(2) === 0 ? 32 : 48 };
-      return fits(layout, spec, field) ? field : null;
-    });
-    if (disc !== null) layout = { ...layout, repulsors: [...layout.repulsors, disc] };
-  }
-  for (let n = some('aliens', 1); n > 0; n--) {
-    const disc = tryOften(() => {
-      const alien = { ...inPlay(), radius: 25 };
-      const isAsleep = distance(alien, start) >= rulesOf(spec).alienSight + 25;
-      return isAsleep && fits(layout, spec, alien, 40) ? alien : null;
-    });
-    if (disc !== null) layout = { ...layout, aliens: [...layout.aliens, disc] };
-  }
-  for (const { list, make } of PLACED_KINDS) {
-    // These kinds are placed only on request, so they should appear more often.
-    for (let n = some(list, 2); n > 0; n--) {
+  for (const { list, isUsual, make } of PLACED_KINDS) {
+    // What is placed only on request should appear more often.
+    const isThere = spec.ingredients.includes(list) && random.below(3) < (isUsual ? 1 : 2);
+    for (let n = isThere ? between(1, Math.max(1, Math.round(count / 2))) : 0; n > 0; n--) {
       const there = layout;
       const ground = {
         between,
         inPlay,
         isClear: (disc: Disc) => isClear(there, spec, disc),
-        isFree: (disc: Disc) => fits(there, spec, disc),
+        isFree: (disc: Disc, gap?: number) => fits(there, spec, disc, gap),
+        start,
+        rules: rulesOf(spec),
         others: there.placed[list],
       };
       const object = tryOften((): PlacedObject | null => make(ground));
-      if (object !== null) layout = { ...layout, placed: { ...layout.placed, [list]: [...layout.placed[list], object] } };
+      if (object !== null) layout = withPlaced(layout, list, object);
     }
   }
   return layout;
 }
+
+/** The layout with one more object of a kind. */
+export const withPlaced = (layout: Layout, list: PlacedList, object: PlacedObject): Layout => ({
+  ...layout,
+  placed: { ...layout.placed, [list]: [...layout.placed[list], object] },
+});
 
 /** A level without objects, with the start at the origin and the black hole out of reach. */
 export const emptyLayout = (spec: GeneratorSpec): Layout => ({
@@ -153,8 +142,6 @@ export const emptyLayout = (spec: GeneratorSpec): Layout => ({
   rules: spec.rules,
   recoil: false,
   asteroids: [],
-  repulsors: [],
-  aliens: [],
   novae: [],
   minerals: [],
   placed: Object.fromEntries(PLACED_KINDS.map(({ list }) => [list, []])) as unknown as Layout['placed'],

@@ -1,4 +1,16 @@
-import { type Disc, type Hold, LEVEL_VERSION, type Level, type LevelFile, resolveLevel, withIds } from '../../schema/index.ts';
+import {
+  type Disc,
+  fieldsOf,
+  type Hold,
+  LEVEL_VERSION,
+  type Level,
+  type LevelFile,
+  LISTED_KINDS,
+  listOf,
+  type ObjectList,
+  resolveLevel,
+  withIds,
+} from '../../schema/index.ts';
 import type { Layout } from './layout.ts';
 
 const circle = ({ x, y, radius }: Disc) => ({ x, y, radius });
@@ -7,6 +19,19 @@ const place = ({ x, y }: Disc) => ({ x, y });
 /** The format's default, px. */
 const USUAL_BLACK_HOLE = 18;
 
+/** The lists that have objects, in the order of a file. */
+const listsOf = (lists: Partial<Record<ObjectList, readonly Disc[]>>) =>
+  Object.fromEntries(
+    LISTED_KINDS.flatMap((kind) => {
+      const objects = lists[listOf(kind)] ?? [];
+      const usual = fieldsOf(kind).find(([name]) => name === 'radius')?.[1].default;
+      const inFile = objects.map((one) =>
+        Object.fromEntries(Object.entries(one).filter(([name, value]) => name !== 'radius' || value !== usual)),
+      );
+      return objects.length === 0 ? [] : [[listOf(kind), inFile]];
+    }),
+  );
+
 /** Converts a layout into a level file. Empty lists are left out, and so are radii that are the format's defaults. */
 export function toLevelFile(
   layout: Layout,
@@ -14,7 +39,7 @@ export function toLevelFile(
   description: string,
   runs: readonly { readonly name: string; readonly holds: readonly Hold[] }[],
 ): LevelFile {
-  const { start, blackHole, recoil, rules, asteroids, novae, repulsors, aliens, minerals, placed } = layout;
+  const { start, blackHole, recoil, rules, asteroids, novae, minerals, placed } = layout;
   return withIds({
     version: LEVEL_VERSION,
     name,
@@ -24,11 +49,7 @@ export function toLevelFile(
     ...(recoil && { recoil }),
     ...(Object.keys(rules).length > 0 && { rules }),
     asteroids: asteroids.map(({ hot, ...rest }) => ({ ...circle(rest), ...(hot && { hot }) })),
-    ...(novae.length > 0 && { novae: novae.map(circle) }),
-    ...(repulsors.length > 0 && { repulsors: repulsors.map(circle) }),
-    ...(aliens.length > 0 && { aliens: aliens.map(place) }),
-    ...(minerals.length > 0 && { minerals: minerals.map(place) }),
-    ...Object.fromEntries(Object.entries(placed).filter(([, objects]) => objects.length > 0)),
+    ...listsOf({ novae, minerals, ...placed }),
     runs: runs.map((run) => ({
       name: run.name,
       holds: run.holds.map(([press, release]) => [press, release] as [number, number]),

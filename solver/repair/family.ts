@@ -1,4 +1,13 @@
-import { KINDS, type Level, LIMITS, LISTED_KINDS, type ObjectKind, objectsIn } from '../../schema/basics/index.ts';
+import {
+  appearanceOfObject,
+  isVariant,
+  KINDS,
+  type Level,
+  LIMITS,
+  LISTED_KINDS,
+  type ListedKind,
+  objectsIn,
+} from '../../schema/basics/index.ts';
 import { type Change, type ObjectRef, objectAt, type Vector } from './change.ts';
 
 /** Changes of one thing that differ in direction and size only. */
@@ -104,24 +113,24 @@ export const dropOf = (level: Level, object: ObjectRef): Change => ({
 });
 
 /** Whether an object has a radius that matters to a run. The radius of a cold asteroid matters only with recoil. */
-export function hasRadius(level: Level, { kind, index }: ObjectRef): boolean {
-  return KINDS[kind].radius !== null && (kind !== 'asteroid' || level.recoil || level.asteroids[index].hot);
+export function hasRadius(level: Level, object: ObjectRef): boolean {
+  const { kind } = object;
+  return KINDS[kind].radius !== null && (kind !== 'asteroid' || level.recoil || isVariant(kind, objectAt(level, object)));
 }
 
 /** The objects that pull, push or carry her: where they stand decides how she flies. */
 export const movers = (level: Level): ObjectRef[] =>
-  LISTED_KINDS.filter((kind) => !MOVE_NOTHING.includes(kind)).flatMap((kind) => refs(kind, objectsIn(level, kind)));
+  LISTED_KINDS.filter((kind) => !KINDS[kind].deadly && kind !== 'mineral').flatMap((kind) => refsOf(level, kind));
 
-const MOVE_NOTHING: readonly ObjectKind[] = ['nova', 'alien', 'mineral'];
-
-/** The objects that end a run when she touches them. */
+/** The objects that end a run when she touches them: those of deadly kinds, then the deadly ones of other kinds. */
 export const hazards = (level: Level): ObjectRef[] => [
-  ...refs('nova', level.novae),
-  ...refs('alien', level.aliens),
-  ...refs('asteroid', level.asteroids).filter(({ index }) => level.asteroids[index].hot),
+  ...LISTED_KINDS.filter((kind) => KINDS[kind].deadly).flatMap((kind) => refsOf(level, kind)),
+  ...LISTED_KINDS.filter((kind) => !KINDS[kind].deadly).flatMap((kind) =>
+    refsOf(level, kind).filter((object) => appearanceOfObject(kind, objectAt(level, object)).deadly),
+  ),
 ];
 
-const refs = (kind: ObjectRef['kind'], list: readonly unknown[]): ObjectRef[] => list.map((_, index) => ({ kind, index }));
+const refsOf = (level: Level, kind: ListedKind): ObjectRef[] => objectsIn(level, kind).map((_, index) => ({ kind, index }));
 
 /** Whether two references lead to the same object. */
 export const isSame = (a: ObjectRef, b: ObjectRef): boolean => a.kind === b.kind && a.index === b.index;

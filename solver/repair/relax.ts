@@ -1,4 +1,4 @@
-import type { Hold, Level } from '../../schema/basics/index.ts';
+import { type Hold, isVariant, type Level } from '../../schema/basics/index.ts';
 import type { Steps } from '../steps.ts';
 import { applyChange, type Change, type ObjectRef, objectAt, type Vector } from './change.ts';
 import {
@@ -117,7 +117,9 @@ const isListed = ({ kind }: ObjectRef): boolean => kind !== 'astronaut' && kind 
 
 /** What pulls her is never removed. */
 const removal = (level: Level, object: ObjectRef): Relaxation[] =>
-  object.kind === 'asteroid' && !level.asteroids[object.index].hot ? [] : [{ change: dropOf(level, object), along: null }];
+  object.kind === 'asteroid' && !isVariant(object.kind, objectAt(level, object))
+    ? []
+    : [{ change: dropOf(level, object), along: null }];
 
 const moves = (level: Level, object: ObjectRef): Relaxation[] => [
   ...around(moveFamily(level, object), FAR),

@@ -4,7 +4,7 @@ import type { Blocker, LineEnd, Proof, Strip } from '../proofs/index.ts';
 import { createRetime } from '../retime/index.ts';
 import type { Effort } from '../search/index.ts';
 import type { Steps } from '../steps.ts';
-import type { ObjectRef } from './change.ts';
+import { type ObjectRef, objectAt } from './change.ts';
 import { HOLE, hazards, isSame, START } from './family.ts';
 import type { Proposal } from './proposal.ts';
 import { relax } from './relax.ts';
@@ -180,9 +180,8 @@ function byDistance({ asteroids }: Level, { x, y }: { readonly x: number; readon
   return [...asteroids.keys()].sort((a, b) => square(a) - square(b)).map((index) => ({ kind: 'asteroid', index }));
 }
 
-function overlapsHole(level: Level, { kind, index }: ObjectRef): boolean {
-  const list = kind === 'nova' ? level.novae : kind === 'asteroid' ? level.asteroids : level.aliens;
-  const { x, y, radius } = list[index];
+function overlapsHole(level: Level, object: ObjectRef): boolean {
+  const { x, y, radius } = objectAt(level, object);
   const { blackHole } = level;
   const reach = radius + blackHole.radius;
   return (x - blackHole.x) * (x - blackHole.x) + (y - blackHole.y) * (y - blackHole.y) < reach * reach;

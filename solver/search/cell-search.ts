@@ -95,7 +95,7 @@ export interface SearchTask {
 /**
  * Searches for runs by exploration, in the manner of Go-Explore (A. Ecoffet et al., 2019).
  *
- * - An archive divides the states (place, velocity, aliens, collected minerals) into cells. For each cell it keeps the earliest
+ * - An archive divides the states (place, velocity, chasers, collected minerals) into cells. For each cell it keeps the earliest
  *   path into it, with a snapshot of the engine, so that any path continues without replaying its beginning.
  * - Each step picks a rarely visited cell, holds or releases the button for a while from its snapshot, and samples the states
  *   on the way. Sampling follows her speed, so that no cell is jumped over. States in new cells are stored.

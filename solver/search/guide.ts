@@ -134,7 +134,7 @@ export const NO_WAY = 0x7fffffff;
 
 /**
  * A map of where she can be at all: in range of an asteroid, and not in a nova or a hot asteroid. On it, {@link fieldTo} measures
- * the way from everywhere to a circle, around hazards and through the gaps between them. Aliens, repulsors and recoil are left
+ * the way from everywhere to a circle, around hazards and through the gaps between them. What chases or pushes her and recoil are left
  * out: the map guides a search and proves nothing.
  */
 export class WayMap {

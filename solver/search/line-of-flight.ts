@@ -1,16 +1,17 @@
-import { type Scene, TICK_RATE } from '../../engine/index.ts';
+import { type Circles, EFFECTS, type Scene, TICK_RATE } from '../../engine/index.ts';
 
 /** How far recoil or the step of a frame may move objects away from what is computed here, px. */
 const SLACK = 0.25;
 
 /**
  * Predicts the drift after a release: a straight line, on which her box keeps its angle. The moving box sweeps a strip, so she
- * touches a circle exactly if its centre is nearer to the line than the strip's half width plus the circle's radius. Aliens are
- * ignored, and a line through a repulsor counts as blocked.
+ * touches a circle exactly if its centre is nearer to the line than the strip's half width plus the circle's radius. What chases
+ * her is ignored, and a line through a disc in which another force takes the gun's place counts as blocked.
  */
 export class LineOfFlight {
   private readonly scene: Scene;
   private readonly hotCount: number;
+  private readonly fields: readonly Circles[];
   private readonly box: Scene['box'];
   private x = 0;
   private y = 0;
@@ -23,6 +24,9 @@ export class LineOfFlight {
     this.scene = scene;
     this.box = scene.box;
     this.hotCount = scene.targets.count - scene.coldCount;
+    this.fields = EFFECTS.flatMap(({ force, frame, calledFor }) =>
+      force?.acts === 'instead' && frame !== undefined && calledFor(scene.level).called ? [frame.discs(scene)] : [],
+    );
   }
 
   /** Starts the line at a state as `Simulation.readState` gives it. */
@@ -60,24 +64,29 @@ export class LineOfFlight {
     return (distance / this.speed) * TICK_RATE;
   }
 
-  /** Whether the next `distance` px are free of hazards and repulsors, with an asteroid in range all the way. */
+  /** Whether the next `distance` px are free of hazards and fields, with an asteroid in range all the way. */
   isClear(distance: number): boolean {
-    const { novae, targets, coldCount, repulsors } = this.scene;
+    const { novae, targets, coldCount } = this.scene;
     for (let i = 0; i < novae.count; i++) if (this.isBarred(novae.x[i], novae.y[i], novae.r[i], distance)) return false;
     for (let i = coldCount; i < coldCount + this.hotCount; i++) {
       if (this.isBarred(targets.x[i], targets.y[i], targets.r[i], distance)) return false;
     }
-    for (let i = 0; i < repulsors.count; i++) {
-      const dx = repulsors.x[i] - this.x;
-      const dy = repulsors.y[i] - this.y;
-      const aside = dx * this.uy - dy * this.ux;
-      const along = dx * this.ux + dy * this.uy;
-      const left = repulsors.r[i] * repulsors.r[i] - aside * aside;
-      if (left <= 0) continue;
-      const half = Math.sqrt(left);
-      if (along + half > 0 && along - half < distance) return false;
+    for (const field of this.fields) {
+      for (let i = 0; i < field.count; i++) if (this.leadsThrough(field.x[i], field.y[i], field.r[i], distance)) return false;
     }
     return this.staysInRange(distance);
+  }
+
+  /** Whether her centre comes into a disc within the next `distance` px. */
+  private leadsThrough(cx: number, cy: number, r: number, distance: number): boolean {
+    const dx = cx - this.x;
+    const dy = cy - this.y;
+    const aside = dx * this.uy - dy * this.ux;
+    const along = dx * this.ux + dy * this.uy;
+    const left = r * r - aside * aside;
+    if (left <= 0) return false;
+    const half = Math.sqrt(left);
+    return along + half > 0 && along - half < distance;
   }
 
   private isBarred(cx: number, cy: number, r: number, distance: number): boolean {

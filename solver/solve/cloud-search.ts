@@ -67,7 +67,7 @@ export class CloudSearch {
   private readonly cells = new Map<string, NoisyWay>();
   private readonly open: NoisyWay[] = [];
   private readonly state = new Float64Array(STATE_SIZE);
-  private readonly aliens: Float64Array;
+  private readonly chasers: Float64Array;
   private readonly heat: HeatMap;
   private found: CloudRun[] = [];
 
@@ -96,7 +96,7 @@ export class CloudSearch {
     this.edgeCost = 0.08 + 0.03 * this.random.below(5);
     this.leastShare = 0.25 * (1 + this.random.below(2));
     this.cloud = Array.from({ length: CLOUD }, () => createSimulation(scene));
-    this.aliens = new Float64Array(3 * scene.aliens.count);
+    this.chasers = new Float64Array(3 * scene.aliens.count);
     const start = this.cloud[0].snapshot();
     this.mostWays = Math.max(16, Math.floor(MEMORY / (CLOUD * start.length)));
     for (const [depth, tick] of beginning.entries()) {
@@ -228,12 +228,12 @@ export class CloudSearch {
   }
 
   private cellOf(x: number, y: number, vx: number, vy: number, held: boolean): string {
-    const { place, speed, aliens } = this;
+    const { place, speed, chasers } = this;
     const parts = [held ? 1 : 0, Math.floor(x / place), Math.floor(y / place), Math.floor(vx / speed), Math.floor(vy / speed)];
     const nominal = this.cloud[0];
-    if (aliens.length > 0) {
-      nominal.readAliens(aliens);
-      for (const value of aliens) parts.push(Math.floor(value / (2 * place)));
+    if (chasers.length > 0) {
+      nominal.readAliens(chasers);
+      for (const value of chasers) parts.push(Math.floor(value / (2 * place)));
     }
     if (this.needed > 0) for (let i = 0; i < this.scene.minerals.count; i++) parts.push(nominal.isCollected(i) ? 1 : 0);
     return parts.join();

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import * as z from 'zod';
-import { accuracyPretty } from '../../cli/accuracy/index.ts';
+import { accuracyPretty } from '../../cli/commands/accuracy/report.ts';
 import { PLAIN } from '../../cli/io/terminal.ts';
 import { cheapestGoodEnough, measureWorkPrecision } from '../../engine/work-precision/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { type Findings, problemsOf } from '../../check/index.ts';
 import type { CheckCode } from '../../check/words/index.ts';
+import { commandHints } from '../../cli/check/check-level.ts';
+import { crashedLevel, unreadableLevel } from '../../cli/check/checked-level.ts';
 import { CHECK_CODES } from '../../cli/check/codes.ts';
-import { commandHints } from '../../cli/check/hints.ts';
-import { crashedLevel, unreadableLevel } from '../../cli/check/refused-level.ts';
 import { shellPath } from '../../cli/io/messages.ts';
 import { explanationOf } from '../../editor/panels/problems/explanations.ts';
 import { PAGE_HINTS } from '../../editor/proof/hints.ts';

@@ -1,7 +1,7 @@
 import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
-import { generatedPath, keepLevel, packPath } from '../../cli/generate/keep-level.ts';
+import { generatedPath, keepLevel, packPath } from '../../cli/generate/index.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
 import { itDeep } from '../depth.ts';

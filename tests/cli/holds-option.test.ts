@@ -1,7 +1,7 @@
 import { InvalidArgumentError } from 'commander';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { parseHolds } from '../../cli/holds-option.ts';
+import { parseHolds } from '../../cli/runs/index.ts';
 
 // holds in order that do not overlap; some touch
 const holds = fc.array(fc.tuple(fc.nat(50), fc.integer({ min: 1, max: 50 })), { minLength: 1, maxLength: 20 }).map((gaps) => {

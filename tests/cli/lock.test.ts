@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, renameSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, describe, expect, it } from 'vitest';
-import { goneUnder } from '../../cli/lock/gone.ts';
+import { goneUnder } from '../../cli/lock/index.ts';
 import { lockKey } from '../../cli/lock/lock-file.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 

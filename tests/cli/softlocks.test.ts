@@ -2,7 +2,7 @@ import { Ajv2020 } from 'ajv/dist/2020.js';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { softlocksOf } from '../../check/index.ts';
-import { softlockLines } from '../../cli/reporters/softlock-lines.ts';
+import { softlockLines } from '../../cli/reporters/pretty.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
 import { type CheckReport, REPORT_SCHEMAS, reportJsonSchema, resolveLevel } from '../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON } from '../../solver/index.ts';

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { intervalAround } from '../../cli/tune/interval.ts';
+import { intervalAround } from '../../cli/tune/tune-level.ts';
 import { compile, simulate } from '../../engine/index.ts';
 import { readLevel, tuneReportSchema } from '../../schema/index.ts';
 import { itDeep } from '../depth.ts';

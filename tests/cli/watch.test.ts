@@ -5,8 +5,7 @@ import process from 'node:process';
 import { afterEach, expect, it } from 'vitest';
 import type { CommandResult } from '../../cli/command.ts';
 import { leaveSignals } from '../../cli/io/signals.ts';
-import { watchAndRepeat } from '../../cli/watch/watch.ts';
-import { watchedPaths } from '../../cli/watch/watched-paths.ts';
+import { watchAndRepeat, watchedPaths } from '../../cli/watch/index.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 
 let files = makeFiles({});

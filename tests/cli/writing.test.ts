@@ -15,7 +15,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
-import { schemaReference } from '../../cli/schema-reference.ts';
+import { schemaReference } from '../../cli/levels/index.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 
 const original = {

@@ -194,7 +194,8 @@ inChromium('rules in Chromium', ({ on }) => {
         await reads(page, 'pull', '39');
         expect(await byCommand()).toEqual(['completable', 'completable']);
       },
-      { others: { [CONFIG]: config({ pull: 45 }) } },
+      // started in the folder, so that the page names the file as gq does
+      { others: { [CONFIG]: config({ pull: 45 }) }, ownProcess: true },
     ),
   );
 
@@ -253,7 +254,7 @@ inChromium('rules in Chromium', ({ on }) => {
         await until(() => expect(file('first-swing-2').rules).toEqual({ pull: 39 }));
         await verdict(page, 'completable');
       },
-      { others: { [CONFIG]: config({ pull: 45 }) } },
+      { others: { [CONFIG]: config({ pull: 45 }) }, ownProcess: true },
     ),
   );
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ContinuousSimulation, WHOLE_METHOD } from '../../engine/continuous/index.ts';
-import { alienTravel, ownTravel, rockTravel } from '../../engine/events/index.ts';
+import { chaserTravel, ownTravel, rockTravel } from '../../engine/events/index.ts';
 import {
   ACCURACIES,
   type Accuracy,
@@ -11,7 +11,7 @@ import {
   WorkBudget,
   WorkLimitReached,
 } from '../../engine/index.ts';
-import { ALERTNESS, alienPlaceAt, type Motion, placeAt, RECORDS, rockAt, SLOTS } from '../../engine/motion/index.ts';
+import { ALERTNESS, chaserPlaceAt, type Motion, placeAt, RECORDS, rockAt, SLOTS } from '../../engine/motion/index.ts';
 import { propertySettings } from '../property-settings.ts';
 import { degenerateScene } from '../scenes/degenerate-scene.ts';
 import { type RandomScene, randomScene } from '../scenes/random-scene.ts';
@@ -72,8 +72,8 @@ function farthest(scene: RandomScene, accuracy: Accuracy): { beyond: number; sha
     for (let i = 0; i < m.scene.aliens.count; i++) {
       if (m.s[m.chasers + CHASER * i + 4] === GONE) continue;
       follow(
-        (time) => alienPlaceAt(m, i, time, out),
-        (time) => alienTravel(m, i, m.rules.alienPull, time),
+        (time) => chaserPlaceAt(m, i, time, out),
+        (time) => chaserTravel(m, i, m.rules.alienPull, time),
       );
     }
   };

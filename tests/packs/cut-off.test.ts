@@ -8,8 +8,8 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { Failure } from '../../cli/io/messages.ts';
 import { BatchMaker, sizeOf } from '../../cli/io/packs/batch.ts';
 import { readEntry, readSet } from '../../cli/io/packs/index.ts';
-import { readTar } from '../../cli/io/packs/read-tar.ts';
-import { ZstdFrame } from '../../cli/io/packs/zstd-frame.ts';
+import { ZstdFrame } from '../../cli/io/packs/open-pack.ts';
+import { readTar } from '../../cli/io/packs/tar-archive.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 
 let place: ReturnType<typeof makeFiles>;

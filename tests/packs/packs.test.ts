@@ -6,9 +6,8 @@ import { gzipSync } from 'node:zlib';
 import fc from 'fast-check';
 import { create, Header, replace } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { BatchMaker, sizeOf } from '../../cli/io/packs/batch.ts';
-import { readTar } from '../../cli/io/packs/read-tar.ts';
-import { unwrap } from '../../cli/io/packs/unwrap.ts';
+import { BatchMaker, sizeOf, unwrap } from '../../cli/io/packs/batch.ts';
+import { readTar } from '../../cli/io/packs/tar-archive.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 
 let place: ReturnType<typeof makeFiles>;

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
-import { unwrap } from '../../cli/io/packs/unwrap.ts';
+import { unwrap } from '../../cli/io/packs/batch.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 
 const place = makeFiles({});

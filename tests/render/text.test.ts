@@ -1,6 +1,6 @@
 import * as fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { loadPngRenderer } from '../../cli/png.ts';
+import { loadPngRenderer } from '../../cli/commands/render/views.ts';
 import { renderSvg } from '../../picture/index.ts';
 import { DROP, level } from './scenes.ts';
 

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type AppOptions, createApp } from '../../cli/edit/app.ts';
-import { guard } from '../../cli/edit/guard.ts';
+import { type AppOptions, createApp, guard } from '../../cli/edit/app.ts';
 import { Refusal } from '../../cli/edit/refusal.ts';
 
 /** An incoming request as Node represents it. */

@@ -249,7 +249,7 @@ describe('a generator', () => {
             { x: toX, y: toY },
           ]) {
             expect(Math.hypot(mouth.x - layout.start.x, mouth.y - layout.start.y)).toBeGreaterThan(radius + 32);
-            for (const other of [...layout.asteroids, ...layout.repulsors]) {
+            for (const other of [...layout.asteroids, ...layout.placed.repulsors]) {
               expect(Math.hypot(mouth.x - other.x, mouth.y - other.y)).toBeGreaterThanOrEqual(radius + other.radius + 12);
             }
           }

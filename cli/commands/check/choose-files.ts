@@ -1,9 +1,9 @@
-import type { Configuration } from '../../configuration.ts';
+import type { Configuration } from '../../config/index.ts';
 import { type FoundFiles, findConfigured } from '../../find/index.ts';
-import { Failure, readStdin, STDIN_NAME, stdinName } from '../../io/index.ts';
+import { Failure, namedPath, readStdin, STDIN_NAME, stdinName } from '../../io/index.ts';
 
 /** What the options say about the files to check. */
-export interface ChoiceOptions {
+interface ChoiceOptions {
   /** `true`: no ref was given. */
   readonly changed?: true | string;
   readonly stdinPath?: string;
@@ -14,7 +14,7 @@ export interface ChoiceOptions {
 }
 
 /** The files to check. */
-export interface ChosenFiles extends FoundFiles {
+interface ChosenFiles extends FoundFiles {
   /** All files that the paths name, also those that are not checked because they have not changed. */
   readonly all: readonly string[];
   /** The content of the only level, if it comes from standard input. */
@@ -50,4 +50,24 @@ function refuseForStdin(stdin: string, { changed, lock, updateLock }: ChoiceOpti
   if (updateLock) throw new Failure('--update-lock records files: expected no level from standard input with it');
   if (lock !== undefined && stdin === STDIN_NAME)
     throw new Failure('--lock has results of files: expected --stdin-path FILE with it, to say which one the level is');
+}
+
+/** Options that follow single files. */
+interface OfFiles {
+  readonly changed?: unknown;
+  readonly updateLock?: true;
+  readonly bail?: number;
+  readonly watch?: true;
+  /** The lock that the options or the configuration choose. */
+  readonly lock: string | null;
+}
+
+/** @throws Failure if an option is given that only a check of single files has */
+export function refuseForPacks(pack: string, { changed, updateLock, bail, watch, lock }: OfFiles): void {
+  const option =
+    changed !== undefined ? '--changed' : updateLock ? '--update-lock' : watch ? '--watch' : bail !== undefined ? '--bail' : null;
+  const given = option ?? (lock === null ? null : `the lock ${namedPath(lock)}`);
+  if (given === null) return;
+  const advice = option === null ? 'check packs with --no-lock' : `leave ${option} out, or unpack it`;
+  throw new Failure(`${namedPath(pack)} is a pack, and ${given} is for level files: ${advice}`);
 }

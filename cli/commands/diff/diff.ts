@@ -3,23 +3,26 @@ import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
-import type { CommandResult } from '../../command.ts';
-import { findConfig } from '../../config-file.ts';
+import { levelInLines } from '../../../review/index.ts';
+import { type DiffReport, readLevel } from '../../../schema/index.ts';
+import { readContent } from '../../../schema/level/index.ts';
+import type { CommandHelp, CommandResult } from '../../command.ts';
+import { findConfig } from '../../config/index.ts';
 import {
   chooseComparison,
   type Diff,
+  type DiffedLevel,
   type DiffSettings,
   diffFiles,
+  type JudgedVersion,
   type PlayedVersions,
   playVersions,
   termsOfSides,
 } from '../../diff/index.ts';
 import { colorsFor, expectOutput, Failure, PLAIN, readBytes, visible, visibleLine, writeWhole } from '../../io/index.ts';
-import { formatOption, jobsOption } from '../../options.ts';
-import { addTermsOptions, type TermsOptions } from '../../terms.ts';
-import { diffJson } from './json.ts';
+import { addTermsOptions, formatOption, jobsOption, type TermsOptions } from '../../options/index.ts';
+import { problemJson } from '../../report-parts/index.ts';
 import { diffText } from './text.ts';
-import { textOfLevel } from './textconv.ts';
 
 interface Options extends TermsOptions {
   readonly staged?: true;
@@ -32,12 +35,25 @@ interface Options extends TermsOptions {
   readonly jobs: number;
 }
 
+export const help: CommandHelp = {
+  description:
+    'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
+  more: `
+Without REF the working tree, untracked level files included, is compared with HEAD; with one REF, with that; with two, or
+REF..REF, the second is compared with the first. REF...REF compares the second with the commit where both parted.
+
+Exit code: 0; with --exit-code 1 if a level file differs; 2 when the comparison could not be made.
+
+Examples:
+  $ gq diff                          what changed since the last commit
+  $ gq diff main...feature levels    what a branch changes
+  $ gq diff old.level.json new.level.json
+  $ gq diff main --format html -o diff.html`,
+};
+
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addTermsOptions(
     command
-      .description(
-        'Show what changed in levels: objects by id, runs by name, and what that does to verdict, time, slack and minerals.',
-      )
       .argument('[words...]', 'up to two revisions, then level files, folders or quoted patterns; or two files; or two folders')
       .usage('[options] [REF [REF]] [--] [PATH...]')
       .option('--staged', 'compare what is staged for the next commit, and not the working tree')
@@ -49,20 +65,6 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('-o, --output <file>', 'write to FILE and not to standard output')
     .addOption(new Option('--theme <theme>', 'colours of --format svg').choices(['dark', 'light']).default('dark'))
     .addOption(jobsOption(availableParallelism()))
-    .addHelpText(
-      'after',
-      `
-Without REF the working tree, untracked level files included, is compared with HEAD; with one REF, with that; with two, or
-REF..REF, the second is compared with the first. REF...REF compares the second with the commit where both parted.
-
-Exit code: 0; with --exit-code 1 if a level file differs; 2 when the comparison could not be made.
-
-Examples:
-  $ gq diff                          what changed since the last commit
-  $ gq diff main...feature levels    what a branch changes
-  $ gq diff old.level.json new.level.json
-  $ gq diff main --format html -o diff.html`,
-    )
     .action(async (words: string[], options: Options) => finish(await diff(words, command, options)));
 }
 
@@ -103,13 +105,82 @@ async function written(result: Diff, settings: DiffSettings, { format, output, t
   if (format === 'json') return diffJson(result);
   if (format === 'text') return diffText(result, output === undefined ? colorsFor(process.stdout) : PLAIN);
   const play = (i: number): PlayedVersions => playVersions(result.pairs[i], result.levels[i], settings);
-  if (format === 'html') return (await import('./page/index.ts')).diffPage(result, play);
+  if (format === 'html') return (await import('./page.ts')).diffPage(result, play);
   if (result.levels.length !== 1) {
     throw new Failure(
       `--format svg draws one level, and ${plural(result.levels.length, 'level')} changed: name the file of one, or use --format html`,
     );
   }
-  const svg = (await import('./svg.ts')).diffSvg(result.levels[0], play(0), { width: 1200, theme });
+  const svg = (await import('./page.ts')).diffSvg(result.levels[0], play(0), { width: 1200, theme });
   if (svg !== null) return svg;
   throw new Failure('there is nothing to draw: neither version of the file is a valid level');
+}
+
+/** The diff as JSON. */
+function diffJson({ comparison, rules, levels, same }: Diff): string {
+  const report: DiffReport = {
+    version: 1,
+    before: comparison.before.label,
+    after: comparison.after.label,
+    rules: rules.map(({ rule, before = null, after = null }) => ({ rule, before, after })),
+    levels: levels.map(levelJson),
+    same,
+  };
+  return `${JSON.stringify(report)}\n`;
+}
+
+const levelJson = ({ status, before, after, changes, words, effects }: DiffedLevel): DiffReport['levels'][number] => ({
+  file: (after ?? before)?.file ?? '',
+  status,
+  words: [...words],
+  effects: [...effects],
+  before: before === null ? null : versionJson(before),
+  after: after === null ? null : versionJson(after),
+  changes: changes === null ? null : (changes as DiffReport['levels'][number]['changes']),
+});
+
+function versionJson({
+  file,
+  name,
+  terms,
+  verdict,
+  problems,
+  standing,
+}: JudgedVersion): NonNullable<DiffReport['levels'][number]['before']> {
+  const run = standing?.run ?? null;
+  return {
+    file,
+    name,
+    terms,
+    verdict,
+    problems: problems.map(problemJson),
+    mineralCount: standing?.mineralCount ?? null,
+    run:
+      run === null
+        ? null
+        : {
+            name: run.name,
+            holds: run.holds.map(([press, release]) => [press, release]),
+            outcome: run.outcome,
+            with: run.with,
+            time: run.time,
+            tick: run.tick,
+            minerals: run.minerals,
+            clearance: run.clearance,
+            slack: run.slack === null ? null : run.slack.edges.map(([earlier, later]) => [earlier, later]),
+            smallestWindow: run.slack?.smallestWindow ?? null,
+          },
+  };
+}
+
+/** A level as lines of text; a file that is not a valid level as it is, after the reason, so that `git diff` still shows it. */
+function textOfLevel(bytes: Uint8Array): string {
+  const read = readLevel(bytes);
+  if (read.ok) return levelInLines(read.document.file);
+  const [{ message, line, column }] = read.problems;
+  const place = line === null ? '' : `${line}:${column ?? 1}: `;
+  // with a mark before it, a level is still one to look at
+  const marked = readContent(bytes);
+  const content = marked.ok ? levelInLines(marked.document.file) : new TextDecoder().decode(bytes);
+  return `not a valid level: ${place}${message}\n${content}`;
 }

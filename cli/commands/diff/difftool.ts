@@ -4,7 +4,7 @@ import { basename, join } from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
 import type { Command } from 'commander';
-import type { CommandResult } from '../../command.ts';
+import type { CommandHelp, CommandModule, CommandResult } from '../../command.ts';
 import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions, termsOfSides } from '../../diff/index.ts';
 import { colorsFor, Failure, visibleLine, writeWhole } from '../../io/index.ts';
 import { diffText } from './text.ts';
@@ -13,18 +13,10 @@ interface Options {
   readonly open: boolean;
 }
 
-/** Declares `gq difftool`. */
-export function declareDifftool(command: Command, finish: (result: CommandResult) => void): void {
-  command
-    .description(
-      'Show two versions of a level in the browser: what changed, and both runs on one stage. Called with the seven arguments of an external diff of git, print what changed instead.',
-    )
-    .argument('<files...>', 'LOCAL REMOTE [PATH]: the two versions, and the name that the file has in the repository')
-    .usage('[options] LOCAL REMOTE [PATH]')
-    .option('--no-open', 'only write the page, and print its path')
-    .addHelpText(
-      'after',
-      `
+const help: CommandHelp = {
+  description:
+    'Show two versions of a level in the browser: what changed, and both runs on one stage. Called with the seven arguments of an external diff of git, print what changed instead.',
+  more: `
 The levels are judged under the terms of the gq.config.json that is nearest to PATH.
 The page is written to the folder for temporary files. Where there is no display, its path is printed.
 
@@ -34,11 +26,20 @@ Examples:
   $ gq difftool old.level.json new.level.json
   $ git config difftool.gq.cmd 'gq difftool "$LOCAL" "$REMOTE" "$MERGED"'
   $ git difftool --tool gq`,
-    )
-    .action(async (files: string[], options: Options) => finish(await difftool(files, options)));
+};
+
+function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .argument('<files...>', 'LOCAL REMOTE [PATH]: the two versions, and the name that the file has in the repository')
+    .usage('[options] LOCAL REMOTE [PATH]')
+    .option('--no-open', 'only write the page, and print its path')
+    .action(async (files: string[], options: Options) => finish(await compareVersions(files, options)));
 }
 
-async function difftool(files: readonly string[], { open }: Options): Promise<CommandResult> {
+/** `gq difftool`, beside `gq diff`. */
+export const difftool: CommandModule = { help, declare };
+
+async function compareVersions(files: readonly string[], { open }: Options): Promise<CommandResult> {
   switch (files.length) {
     case 1:
       // so git calls an external diff for a file that is not merged
@@ -64,7 +65,7 @@ async function compare(
   after: string,
   name: string | undefined,
 ): Promise<{ readonly diff: Diff; readonly settings: DiffSettings }> {
-  const comparison = compareFiles(before, after, name);
+  const comparison = await compareFiles(before, after, name);
   const settings = { terms: termsOfSides(comparison, {}), slack: true };
   return { diff: await diffFiles(comparison, settings, 1), settings };
 }
@@ -72,7 +73,7 @@ async function compare(
 async function show([before, after, path]: readonly string[], open: boolean): Promise<CommandResult> {
   const { diff, settings } = await compare(before, after, path);
   const name = path ?? after;
-  const { diffPage } = await import('./page/index.ts');
+  const { diffPage } = await import('./page.ts');
   const page = diffPage(diff, (i) => playVersions(diff.pairs[i], diff.levels[i], settings));
   const folder = mkdtempSync(join(tmpdir(), 'gq-diff-'));
   const file = join(folder, `${basename(name).replace(/[^\w.-]/g, '_')}.html`);

@@ -1,2 +1,2 @@
-export { declare } from './diff.ts';
-export { declareDifftool } from './difftool.ts';
+export { declare, help } from './diff.ts';
+export { difftool } from './difftool.ts';

@@ -1,9 +1,9 @@
-import { type LevelVerdict, proveGoalImpossible, repairedFile, verdictOf } from '../../../check/index.ts';
+import { brief, type LevelVerdict, repairedFile } from '../../../check/index.ts';
 import { compile, type Run, simulate, type Terms } from '../../../engine/index.ts';
 import { formatLevel, type LevelFile, readLevel } from '../../../schema/index.ts';
 import { createRepair, type Effort, type Proof, type Proposal } from '../../../solver/index.ts';
-import type { OpenedFile } from '../../level-source.ts';
-import type { Limits } from '../../search-options.ts';
+import type { OpenedFile } from '../../levels/index.ts';
+import type { Limits } from '../../options/index.ts';
 import { DEFAULT_NAME, freeName } from '../../solve/index.ts';
 
 /** What to look for. */
@@ -48,7 +48,7 @@ export function fixLevel(opened: OpenedFile, settings: FixSettings, onSlice: (fo
   const start = performance.now();
   const end = limits.budget === null ? Number.POSITIVE_INFINITY : start + 1000 * limits.budget;
   const most = limits.effort ?? Number.POSITIVE_INFINITY;
-  const impossible = proveGoalImpossible(compile(level, terms), { minerals: 'any' });
+  const { verdict, impossible } = brief(level, terms);
   const repair = createRepair(level, terms, { count, seed, proof: impossible });
   while (!repair.finished && repair.effort.ticks < most && (performance.now() < end || repair.effort.ticks === 0)) {
     repair.advance(Math.min(SLICE, most - repair.effort.ticks));
@@ -56,12 +56,7 @@ export function fixLevel(opened: OpenedFile, settings: FixSettings, onSlice: (fo
   }
   const { completing, finished } = repair;
   return {
-    verdict: verdictOf({
-      isCompleted: completing !== null,
-      isImpossible: impossible !== null,
-      runs: level.runs.length,
-      areAllPlayed: true,
-    }),
+    verdict,
     completing,
     impossible,
     fixes: repair.proposals.map((proposal) => fixedFile(opened, proposal, settings)),

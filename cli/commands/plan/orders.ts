@@ -1,15 +1,13 @@
 import type { Command } from 'commander';
 import type { Goal, Objective } from '../../../solver/index.ts';
 import { type AskedOptions, refuseLimitsWithoutSearch, settingsFor } from '../../check/index.ts';
-import type { ConfigOptions } from '../../config-file.ts';
-import type { Configuration } from '../../configuration.ts';
+import type { ConfigOptions, Configuration } from '../../config/index.ts';
 import { measureSettings } from '../../difficulty/index.ts';
 import { unreadableFolders } from '../../find/index.ts';
 import type { JobName } from '../../fleet/index.ts';
 import { Failure } from '../../io/index.ts';
-import { limitsOf, USUAL_EFFORT } from '../../search-options.ts';
+import { limitsOf, refuseUnused, USUAL_EFFORT } from '../../options/index.ts';
 import { askedRuns } from '../../solve/index.ts';
-import { refuseUnused } from '../../unused-options.ts';
 import { type PlayOptions, planned, playSettings, unusableLevels } from '../../verify/index.ts';
 
 /** Options of the commands that shards run. */

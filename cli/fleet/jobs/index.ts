@@ -1,4 +1,4 @@
-import type { JobName } from '../job-names.ts';
+import type { JobName } from '../job.ts';
 import { checkJob } from './check/index.ts';
 import { difficultyJob } from './difficulty/index.ts';
 import type { JobKind } from './kind.ts';

@@ -1,5 +1,2 @@
-export { type Batch, type Contents, sizeOf } from './batch.ts';
-export { type Entry, entriesOf } from './entries.ts';
-export { firstPack, packFormat } from './formats.ts';
-export { entryName, readEntry } from './read-entry.ts';
-export { readSet } from './read-set.ts';
+export { type Batch, type Contents, type Entry, entriesOf, firstPack, packFormat, sizeOf } from './batch.ts';
+export { entryName, readEntry, readSet } from './read-set.ts';

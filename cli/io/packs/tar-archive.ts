@@ -1,10 +1,7 @@
 import { createRequire } from 'node:module';
 import type { Parser, ReadEntry } from 'tar';
-import { MAX_FILE_SIZE } from '../../../schema/basics/index.ts';
 import { Failure, namedPath } from '../messages.ts';
-
-/** Of a longer file only slightly more than this is kept, which readers then refuse. */
-const MOST_BYTES = MAX_FILE_SIZE + 4096;
+import { type Batch, type BatchMaker, MOST_OF_ENTRY } from './batch.ts';
 
 /** Bytes of a block: headers and contents begin at multiples of it. */
 const BLOCK = 512;
@@ -93,7 +90,7 @@ export class TarArchive {
     const pieces: Uint8Array[] = [];
     let length = 0;
     entry.on('data', (piece: Buffer) => {
-      if (length < MOST_BYTES) pieces.push(Buffer.from(piece.subarray(0, MOST_BYTES - length)));
+      if (length < MOST_OF_ENTRY) pieces.push(Buffer.from(piece.subarray(0, MOST_OF_ENTRY - length)));
       length += piece.length;
     });
     entry.on('end', () => found(entry.path, pieces));
@@ -131,4 +128,24 @@ function* partsOf(piece: Buffer, offset: number): Generator<Buffer> {
     from = end;
   }
   if (from < piece.length) yield piece.subarray(from);
+}
+
+/**
+ * The files of an archive whose names pass.
+ * @throws Failure if it is no archive, is cut off or damaged, if a name that passes is not that of a file, or if there is more
+ * after the archive's end
+ */
+export async function* readTar(
+  path: string,
+  stream: AsyncIterable<Buffer>,
+  maker: BatchMaker,
+  passes: (name: string) => boolean,
+): AsyncGenerator<Batch> {
+  const archive = new TarArchive(path, passes, (name, pieces) => maker.add(name, pieces));
+  for await (const piece of stream) {
+    archive.write(piece);
+    yield* maker.take();
+  }
+  archive.end();
+  yield* maker.take();
 }

@@ -1,5 +1,5 @@
+import type { SpatialIndex } from '../../indexed-circles.ts';
 import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
-import type { SpatialIndex } from '../../spatial-index.ts';
 import { ascending } from './ascending.ts';
 import { MANY_AWAKE, MARGIN, MeetingsOfMany, NOBODY } from './meetings-of-many.ts';
 

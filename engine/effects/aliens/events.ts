@@ -1,5 +1,5 @@
-import { alienTravel, eventRule, justFired, offer, offerContact, quietOutside, rimTime } from '../../events/index.ts';
-import { GOES_ON, type Motion, placeAlien, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
+import { chaserTravel, eventRule, justFired, offer, offerContact, quietOutside, rimTime } from '../../events/index.ts';
+import { GOES_ON, type Motion, placeChaser, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import type { AlienCrowd } from './crowd.ts';
 import { NOBODY } from './meetings-of-many.ts';
@@ -36,7 +36,7 @@ export const touchAlien = eventRule({
 });
 
 function offerTouch(m: Motion, i: number, from: number): void {
-  placeAlien(m, i);
+  placeChaser(m, i);
   const pull = m.circleMotion === SERIES ? m.rules.alienPull : 0;
   offerContact(m, m.scene.aliens.r[i], pull, touchAlien.kind, i, from);
 }
@@ -45,7 +45,7 @@ function offerTouch(m: Motion, i: number, from: number): void {
 export const wake = eventRule({
   name: 'wake',
   guard(m, i, from) {
-    placeAlien(m, i);
+    placeChaser(m, i);
     offer(m, rimTime(m, m.rules.alienSight, true, 0, from, justFired(m, wake.kind, i)), wake.kind, i, 0);
   },
   quiet(m, i, time) {
@@ -62,7 +62,7 @@ export const fallAsleep = eventRule({
 });
 
 function offerSleep(m: Motion, i: number, from: number): void {
-  placeAlien(m, i);
+  placeChaser(m, i);
   offer(
     m,
     rimTime(m, m.rules.alienSight, false, m.rules.alienPull, from, justFired(m, fallAsleep.kind, i)),
@@ -125,7 +125,7 @@ function offerAwake(m: Motion, from: number): void {
     }
     const o = m.chasers + CHASER * i;
     const d = Math.sqrt((s[o] - path.x) * (s[o] - path.x) + (s[o + 1] - path.y) * (s[o + 1] - path.y));
-    const moves = path.travel + alienTravel(m, i, m.rules.alienPull, h);
+    const moves = path.travel + chaserTravel(m, i, m.rules.alienPull, h);
     if (d + moves > m.rules.alienSight - SURPLUS) offerSleep(m, i, from);
     if (d - moves < aliens.r[i] + m.touchMargin) offerTouch(m, i, from);
   };

@@ -1,3 +1,80 @@
-export { alienChase } from './chase.ts';
-export { alienExplosion } from './explosion.ts';
-export { explosionsAtStart } from './explosions-at-start.ts';
+import type { IndexedCircles } from '../../indexed-circles.ts';
+import { whereAny } from '../count.ts';
+import type { Effect, EngineEffect } from '../effect.ts';
+import { AlienCrowd } from './crowd.ts';
+import { explode, fallAsleep, layOutAliens, touchAlien, wake } from './events.ts';
+
+export const alienChase: EngineEffect = {
+  name: 'alien-chase',
+  summary: ({ alienSight, alienPull }) =>
+    `an alien within ${alienSight} px accelerates towards her at ${alienPull} px/s2, otherwise it stops dead; touching it ends the run`,
+  calledFor: whereAny('aliens', 'alien'),
+  rules: ['alienPull', 'alienSight'],
+  chase: {
+    kind: 'alien',
+    circles: ({ aliens }) => aliens,
+    pull: ({ alienPull }) => alienPull,
+    sight: ({ alienSight }) => alienSight,
+  },
+  moves: true,
+  kills: true,
+  events: [touchAlien, wake, fallAsleep],
+  attach(m) {
+    m.crowd = new AlienCrowd(m);
+  },
+  layOut: layOutAliens,
+};
+
+export const alienExplosion: Effect = {
+  name: 'alien-explosion',
+  summary: () => 'two aliens that touch explode',
+  calledFor: (level) => {
+    const n = level.aliens.length;
+    return n > 1 ? { called: true, because: `${n} aliens` } : { called: false, because: 'fewer than two aliens' };
+  },
+  events: [explode],
+};
+
+/** This many followers in the list are examined before the index is used: dense heaps are done sooner that way. */
+const NEXT_IN_LIST = 32;
+
+const NOBODY = new Int32Array(0);
+
+/**
+ * Finds the aliens that overlap at their places in the level. They explode at time 0, two by two: the first in the list that
+ * overlaps another one, with the first of those, and so on.
+ * @param originX - x of the origin that places are relative to when they are compared, px; the last digit can depend on it
+ * @param originY - y of that origin, px
+ * @returns two indices for each pair, in that order
+ */
+export function explosionsAtStart(aliens: IndexedCircles, originX: number, originY: number): Int32Array {
+  const { count, x, y, r, spatial } = aliens;
+  if (count < 2) return NOBODY;
+  const gone = new Uint8Array(count);
+  const pairs: number[] = [];
+  const overlap = (i: number, j: number): boolean => {
+    const reach = r[i] + r[j];
+    const dx = x[i] - originX - (x[j] - originX);
+    const dy = y[i] - originY - (y[j] - originY);
+    return dx * dx + dy * dy < reach * reach;
+  };
+  const partnerOf = (i: number): number => {
+    const soon = spatial === null ? count : Math.min(count, i + 1 + NEXT_IN_LIST);
+    for (let j = i + 1; j < soon; j++) if (gone[j] === 0 && overlap(i, j)) return j;
+    let first = -1;
+    if (spatial === null) return first;
+    for (const j of spatial.around(x[i], y[i], r[i])) {
+      if (j >= soon && (first < 0 || j < first) && gone[j] === 0 && overlap(i, j)) first = j;
+    }
+    return first;
+  };
+  for (let i = 0; i < count; i++) {
+    if (gone[i] === 1) continue;
+    const j = partnerOf(i);
+    if (j < 0) continue;
+    gone[i] = 1;
+    gone[j] = 1;
+    pairs.push(i, j);
+  }
+  return Int32Array.from(pairs);
+}

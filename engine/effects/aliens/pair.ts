@@ -1,8 +1,8 @@
-import { alienTravel, lookNext, overlapBetween, PATIENCE, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
+import { chaserTravel, lookNext, overlapBetween, PATIENCE, safeStep, safeStretch, smallestStride } from '../../events/index.ts';
 import {
   ALERTNESS,
   addProduct,
-  alienPlaceAt,
+  chaserPlaceAt,
   LONGEST_SERIES,
   type Motion,
   RECORDS,
@@ -38,7 +38,7 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   const reach = scene.aliens.r[i] + scene.aliens.r[j];
   const d = Math.sqrt((s[a] - s[b]) * (s[a] - s[b]) + (s[a + 1] - s[b + 1]) * (s[a + 1] - s[b + 1]));
   const h = s[LENGTH_H];
-  if (d - alienTravel(m, i, m.rules.alienPull, h) - alienTravel(m, j, m.rules.alienPull, h) > reach + SURPLUS) return -1;
+  if (d - chaserTravel(m, i, m.rules.alienPull, h) - chaserTravel(m, j, m.rules.alienPull, h) > reach + SURPLUS) return -1;
   work.guards++;
   const still = s[a + 4] === ASLEEP && s[b + 4] === ASLEEP;
   const horizon = Math.min(m.horizon, h);
@@ -49,8 +49,8 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   let before = t;
   for (let n = 0; ; n++) {
     m.budget.look(1);
-    alienPlaceAt(m, i, t, one);
-    alienPlaceAt(m, j, t, other);
+    chaserPlaceAt(m, i, t, one);
+    chaserPlaceAt(m, j, t, other);
     const x = one[0] - other[0];
     const y = one[1] - other[1];
     const vx = one[2] - other[2];

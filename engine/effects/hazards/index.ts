@@ -1,2 +1,60 @@
-export { hotAsteroids } from './hot-asteroids.ts';
-export { novae } from './novae.ts';
+import { eachTargetNear, eventRule, listTouching, offerContact, quietOutside, rockDistanceToNear } from '../../events/index.ts';
+import { placeCircle, placeRock } from '../../motion/index.ts';
+import { whereAny } from '../count.ts';
+import type { Effect, EngineEffect } from '../effect.ts';
+
+const touchNova = eventRule({
+  name: 'nova',
+  ends: { outcome: 'collided', touches: 'nova' },
+  list: (m) => listTouching(m, touchNova, m.scene.novae),
+  guard(m, i, from) {
+    const { x, y, r, index } = m.scene.novae;
+    placeCircle(m, x[i], y[i], m.originX, m.originY);
+    offerContact(m, r[i], 0, touchNova.kind, index[i], from);
+  },
+  quiet(m, i, time) {
+    const { x, y, r } = m.scene.novae;
+    return quietOutside(m, x[i] - m.originX, y[i] - m.originY, r[i] + m.touchMargin, time);
+  },
+  fire: (_m, index) => index,
+});
+
+export const novae: EngineEffect = {
+  name: 'novae',
+  summary: () => 'end the run on touch',
+  calledFor: whereAny('novae', 'nova'),
+  kills: true,
+  circles: ({ novae }) => novae,
+  events: [touchNova],
+};
+
+const touchHot = eventRule({
+  name: 'hot asteroid',
+  ends: { outcome: 'collided', touches: 'asteroid' },
+  list(m) {
+    const { near } = m;
+    const { coldCount, targets } = m.scene;
+    eachTargetNear(m, near.skin + m.touchMargin, coldCount, (i) => {
+      near.add(touchHot.kind, i, rockDistanceToNear(m, i) - targets.r[i] - m.touchMargin);
+    });
+  },
+  guard(m, i, from) {
+    placeRock(m, i);
+    offerContact(m, m.scene.targets.r[i], m.kappa, touchHot.kind, i, from);
+  },
+  quiet: (m, i, time) => quietOutside(m, m.targetX[i], m.targetY[i], m.scene.targets.r[i] + m.touchMargin, time),
+  fire: (m, i) => m.scene.targets.index[i],
+});
+
+export const hotAsteroids: Effect = {
+  name: 'hot-asteroids',
+  summary: () => 'end the run on touch, and pull like cold asteroids',
+  calledFor: (level) => {
+    const n = level.asteroids.filter((a) => a.hot).length;
+    return n > 0
+      ? { called: true, because: `${n} hot ${n === 1 ? 'asteroid' : 'asteroids'}` }
+      : { called: false, because: 'no hot asteroids' };
+  },
+  kills: true,
+  events: [touchHot],
+};

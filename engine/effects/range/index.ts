@@ -1,1 +1,57 @@
-export { range } from './range.ts';
+import { eventRule, offerAs, quietWithin, rimTime } from '../../events/index.ts';
+import { distanceSquared, GOES_ON, type Motion, nearest, ONSETS, placeRock, RECORDS, SLOTS } from '../../motion/index.ts';
+import { SURPLUS } from '../../tolerances.ts';
+import type { Effect } from '../effect.ts';
+
+const { START, COVER } = SLOTS;
+const { ROCK } = RECORDS;
+const { COMES, STANDS } = ONSETS;
+
+/** She leaves the range of the asteroid that kept her in range: another one takes over, or she is lost. */
+const leaveRange = eventRule({
+  name: 'range',
+  ends: { outcome: 'lost', touches: null },
+  always(m, from) {
+    const { s, scene, path } = m;
+    const cover = s[COVER];
+    if (cover < 0) {
+      offerAs(m, from, leaveRange.kind, -1, 0, STANDS);
+      return;
+    }
+    const { range } = scene.level;
+    const within = range - path.reach - SURPLUS;
+    const o = m.rocks + ROCK * cover;
+    const dx = (m.recoil ? s[o] : m.targetX[cover]) - path.x;
+    const dy = (m.recoil ? s[o + 1] : m.targetY[cover]) - path.y;
+    if (within > 0 && dx * dx + dy * dy < within * within) return;
+    placeRock(m, cover);
+    const time = rimTime(m, range, false, m.kappa, from, false);
+    const isOut = time === 0 && s[START] === 0 && isOutOfRange(m, cover);
+    offerAs(m, time, leaveRange.kind, cover, 0, isOut ? STANDS : COMES);
+  },
+  alwaysQuiet(m, time) {
+    const left = m.scene.level.range - Math.sqrt(distanceSquared(m, m.s[COVER])) - SURPLUS;
+    return quietWithin(m, left, -m.path.speed, time);
+  },
+  fire(m, cover) {
+    const other = nearest(m);
+    if (other < 0 || other === cover || isOutOfRange(m, other)) return 0;
+    m.s[COVER] = other;
+    return GOES_ON;
+  },
+});
+
+function isOutOfRange(m: Motion, target: number): boolean {
+  const { range } = m.scene.level;
+  return distanceSquared(m, target) > range * range;
+}
+
+export const range: Effect = {
+  name: 'range',
+  summary: () => 'she is lost when she is farther than the range from every asteroid',
+  calledFor: () => ({ called: true, because: 'every level has one' }),
+  events: [leaveRange],
+  layOut(m) {
+    m.s[COVER] = nearest(m);
+  },
+};

@@ -9,7 +9,7 @@ export function enterFields(m: Motion): void {
   const { repulsors } = scene;
   for (let i = 0; i < repulsors.count; i++) {
     const place = placeInCircle(m, repulsors, i);
-    s[m.inside + i] = place === OUTSIDE ? 0 : 1;
+    s[m.own.repulsor + i] = place === OUTSIDE ? 0 : 1;
     if (place === ENTERING) recorder?.event({ time: 0, type: 'enter', index: repulsors.index[i] });
   }
   s[FIELD] = actingField(m);
@@ -21,8 +21,8 @@ export function changeFields(m: Motion, time: number): void {
   const { repulsors } = scene;
   for (let i = 0; i < repulsors.count; i++) {
     const inside = placeInCircle(m, repulsors, i) === OUTSIDE ? 0 : 1;
-    if (s[m.inside + i] === inside) continue;
-    s[m.inside + i] = inside;
+    if (s[m.own.repulsor + i] === inside) continue;
+    s[m.own.repulsor + i] = inside;
     m.recorder?.event({ time, type: inside === 1 ? 'enter' : 'leave', index: repulsors.index[i] });
   }
   s[FIELD] = actingField(m);
@@ -30,6 +30,6 @@ export function changeFields(m: Motion, time: number): void {
 
 /** The first repulsor that contains her; -1 if there is none. */
 export function actingField(m: Motion): number {
-  for (let i = 0; i < m.scene.repulsors.count; i++) if (m.s[m.inside + i] === 1) return i;
+  for (let i = 0; i < m.scene.repulsors.count; i++) if (m.s[m.own.repulsor + i] === 1) return i;
   return -1;
 }

@@ -13,9 +13,9 @@ export const enterField = eventRule({
   list: (m) => listRims(m, enterField, m.scene.repulsors),
   guard(m, i, from) {
     if (m.s[RIM] === i) return;
-    offerCrossing(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, enterField, leaveField, from, false);
+    offerCrossing(m, m.scene.repulsors, i, m.s[m.own.repulsor + i] === 1, enterField, leaveField, from, false);
   },
-  quiet: (m, i, time) => quietAtRim(m, m.scene.repulsors, i, m.s[m.inside + i] === 1, time),
+  quiet: (m, i, time) => quietAtRim(m, m.scene.repulsors, i, m.s[m.own.repulsor + i] === 1, time),
   fire: (m, i, _b, time) => cross(m, i, true, time),
 });
 
@@ -29,9 +29,9 @@ function cross(m: Motion, i: number, entering: boolean, time: number): number {
   const { s } = m;
   countCrossing(m, time);
   // while she slides on the rim she counts as inside
-  s[m.inside + i] = 1;
+  s[m.own.repulsor + i] = 1;
   if (beginsToSlide(m, i) && !entering) return GOES_ON;
-  s[m.inside + i] = entering ? 1 : 0;
+  s[m.own.repulsor + i] = entering ? 1 : 0;
   s[FIELD] = actingField(m);
   s[LAST_EVENT] = entering ? leaveField.kind : enterField.kind;
   s[LAST_A] = i;
@@ -76,7 +76,7 @@ function comeOff(m: Motion): void {
     r;
   ux[0] += x * wanted - x;
   uy[0] += y * wanted - y;
-  s[m.inside + field] = 0;
+  s[m.own.repulsor + field] = 0;
   s[FIELD] = actingField(m);
   s[RIM] = -1;
   s[LAST_EVENT] = enterField.kind;

@@ -48,7 +48,7 @@ function aim(m: Motion, field: number, outer: number): void {
 
 /** The first field besides this one that contains her; -1 if there is none. */
 function fieldBeside(m: Motion, field: number): number {
-  for (let i = 0; i < m.scene.repulsors.count; i++) if (i !== field && m.s[m.inside + i] === 1) return i;
+  for (let i = 0; i < m.scene.repulsors.count; i++) if (i !== field && m.s[m.own.repulsor + i] === 1) return i;
   return -1;
 }
 

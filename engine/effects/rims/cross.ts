@@ -1,5 +1,5 @@
-import type { Circles } from '../../circles.ts';
 import { justFired, offer, rimTime } from '../../events/index.ts';
+import type { Circles } from '../../indexed-circles.ts';
 import { type EventRule, type Motion, placeCircle, relativeAt } from '../../motion/index.ts';
 import { rimTolerance } from './chatter.ts';
 

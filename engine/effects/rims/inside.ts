@@ -1,4 +1,4 @@
-import type { Circles } from '../../circles.ts';
+import type { Circles } from '../../indexed-circles.ts';
 import { type Motion, SLOTS } from '../../motion/index.ts';
 
 const { BASE_X, BASE_Y } = SLOTS;

@@ -1,12 +1,11 @@
 import { OBJECT_KINDS } from '../../../schema/basics/index.ts';
 import type { KindSkin, Skin } from '../skin.ts';
-import { astronaut, ghost } from './astronaut.ts';
+import { astronaut, ghost, trail } from './astronaut.ts';
 import { background } from './background.ts';
 import { beam } from './beam.ts';
 import { effects } from './effects.ts';
 import { alien, asteroid, mineral } from './kinds.ts';
 import { drawKind } from './pieces.ts';
-import { trail } from './trail.ts';
 
 const inPlace = Object.fromEntries(OBJECT_KINDS.map((kind) => [kind, drawKind(kind)])) as unknown as KindSkin;
 

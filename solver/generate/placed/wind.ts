@@ -11,7 +11,9 @@ const GUST = 24;
 export const wind = {
   kind: 'wind',
   list: 'winds',
+  isUsual: false,
   isSolid: false,
+  turn: 5,
   make({ between, inPlay, isClear, others }) {
     const made = { ...inPlay(), radius: between(0, 1) === 0 ? 64 : 96, ax: between(-GUST, GUST), ay: between(-GUST, GUST) };
     if (distance({ x: made.ax, y: made.ay }, { x: 0, y: 0 }) < BREEZE || !isClear(made)) return null;

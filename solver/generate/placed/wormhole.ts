@@ -7,7 +7,9 @@ const MOUTHS_APART = 160;
 export const wormhole = {
   kind: 'wormhole',
   list: 'wormholes',
+  isUsual: false,
   isSolid: true,
+  turn: 4,
   make({ between, inPlay, isFree }) {
     const radius = between(0, 1) === 0 ? 24 : 32;
     const [mouth, other] = [inPlay(), inPlay()];

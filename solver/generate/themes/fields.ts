@@ -33,11 +33,14 @@ export const fields: Theme = {
       const along = (long * (row + 1)) / (rows + 1) + site.between(0, 60) - 30;
       const middle = short / 2;
       const count = site.between(2, Math.min(4, Math.floor((short - 120) / step)));
-      for (let i = 0; i < count; i++) site.repulsor(place(along, middle + (i - (count - 1) / 2) * step), radius);
+      for (let i = 0; i < count; i++) {
+        site.object('repulsors', { ...snap(place(along, middle + (i - (count - 1) / 2) * step), COARSE), radius });
+      }
     }
-    if (site.layout.repulsors.length < 2) return false;
+    const placed = site.layout.placed.repulsors;
+    if (placed.length < 2) return false;
     // the first two lie on either side of the row, so that her swing leads through a field
-    const field = site.layout.repulsors[site.random.below(site.layout.repulsors.length)];
+    const field = placed[site.random.below(placed.length)];
     const sign = site.random.below(2) === 0 ? 1 : -1;
     const beyond = (away: number, aside: number): Place =>
       isUpright ? { x: field.x + away, y: field.y + aside } : { x: field.x + aside, y: field.y + away };
@@ -67,7 +70,7 @@ export const fields: Theme = {
   },
 
   compose(site) {
-    const { repulsors } = site.layout;
+    const { repulsors } = site.layout.placed;
     const [first] = repulsors;
     const isUpright = repulsors.some(({ x, y }) => x === first.x && y !== first.y);
     const reach = boxOf(rulesOf(site.layout)).halfDiagonal;

@@ -1,5 +1,6 @@
 import { type Disc, type Place, rulesOf } from '../../../schema/basics/index.ts';
 import { distance, fits } from '../layout.ts';
+import { ALIEN } from '../placed/index.ts';
 import { distanceToWays } from '../tube.ts';
 import { corridors } from './corridors.ts';
 import { DIRECTIONS, TURN } from './directions.ts';
@@ -17,8 +18,6 @@ const SPACING = 31;
 // An arc of so many directions is wide enough, a third of a turn; and beads without which it is not a pocket.
 const WIDE = TURN / 3;
 const FEWEST = 3;
-
-const ALIEN = 25;
 
 /** Minerals far from the route, each in a pocket of novae that is open to one side, with sleeping aliens beside them. */
 export const lures: Theme = {
@@ -97,6 +96,6 @@ function guard(site: Site, mineral: Disc): void {
   }
   if (places.length === 0) return;
   const alien = { ...places[site.random.below(places.length)], radius: ALIEN };
-  site.layout = { ...site.layout, aliens: [...site.layout.aliens, alien] };
+  site.object('aliens', alien);
   site.keep(alien);
 }

@@ -2,10 +2,11 @@ import { boxOf } from '../../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../../schema/basics/index.ts';
 import type { Random } from '../../random.ts';
 import type { GeneratorSpec } from '../generator-spec.ts';
-import { distance, emptyLayout, fits, type Layout, NOVA_MARGIN, tryOften } from '../layout.ts';
+import { distance, emptyLayout, fits, type Layout, NOVA_MARGIN, tryOften, withPlaced } from '../layout.ts';
+import type { PlacedList } from '../placed/index.ts';
 import { distanceToWays, type Way } from '../tube.ts';
 
-/** px of the grid on which themes place asteroids and repulsors, and of the finer one for novae that follow no curve. */
+/** px of the grid on which themes place asteroids and fields, and of the finer one for novae that follow no curve. */
 export const COARSE = 8;
 export const FINE = 4;
 
@@ -33,7 +34,7 @@ export class Site {
   readonly free: readonly Way[];
   /** Places that continue the composition, for novae that make the level harder. */
   readonly slots: Disc[] = [];
-  /** Novae and aliens that stay although no game may touch them, because something else needs them to be seen. */
+  /** Objects that stay although no game may touch them, because something else needs them to be seen. */
   readonly kept: Disc[] = [];
 
   constructor(spec: GeneratorSpec, random: Random, layout: Layout = emptyLayout(spec), free: readonly Way[] = []) {
@@ -82,11 +83,9 @@ export class Site {
     return found;
   }
 
-  repulsor(place: Place, radius: number): boolean {
-    const disc = { ...snap(place, COARSE), radius };
-    if (!fits(this.layout, this.spec, disc)) return false;
-    this.layout = { ...this.layout, repulsors: [...this.layout.repulsors, disc] };
-    return true;
+  /** Places an object of a kind, if it fits. */
+  object(list: PlacedList, disc: Disc): void {
+    if (fits(this.layout, this.spec, disc)) this.layout = withPlaced(this.layout, list, { ...disc });
   }
 
   /** Whether a nova fits and leaves all ways open with so much room beyond her box, px. */
@@ -107,7 +106,7 @@ export class Site {
     return disc;
   }
 
-  /** Keeps a nova or an alien, if there is one, even if it turns out to be idle. */
+  /** Keeps an object, if there is one, even if it turns out to be idle. */
   keep(object: Disc | null): void {
     if (object !== null) this.kept.push(object);
   }

@@ -2,9 +2,15 @@ import { appendFileSync, chmodSync, mkdirSync, readFileSync, writeFileSync } fro
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
-import { COMMENT_BYTES, checkMarkdown, markdownWithin } from '../../../cli/reporters/markdown.ts';
-import { markdownBlock, markdownCode, markdownText } from '../../../cli/reporters/markdown-text.ts';
-import { stepSummary } from '../../../cli/reporters/step-summary.ts';
+import {
+  COMMENT_BYTES,
+  checkMarkdown,
+  markdownBlock,
+  markdownCode,
+  markdownText,
+  markdownWithin,
+  stepSummary,
+} from '../../../cli/reporters/markdown.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 

@@ -4,10 +4,8 @@ import { type CheckedLevel, exitCodeFor, isGood, judgeOf, tooManyWarnings, total
 import type { CommandResult } from '../../../command.ts';
 import { type Destination, reportCheck } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict } from '../expect-verdict.ts';
-import type { ReportOptions } from '../kind.ts';
-import { Listed } from '../listed.ts';
-import { levelOf } from './record.ts';
+import { expectVerdict, Listed, type ReportOptions } from '../kind.ts';
+import { levelOf } from './work.ts';
 
 /** What the report of a check depends on besides the results. */
 export interface CheckReporting {

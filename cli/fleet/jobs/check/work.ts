@@ -1,7 +1,6 @@
 import { type CheckedLevel, type CheckSettings, levelChecker, unreadableLevel } from '../../../check/index.ts';
 import type { Entry } from '../../../io/index.ts';
-import type { Work } from '../../job.ts';
-import { recordOf } from './record.ts';
+import type { Json, Work } from '../../job.ts';
 
 /** Checks levels. */
 export async function openCheck(settings: CheckSettings): Promise<Work> {
@@ -21,3 +20,9 @@ export async function openCheck(settings: CheckSettings): Promise<Work> {
     },
   };
 }
+
+/** What is recorded of a checked level: all but its file and the time that it took, which a record has beside it. */
+export const recordOf = ({ file: _, ms: __, ...rest }: CheckedLevel): Json => rest as unknown as Json;
+
+export const levelOf = (file: string, ms: number, result: Json): CheckedLevel =>
+  ({ file, ...result, ms }) as unknown as CheckedLevel;

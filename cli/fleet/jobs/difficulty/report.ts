@@ -5,11 +5,8 @@ import { difficultyPretty, type MeasuredLevel, measuredJson } from '../../../dif
 import { jsonWithLevels } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict } from '../expect-verdict.ts';
-import type { ReportOptions } from '../kind.ts';
-import { Listed, unlistedInWords } from '../listed.ts';
-import { plainReport } from '../plain-report.ts';
-import { levelOf } from './record.ts';
+import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
+import { levelOf } from './work.ts';
 
 /** The reports of `gq difficulty` on a set: the easiest first, or of a large one, how many levels have which grade. */
 export function reportMeasured(

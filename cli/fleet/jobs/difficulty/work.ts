@@ -1,6 +1,5 @@
-import { type MeasureSettings, measureAgain, measureContent, unreadable } from '../../../difficulty/index.ts';
-import type { Work } from '../../job.ts';
-import { levelOf, recordOf } from './record.ts';
+import { type MeasuredLevel, type MeasureSettings, measureAgain, measureContent, unreadable } from '../../../difficulty/index.ts';
+import type { Json, Work } from '../../job.ts';
 
 /** Measures how hard levels are. */
 export const openDifficulty = (settings: MeasureSettings): Work => ({
@@ -14,3 +13,8 @@ export const openDifficulty = (settings: MeasureSettings): Work => ({
     return JSON.stringify(recordOf(again)) === JSON.stringify(result) ? null : 'measured, but not as recorded';
   },
 });
+
+/** What is recorded of a measured level: all but its file, which a record has beside it. */
+const recordOf = ({ file: _, ...rest }: MeasuredLevel): Json => rest as unknown as Json;
+
+export const levelOf = (file: string, result: Json): MeasuredLevel => ({ file, ...result }) as unknown as MeasuredLevel;

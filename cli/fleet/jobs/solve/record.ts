@@ -1,6 +1,6 @@
 import type { SolveReport, SolveSetReport } from '../../../../schema/index.ts';
-import type { Limits } from '../../../search-options.ts';
-import type { ShownProblem } from '../../../shown-problem.ts';
+import type { Limits } from '../../../options/index.ts';
+import type { ShownProblem } from '../../../report-parts/index.ts';
 import type { AskedRuns } from '../../../solve/index.ts';
 
 /** How each level of a set is solved. */

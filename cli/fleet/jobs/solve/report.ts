@@ -5,10 +5,7 @@ import { type Colors, visibleLine } from '../../../io/index.ts';
 import { alignColumns, jsonWithLevels, percent, problemJson, showFileProblems } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict } from '../expect-verdict.ts';
-import type { ReportOptions } from '../kind.ts';
-import { Listed, unlistedInWords } from '../listed.ts';
-import { plainReport } from '../plain-report.ts';
+import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
 import type { SolveRecord, SolveVerdict } from './record.ts';
 
 interface SolvedLevel extends SolveRecord {

@@ -1,7 +1,7 @@
 import { plural } from '../../../../check/words/index.ts';
 import { type Level, readLevel, type SolveReport } from '../../../../schema/index.ts';
-import { showProblems } from '../../../code-frames.ts';
 import { type Entry, nameOfFile } from '../../../io/index.ts';
+import { showProblems } from '../../../report-parts/index.ts';
 import { replayRuns, settingsFor, solveHere, solveReport } from '../../../solve/index.ts';
 import type { Json, Work } from '../../job.ts';
 import { type SolveJobSettings, type SolveRecord, type SolveVerdict, untried } from './record.ts';

@@ -4,11 +4,8 @@ import { visibleLine } from '../../../io/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
 import { countsPretty, playPretty } from '../../../verify/index.ts';
 import type { ShardRecord } from '../../job.ts';
-import { expectVerdict } from '../expect-verdict.ts';
-import type { ReportOptions } from '../kind.ts';
-import { Listed, unlistedInWords } from '../listed.ts';
-import { plainReport } from '../plain-report.ts';
-import type { VerifyRecord } from './record.ts';
+import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
+import type { VerifyRecord } from './work.ts';
 
 /** Plays without a verdict that are named. */
 const MOST_NAMED = 20;

@@ -1,7 +1,7 @@
+import type { VerifyReport } from '../../../../schema/index.ts';
 import type { Entry } from '../../../io/index.ts';
 import { deskSettings, itemOf, PlayDesk, type PlayJobSettings, startThreads } from '../../../verify/index.ts';
 import type { Json, Work } from '../../job.ts';
-import type { VerifyRecord } from './record.ts';
 
 /** Verifies plays. */
 export function openVerify(settings: PlayJobSettings): Work {
@@ -21,4 +21,12 @@ export function openVerify(settings: PlayJobSettings): Work {
       return report === null ? why! : report.verdict === 'ok' ? 'ok, but not as recorded' : report.verdict;
     },
   };
+}
+
+/** What has become of a play. */
+export interface VerifyRecord {
+  /** null: it could not be verified. */
+  readonly report: VerifyReport | null;
+  /** Why it could not; null if it could. */
+  readonly why: string | null;
 }

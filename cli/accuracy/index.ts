@@ -1,2 +1,0 @@
-export { type AccuracyReport, accuracyJson } from './report.ts';
-export { accuracyPretty, brief } from './table.ts';

@@ -1,1 +1,0 @@
-export { diffPage } from './page.ts';

@@ -1,1 +1,0 @@
-export { declare } from './import.ts';

@@ -1,0 +1,167 @@
+import process from 'node:process';
+import type { Command } from 'commander';
+import { playRuns, withinWork } from '../../check/index.ts';
+import { plural, termsReport } from '../../check/words/index.ts';
+import { compile, type Mode, type Scene, type Work, WorkBudget } from '../../engine/index.ts';
+import {
+  type InspectReport,
+  isVariant,
+  KINDS,
+  type Level,
+  LISTED_KINDS,
+  type ListedKind,
+  listOf,
+  type TermsReport,
+} from '../../schema/index.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
+import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
+import { type Colors, colorsFor, visibleLine, widthOf } from '../io/index.ts';
+import { openLevel, warningsOf } from '../levels/index.ts';
+import { addTermsOptions, formatOption, type TermsOptions, termsFrom } from '../options/index.ts';
+import { alignColumns, problemJson, type ShownProblem, showFileProblems } from '../report-parts/index.ts';
+
+interface InspectOptions extends ConfigOptions, TermsOptions {
+  readonly format: 'pretty' | 'json';
+}
+
+export const help: CommandHelp = {
+  description: 'Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.',
+  more: `
+Work and modes are those of the level's first run, as far as --max-work lets it go.
+
+Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
+
+Examples:
+  $ gq inspect levels/01-first-pull.level.json
+  $ gq inspect levels/01-first-pull.level.json --format json | jq .effects.notCalledFor`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  addConfigOptions(addTermsOptions(command))
+    .argument('<level>', 'a level file')
+    .addOption(formatOption('pretty', 'json'))
+    .action(async (file: string, options: InspectOptions) => finish(await inspect(file, options)));
+}
+
+async function inspect(file: string, options: InspectOptions): Promise<CommandResult> {
+  const terms = termsFrom(options, await readConfiguration(options));
+  const opened = openLevel(file, terms);
+  if (!('level' in opened)) return opened;
+  const { level } = opened;
+  const scene = compile(level, terms);
+  const budget = new WorkBudget(terms.maxWork);
+  const runs = playRuns(scene, budget);
+  const played = runs.filter(({ stopped }) => stopped === null);
+  const inspection: Inspection = {
+    file,
+    level: level.name,
+    terms: termsReport(scene),
+    effects: scene.effects,
+    counts: countObjects(level),
+    modes: runs[0]?.modes ?? [],
+    work: runs[0]?.work ?? NO_WORK,
+    problems: withinWork(budget, () => warningsOf(opened, played, terms)) ?? warningsOf(opened, [], terms),
+  };
+  const output =
+    options.format === 'json'
+      ? inspectJson(inspection)
+      : inspectPretty(inspection, colorsFor(process.stdout), widthOf(process.stdout));
+  return { output, exitCode: 0 };
+}
+
+const NO_WORK: Work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
+
+/** The results of `inspect` as JSON. */
+function inspectJson({ level, terms, effects, counts, modes, work, problems }: Inspection): string {
+  const report: InspectReport = {
+    version: 1,
+    level,
+    terms,
+    effects: { simulated: [...effects.simulated], notCalledFor: [...effects.notCalledFor] },
+    counts,
+    modes: [...modes],
+    work,
+    problems: problems.map(problemJson),
+  };
+  return `${JSON.stringify(report)}\n`;
+}
+
+/** The results of `inspect` for people. */
+function inspectPretty(
+  { file, level, effects, counts, modes, work, problems }: Inspection,
+  colors: Colors,
+  width: number | null = null,
+): string {
+  const list = (rows: readonly { readonly name: string; readonly because: string }[]): string =>
+    alignColumns(
+      rows.map(({ name, because }) => [name, because]),
+      { width: width === null ? null : width - 2 },
+    )
+      .map((line) => `${line.replace(/^/gm, '  ')}\n`)
+      .join('');
+  const has = COUNTED.filter(({ key }) => counts[key] > 0).map(({ key, one, many }) => plural(counts[key], one, many));
+  let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'only the black hole' : has.join(', ')}\n`;
+  text += `\n${colors.bold('simulated')}\n${list(effects.simulated)}`;
+  if (effects.notCalledFor.length > 0) text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor)}`;
+  if (work.pieces > 0) {
+    const { pieces, forceEvaluations, guards, roots } = work;
+    text += `\nthe first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
+    const spent = modes.map(({ name, share }) => `${(100 * share).toFixed(1)} % ${name}`);
+    text += `time by kind of motion: ${spent.join(', ')}\n`;
+  }
+  if (problems.length > 0) text += `\n${showFileProblems(file, problems, colors)}`;
+  return text;
+}
+
+/** The results of `gq inspect` for a level. */
+interface Inspection {
+  readonly file: string;
+  /** The name of the level. */
+  readonly level: string;
+  /** Under which terms all this holds. */
+  readonly terms: TermsReport;
+  readonly effects: Scene['effects'];
+  readonly counts: Readonly<Record<string, number>>;
+  /** How the time of the first run is spent; empty without a run. */
+  readonly modes: readonly Mode[];
+  /** The cost of the first run. */
+  readonly work: Work;
+  readonly problems: readonly ShownProblem[];
+}
+
+interface Counted {
+  readonly key: string;
+  readonly one: string;
+  readonly many: string;
+  count(level: Level): number;
+}
+
+/** Makes a key of words: `hot asteroids` becomes `hotAsteroids`. */
+const keyOf = (words: string): string => words.replace(/ (.)/g, (_, letter: string) => letter.toUpperCase());
+
+function countedOf(kind: ListedKind): Counted[] {
+  const { one, many, counted: [countedOne, countedMany] = [one, many], variant } = KINDS[kind];
+  const list = listOf(kind);
+  const countIf = (varied: boolean) => (level: Level) => {
+    const objects: readonly object[] = level[list];
+    return objects.filter((object) => isVariant(kind, object) === varied).length;
+  };
+  const plain = {
+    key: variant === undefined ? list : keyOf(countedMany),
+    one: countedOne,
+    many: countedMany,
+    count: countIf(false),
+  };
+  if (variant === undefined) return [plain];
+  return [plain, { key: keyOf(variant.many), one: variant.one, many: variant.many, count: countIf(true) }];
+}
+
+/** What is counted in a level: the objects of each kind, with variants apart, and the runs. */
+const COUNTED: readonly Counted[] = [
+  ...LISTED_KINDS.flatMap(countedOf),
+  { key: 'runs', one: 'run', many: 'runs', count: (level) => level.runs.length },
+];
+
+/** Counts everything in a level. */
+const countObjects = (level: Level): Record<string, number> =>
+  Object.fromEntries(COUNTED.map(({ key, count }) => [key, count(level)]));
