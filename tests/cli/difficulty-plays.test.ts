@@ -6,6 +6,7 @@ import { inOrderOfPlay } from '../../cli/io/level-names.ts';
 import { encodePlay, playToText } from '../../game/index.ts';
 import { type DifficultyReport, difficultyReportSchema, type Hold, readLevel } from '../../schema/index.ts';
 import { playedBy } from '../check/played.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 function levelOf(text: string) {
@@ -118,7 +119,7 @@ describe('gq difficulty --plays', () => {
     expect(players?.reference).toEqual({ name: 'hold', holds: report.levels[0].measured?.run.holds });
   });
 
-  it('reads the same from lines, with the player that each line names', async () => {
+  itDeep('reads the same from lines, with the player that each line names', async () => {
     const folder = await difficulty('pack/first.level.json', '--plays', 'plays', '--jobs', '1');
     const lines = await difficulty('pack/first.level.json', '--plays', 'lines.ndjson', '--jobs', '1');
     const bare = ({ report }: Reported) => {
@@ -135,13 +136,13 @@ describe('gq difficulty --plays', () => {
     ]);
   });
 
-  it('counts a file once that two paths lead to', async () => {
+  itDeep('counts a file once that two paths lead to', async () => {
     const { report } = await difficulty('pack', '--plays', 'plays', '--plays', 'plays/ann', '--jobs', '1');
     expect(report.plays?.found).toBe(9);
     expect(report.levels.map(({ players }) => players?.attempts)).toEqual([5, 1]);
   });
 
-  it('adds nothing to the report without plays', async () => {
+  itDeep('adds nothing to the report without plays', async () => {
     const { report } = await difficulty('pack', '--jobs', '1');
     expect(Object.keys(report)).toEqual(['version', 'levels']);
     for (const level of report.levels) expect(Object.keys(level)).not.toContain('players');
@@ -166,7 +167,7 @@ describe('gq difficulty --plays', () => {
     expect(stderr).toMatch(/^plays\/ann\/12\.gqr: claim-differs: expected completed at tick 3 /m);
   });
 
-  it('prints a table for several levels, those that players succeed at first', async () => {
+  itDeep('prints a table for several levels, those that players succeed at first', async () => {
     const { stdout } = await gq(['difficulty', 'pack', '--plays', 'plays', '--jobs', '1'], { cwd });
     const rows = [...stdout.matchAll(/^ +(\d) +(\d) +([\d.]+ %) .*(pack\/\w+)/gm)].map(([, ...cells]) => cells);
     expect(rows).toEqual([

@@ -8,6 +8,7 @@ import { STAGES, thin } from '../../editor/core/versions/thinning.ts';
 import { checkOf } from '../../editor/core/versions/version.ts';
 import { movedHeads } from '../../editor/core/versions/version-store.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
+import { itDeep } from '../depth.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 import { FILE, passingVersions } from './stage.ts';
@@ -137,7 +138,7 @@ describe('the history of a level', () => {
     );
   });
 
-  it('is small: three hundred moves in a level of a thousand objects take less than thirty times its text', async () => {
+  itDeep('is small: three hundred moves in a level of a thousand objects take less than thirty times its text', async () => {
     const asteroids = Array.from({ length: 1000 }, (_, i) => ({ id: `a${i}`, x: i, y: 2 * i, radius: 9 }));
     const all = begin({ ...FILE, asteroids });
     const { level, versions } = all;

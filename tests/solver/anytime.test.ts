@@ -105,7 +105,7 @@ describe('a search for a run and for a proof side by side', () => {
     expect(verifyRun(scene, decider.best!.holds, { minerals: 'any' })).not.toBeNull();
   });
 
-  it('spends the effort and no more, all of it on the search where finer sets prove nothing', () => {
+  itDeep('spends the effort and no more, all of it on the search where finer sets prove nothing', () => {
     for (const [of, effort] of [
       [QUIET, 1_500_000],
       [COASTS_NOWHERE, 1_500_000],

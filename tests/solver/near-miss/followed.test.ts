@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
 import type { FanGrid, Flowpipe, PipeGrid } from '../../../solver/index.ts';
+import { itDeep } from '../../depth.ts';
 import {
   type Asked,
   at,
@@ -221,7 +222,7 @@ describe('doomed alone', () => {
     expect(whyNot(turning(75), doomed(60), { covers: FRAMES })).toBe('some runs may continue after 60 steps');
   });
 
-  it('examines no more pieces of boxes than allowed', () => {
+  itDeep('examines no more pieces of boxes than allowed', () => {
     const level = moving(-60, 20, { asteroids: [at(50, 0)] });
     const grid = { axis: [1, 0], cell: 0.25, bin: 0.25, frames: 1 } as const;
     const { layers } = doomedBy(grid, 1)(level);
@@ -293,7 +294,7 @@ describe('flowpipe alone', () => {
     );
   });
 
-  it('follows no more pieces than allowed', () => {
+  itDeep('follows no more pieces than allowed', () => {
     const level = moving(-60, 20, { asteroids: [at(50, 0)] });
     const made = flowpipe(12)(level) as Flowpipe;
     // 316 lines in each direction cut the set into nothing 100,488 times, and into one part that goes on.
