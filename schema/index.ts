@@ -5,42 +5,133 @@ export {
   type Adjustment,
   ALLOWABLE_CODES,
   type AllowableCode,
-} from './adjustable.ts';
-export { closestName } from './closest-name.ts';
-export { codeFrame } from './code-frame.ts';
-export { adjustmentOf, CODES, type CodeExplanation } from './codes.ts';
+  type Allowed,
+  type Appearance,
+  type Asteroid,
+  adjustmentOf,
+  appearanceOf,
+  appearanceOfObject,
+  type Circle,
+  CODES,
+  type CodeExplanation,
+  closestName,
+  DEFAULT_RANGE,
+  DEFAULT_RULES,
+  type Disc,
+  entryName,
+  type Field,
+  type FieldName,
+  type FieldsOf,
+  type FlagField,
+  fieldsOf,
+  type Hold,
+  isRequired,
+  isVariant,
+  KINDS,
+  type Kind,
+  kindOfList,
+  LEVEL_VERSION,
+  type Level,
+  LIMITS,
+  LISTED_KINDS,
+  type ListedKind,
+  type ListOf,
+  listOf,
+  MAX_FILE_SIZE,
+  NO_OBJECTS,
+  type NumberField,
+  nameWhenTouched,
+  OBJECT_KINDS,
+  OBJECT_LISTS,
+  type ObjectKind,
+  type ObjectList,
+  type ObjectOf,
+  type OwnRules,
+  objectName,
+  type Pair,
+  PLACEABLES,
+  type Place,
+  type Placeable,
+  type Problem,
+  placedAs,
+  placesIn,
+  RULE_NAMES,
+  type RuleName,
+  type Rules,
+  type RunNote,
+  rulesOf,
+  type ScriptedRun,
+  SINGLE_KINDS,
+  type SingleKind,
+  touchedName,
+  type ValueOf,
+  type VariantFlag,
+} from './basics/index.ts';
 export {
   ACCURACY_NAMES,
   type ConfigFile,
+  type ConfigReading,
   type ConfiguredSeverity,
   configSchema,
   REPORTER_NAMES,
   type ReporterName,
+  readConfig,
   SEVERITIES,
   type SeverityMap,
-} from './config.ts';
-export { DEFAULT_RULES, type OwnRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './default-rules.ts';
-export { type DiffReport, diffReportSchema } from './diff-report.ts';
+} from './config/index.ts';
 export * from './edit-api.ts';
 export {
   exportOriginal,
+  exportTiled,
   formatOriginal,
+  formatTiled,
+  formatTmx,
+  type ImportedLevel,
+  type ImportReading,
+  type ImportTiledOptions,
+  importOriginal,
+  importTiled,
+  isTiledMap,
   type OriginalExport,
   type OriginalLevel,
+  type TiledLayer,
+  type TiledMap,
+  type TiledObject,
+  type TiledProperty,
   type TitledOriginal,
-} from './export-original.ts';
-export { type FixReport, fixReportSchema } from './fix-report.ts';
-export { enteringFolder, leavingFolder } from './folder-rules.ts';
-export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './forecast-report.ts';
-export { formatLevel } from './format.ts';
-export { withIds } from './ids.ts';
-export { type ImportedLevel, type ImportReading, importOriginal } from './import-original.ts';
+} from './exchange/index.ts';
+export { codeFrame, isSame, type TextPlace } from './json/index.ts';
 export { configJsonSchema, formatConfigJsonSchema, formatLevelJsonSchema, levelJsonSchema } from './json-schema.ts';
-export type { Appearance, Field, FlagField, Kind, NumberField, Pair } from './kind.ts';
-export * from './kinds.ts';
-export * from './level.ts';
-export { formatLevelShape } from './level-shape.ts';
-export { LIMITS } from './limits.ts';
+export {
+  conflictProblems,
+  enteringFolder,
+  type FileConflict,
+  formatLevel,
+  formatLevelShape,
+  formatRunText,
+  type GameRule,
+  type JsonObject,
+  type LevelDocument,
+  type LevelFile,
+  type LevelReading,
+  LINE_BREAK,
+  leavingFolder,
+  type Migration,
+  NOTE_TEXT,
+  notesInOrder,
+  type ReadLevelOptions,
+  type ReadRunTextOptions,
+  RULES,
+  type RunScript,
+  type RunTextPlace,
+  type RunTextReading,
+  type RunTextRemark,
+  readLevel,
+  readRunText,
+  resolveLevel,
+  withIds,
+} from './level/index.ts';
+export { levelSchema, OBJECT_SCHEMAS, rulesSchema } from './level-schema.ts';
 export {
   formatLock,
   formatLockJsonSchema,
@@ -48,15 +139,12 @@ export {
   LOCK_VERSION,
   type Lock,
   type LockEntry,
+  type LockReading,
   lockEntrySchema,
   lockJsonSchema,
   lockSchema,
-} from './lock.ts';
-export { conflictProblems } from './merge-conflicts.ts';
-export type { JsonObject, Migration } from './migrate.ts';
-export { entryName, objectName, touchedName } from './names.ts';
-export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './notes.ts';
-export * from './other-reports.ts';
+  readLock,
+} from './lock/index.ts';
 export {
   formatPack,
   formatPackJsonSchema,
@@ -66,35 +154,68 @@ export {
   PACK_VERSION,
   type PackEntry,
   type PackFile,
+  type PackReading,
   packJsonSchema,
   packSchema,
-} from './pack.ts';
+  readPack,
+} from './pack/index.ts';
 export { type EditorPlace, type PlaceReading, placeFragment, placeIn } from './place-link.ts';
-export type { Problem } from './problem.ts';
-export { type ConfigReading, readConfig } from './read-config.ts';
-export { MAX_FILE_SIZE } from './read-json.ts';
-export { type LevelDocument, type LevelReading, type ReadLevelOptions, readLevel } from './read-level.ts';
-export { type LockReading, readLock } from './read-lock.ts';
-export { type PackReading, readPack } from './read-pack.ts';
-export * from './report.ts';
-export { type TermsReport, termsReportSchema } from './report-parts.ts';
-export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './report-schemas.ts';
-export { resolveLevel } from './resolve.ts';
-export { type GameRule, RULES } from './rules.ts';
-export * from './run-text/index.ts';
-export { isSame } from './same-json.ts';
-export type { TextPlace } from './text-place.ts';
 export {
-  exportTiled,
-  formatTiled,
-  formatTmx,
-  type ImportTiledOptions,
-  importTiled,
-  isTiledMap,
-  type TiledLayer,
-  type TiledMap,
-  type TiledObject,
-  type TiledProperty,
-} from './tiled/index.ts';
-export { type TuneReport, tuneReportSchema } from './tune-report.ts';
-export { type VerifyReport, verifyReportSchema } from './verify-report.ts';
+  type AccuracyReport,
+  accuracyReportSchema,
+  type BuildReport,
+  buildReportSchema,
+  type CheckReport,
+  checkReportSchema,
+  type DifficultyReport,
+  type DiffReport,
+  difficultyReportSchema,
+  diffReportSchema,
+  type ExplainReport,
+  type ExportReport,
+  explainReportSchema,
+  exportReportSchema,
+  type FitReport,
+  type FixReport,
+  type FmtReport,
+  type ForecastReport,
+  fitReportSchema,
+  fixReportSchema,
+  fmtReportSchema,
+  forecastReportSchema,
+  formatReportJsonSchema,
+  type GenerateReport,
+  generateReportSchema,
+  type ImportReport,
+  type InitReport,
+  type InspectReport,
+  importReportSchema,
+  initReportSchema,
+  inspectReportSchema,
+  type LevelReport,
+  REPORT_SCHEMAS,
+  type ReportName,
+  type RobustnessReport,
+  type RunFoundReport,
+  type RunReport,
+  reportJsonSchema,
+  robustnessReportSchema,
+  runReportSchema,
+  type SimulateReport,
+  type SoftlockReport,
+  type SolutionReport,
+  type SolveReport,
+  type SolveSetReport,
+  simulateReportSchema,
+  softlockReportSchema,
+  solveReportSchema,
+  solveSetReportSchema,
+  type TermsReport,
+  type TuneReport,
+  termsReportSchema,
+  tuneReportSchema,
+  VERDICTS,
+  type Verdict,
+  type VerifyReport,
+  verifyReportSchema,
+} from './reports/index.ts';

@@ -1,6 +1,6 @@
 import * as z from 'zod';
-import { configSchema } from './config.ts';
-import { levelSchema } from './level.ts';
+import { configSchema } from './config/index.ts';
+import { levelSchema } from './level-schema.ts';
 
 /**
  * The JSON Schema (draft 2020-12) of a level file, for editors and other tools. Keys that begin with x- are allowed in every

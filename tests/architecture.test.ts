@@ -97,11 +97,11 @@ describe('rules are read from the level', () => {
       'engine/index.ts': 'passes it on',
       'engine/work-precision/tunnelling.ts': 'a scene of its own, not of a level',
       'game/play/level-hash.ts': 'leaves out the rules of a level that are the game’s own',
+      'schema/basics/default-rules.ts': 'defines them',
       'schema/basics/index.ts': 'passes them on',
-      'schema/default-rules.ts': 'defines them',
-      'schema/folder-rules.ts': 'takes the rules of a folder into a level that leaves it',
       'schema/index.ts': 'passes them on',
-      'schema/rules.ts': 'has them in the table of rules',
+      'schema/level/resolve.ts': 'takes the rules of a folder into a level that leaves it',
+      'schema/level/rules.ts': 'has them in the table of rules',
     };
     expect(usersOf(/\bDEFAULT_(RULES|BOX)\b/, rooms)).toEqual(Object.keys(allowed));
   });

@@ -23,7 +23,7 @@ it('the change that CONTRIBUTING.md proposes breaks the stated number of levels'
   const from = /pulls with (\d+) px\/s2, the default of `pull`/.exec(contributing)?.[1];
   const to = /Make it (\d+)\./.exec(contributing)?.[1];
   expect(RULES.pull.default).toBe(Number(from));
-  expect(read('schema/default-rules.ts')).toContain(`pull: ${from},`);
+  expect(read('schema/basics/default-rules.ts')).toContain(`pull: ${from},`);
   const names = readdirSync(join(PROJECT, 'levels')).filter((name) => name.endsWith('.level.json'));
   const broken = names.filter((name) => {
     const level = readLevel(readFileSync(join(PROJECT, 'levels', name)));

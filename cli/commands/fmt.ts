@@ -1,7 +1,8 @@
 import process from 'node:process';
 import type { Command } from 'commander';
 import { plural } from '../../check/words/index.ts';
-import { type FmtReport, formatLevel, formatPack, type Problem, readLevel, readPack, withIds } from '../../schema/index.ts';
+import { type FmtReport, formatLevel, formatPack, type Problem, readPack, withIds } from '../../schema/index.ts';
+import { readContent } from '../../schema/level/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../find/index.ts';
@@ -108,7 +109,7 @@ function canonicalText(file: string, bytes: Uint8Array): Canonical {
     const read = readPack(bytes);
     return read.ok ? { ok: true, text: formatPack(read.pack) } : read;
   }
-  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  const read = readContent(bytes);
   return read.ok ? { ok: true, text: formatLevel(withIds(read.document.file)) } : read;
 }
 

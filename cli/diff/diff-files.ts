@@ -1,4 +1,5 @@
-import { isSame, OBJECT_LISTS, RULE_NAMES, readLevel } from '../../schema/index.ts';
+import { isSame, OBJECT_LISTS, RULE_NAMES } from '../../schema/index.ts';
+import { readContent } from '../../schema/level/index.ts';
 import { runInPool } from '../io/index.ts';
 import type { Comparison, DiffedLevel, DiffSettings, DiffTask, FileVersion, Pair } from './comparison.ts';
 
@@ -63,7 +64,7 @@ const LEAST_SHARE = 0.5;
 
 /** The ids of the objects in a level file; empty for one that is not valid. */
 function idsOf({ bytes }: FileVersion): string[] {
-  const read = readLevel(bytes, { byteOrderMark: 'skip' });
+  const read = readContent(bytes);
   if (!read.ok) return [];
   const { file } = read.document;
   return OBJECT_LISTS.flatMap((list) => (file[list] ?? []).flatMap(({ id }) => (id === undefined ? [] : [id])));

@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import * as z from 'zod';
 import { ENGINE_ID } from '../../game/index.ts';
-import { strictJson } from '../../schema/basics/index.ts';
+import { strictJson } from '../../schema/json/index.ts';
 import { codeFingerprint } from '../cache/index.ts';
 import { Failure, namedPath, readRegularFile, readVersion, systemReason } from '../io/index.ts';
 import { JOBS } from './job.ts';

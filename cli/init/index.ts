@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
-import { strictJson } from '../../schema/basics/index.ts';
 import { formatLevel, readLevel } from '../../schema/index.ts';
+import { strictJson } from '../../schema/json/index.ts';
 import { CONFIG_NAME, configFolders } from '../config/index.ts';
 import { Failure, repositoryOf, statOrError, systemReason, walk } from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';

@@ -1,5 +1,5 @@
 import { closeSync, constants, fstatSync, openSync, readSync } from 'node:fs';
-import { pointerFile } from '../../schema/basics/index.ts';
+import { pointerFile } from '../../schema/json/index.ts';
 import { Failure, namedPath } from './messages.ts';
 
 // non-blocking, as opening a pipe must not wait for its writer. The type is checked after opening, because the path may lead to

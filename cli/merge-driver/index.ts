@@ -11,6 +11,7 @@ import {
   readLevel,
   resolveLevel,
 } from '../../schema/index.ts';
+import { readContent } from '../../schema/level/index.ts';
 import { tryGit } from '../io/index.ts';
 
 /** The outcome of merging two versions of a level file. */
@@ -30,7 +31,7 @@ const why = (name: string, { line, column, message }: Problem): string =>
   `${name} version is not a valid level: ${line === null ? '' : `${line}:${column} `}${message}`;
 
 function read(name: string, bytes: Uint8Array): Version {
-  const reading = readLevel(bytes, { byteOrderMark: 'skip' });
+  const reading = readContent(bytes);
   return reading.ok ? { ok: true, file: reading.document.file } : { ok: false, why: why(name, reading.problems[0]) };
 }
 

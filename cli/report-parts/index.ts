@@ -1,8 +1,8 @@
 import process from 'node:process';
 import { closestInWords, holdsInWords, plural } from '../../check/words/index.ts';
 import { MORE_WARNINGS, TICK } from '../../engine/basics/index.ts';
-import { codeFrame } from '../../schema/basics/index.ts';
 import type { CheckReport, Problem, RobustnessReport } from '../../schema/index.ts';
+import { codeFrame } from '../../schema/json/index.ts';
 import type { Closest, Robustness } from '../../solver/index.ts';
 import { type Colors, colorsFor, Failure, visible, visibleLine } from '../io/index.ts';
 

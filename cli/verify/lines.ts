@@ -1,5 +1,5 @@
 import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
-import { strictJson } from '../../schema/basics/index.ts';
+import { strictJson } from '../../schema/json/index.ts';
 import { entryName, packFormat, shellPath } from '../io/index.ts';
 import type { PlayItem } from './verify-plays.ts';
 

@@ -1,4 +1,5 @@
-import { type LevelFile, type Problem, type ReadResponse, readLevel } from '../../schema/index.ts';
+import type { LevelFile, Problem, ReadResponse } from '../../schema/index.ts';
+import { readContent } from '../../schema/level/index.ts';
 import { settle } from '../document/index.ts';
 
 export type TextReading =
@@ -7,7 +8,7 @@ export type TextReading =
 
 /** Reads a level from a text or the bytes of a file and gives every object an id; or says what is wrong. */
 export function readText(source: string | Uint8Array): TextReading {
-  const reading = readLevel(source, { byteOrderMark: 'skip' });
+  const reading = readContent(source);
   if (!reading.ok) return { ok: false, problems: reading.problems };
   const settled = settle(reading.document.file, null);
   if (settled.ok) return { ok: true, file: settled.file };

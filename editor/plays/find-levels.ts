@@ -15,7 +15,7 @@ async function hashOf(editor: Editor, { id, etag }: LevelEntry): Promise<string 
   const before = hashes.get(key);
   if (before !== undefined) return before;
   const answer = await storage.read(id);
-  const reading = answer.ok ? readLevel(answer.value.text ?? '', { byteOrderMark: 'skip', rules }) : null;
+  const reading = answer.ok ? readLevel(answer.value.text ?? '', { rules }) : null;
   const hash = reading?.ok === true ? levelHash(reading.level) : null;
   if (answer.ok) hashes.set(key, hash);
   return hash;

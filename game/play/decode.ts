@@ -1,5 +1,5 @@
 import { bytesToHex } from '@noble/hashes/utils.js';
-import { pointerFile } from '../../schema/basics/index.ts';
+import { pointerFile } from '../../schema/json/index.ts';
 import { holdsOf } from '../player/index.ts';
 import {
   ACCURACY_CODES,

@@ -1,14 +1,19 @@
-// What engine, game, options and reports need of the schema. The schema itself loads zod, which takes as long as starting node
-// and is larger than the engine.
-export { closestName } from '../closest-name.ts';
-export { codeFrame } from '../code-frame.ts';
-export { DEFAULT_RULES, type OwnRules, ownRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from '../default-rules.ts';
-export * from '../kinds.ts';
-export * from '../level-types.ts';
-export { LIMITS } from '../limits.ts';
-export { entryName, objectName, touchedName } from '../names.ts';
-export { objectsIn } from '../objects-in.ts';
-export { pointerFile } from '../pointer-file.ts';
-export { MAX_FILE_SIZE } from '../read-json.ts';
-export { strictJson } from '../strict-json.ts';
-export { LONGEST_RUN, MOST_WORK } from '../terms-limits.ts';
+// What levels are made of, with limits and words; engine, game, options and reports need no more of the schema. The schema itself
+// loads zod, which takes as long as starting node and is larger than the engine.
+
+export {
+  ADJUSTABLE_CODES,
+  ADJUSTMENTS,
+  type AdjustableCode,
+  type Adjustment,
+  ALLOWABLE_CODES,
+  type AllowableCode,
+} from './adjustable.ts';
+export { adjustmentOf, allCodes, CODES, type CodeExplanation } from './codes.ts';
+export { DEFAULT_RULES, type OwnRules, ownRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './default-rules.ts';
+export * from './kinds.ts';
+export * from './level-types.ts';
+export { DEFAULT_RANGE, LEVEL_VERSION, LIMITS, LONGEST_RUN, MAX_FILE_SIZE, MOST_WORK, SHORTEST_RUN } from './limits.ts';
+export { entryName, objectName, touchedName, toWords } from './names.ts';
+export { type Finding, fromPointer, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from './problem.ts';
+export { closestName, formatValue, quote } from './words.ts';

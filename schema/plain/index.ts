@@ -1,21 +1,21 @@
 // Reading levels in a game. It is the reader of the schema without what explains every mistake to the author of a level: the same
 // scan, shape, contradictions and defaults, and a few words. So the two can't differ in what is valid.
-import { contradictionsIn } from '../contradictions.ts';
-import type { OwnRules } from '../default-rules.ts';
-import { type Fault, findFaults, fitsLevel } from '../faults.ts';
-import type { LevelFile } from '../level.ts';
-import { LEVEL_VERSION } from '../level-constants.ts';
-import { LEVEL_SHAPE } from '../level-shape.ts';
-import type { Level } from '../level-types.ts';
-import { MERGE_MARKER } from '../merge-markers.ts';
-import { type JsonObject, MIGRATIONS, migrate, readVersion } from '../migrate.ts';
-import { LFS } from '../pointer-file.ts';
-import { type Path, toPointer } from '../problem.ts';
-import { MAX_FILE_SIZE } from '../read-json.ts';
-import { resolveLevel } from '../resolve.ts';
-import { type Mistake, scanJson } from '../scan-json.ts';
-import { createPlaceFinder } from '../text-place.ts';
-import { decodeUtf8 } from '../utf8.ts';
+
+import { LEVEL_VERSION, type Level, MAX_FILE_SIZE, type OwnRules, type Path, toPointer } from '../basics/index.ts';
+import { createPlaceFinder, decodeUtf8, LFS, MERGE_MARKER, type Mistake, scanJson } from '../json/index.ts';
+import {
+  contradictionsIn,
+  type Fault,
+  findFaults,
+  fitsLevel,
+  type JsonObject,
+  LEVEL_SHAPE,
+  type LevelFile,
+  MIGRATIONS,
+  migrate,
+  readVersion,
+  resolveLevel,
+} from '../level/index.ts';
 
 /** The outcome of {@link readPlainLevel}: the level, or what is wrong with its file. */
 export type PlainLevelReading =

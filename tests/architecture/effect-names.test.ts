@@ -34,7 +34,7 @@ const mayName = (kind: string): string[] => [
   `phaser/drawing/${kind}.ts`,
   `picture/kinds/${kind}.ts`,
   'picture/kinds/index.ts',
-  'schema/kinds.ts',
+  'schema/basics/kinds.ts',
   'schema/level.schema.json',
   'solver/generate/placed/index.ts',
   `solver/generate/placed/${kind}.ts`,

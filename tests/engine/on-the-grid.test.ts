@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { expectDeep } from '../depth.ts';
 import { plainLevel } from './plain-level.ts';
 
 // In levels on a grid, events happen at ticks, and guards are 0 except for rounding.
@@ -67,6 +68,6 @@ it.each(['fast', 'standard', 'precise', 'arcade'] as const)(
       }),
       { numRuns: 40 },
     );
-    if (accuracy !== 'arcade') expect(crossings).toBeGreaterThan(20);
+    if (accuracy !== 'arcade') expectDeep(crossings).toBeGreaterThan(20);
   },
 );

@@ -244,6 +244,6 @@ describe.each(accuracyNames)('scenes with winds and wormholes at %s', (accuracy)
       for (const value of Object.values(run.final)) expect(Number.isFinite(value)).toBe(true);
       if (run.stopped === null) expect(play().hash).toBe(run.hash);
     }
-    expect(effects).toBeGreaterThan(6);
+    expectDeep(effects).toBeGreaterThan(6);
   });
 });

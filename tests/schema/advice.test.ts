@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { quote } from '../../schema/format-value.ts';
+import { quote } from '../../schema/basics/words.ts';
 import { OBJECT_LISTS, readLevel } from '../../schema/index.ts';
-import { explainMistake } from '../../schema/json-failures.ts';
-import { scanJson } from '../../schema/scan-json.ts';
+import { explainMistake } from '../../schema/json/mistakes.ts';
+import { scanJson } from '../../schema/json/scan.ts';
 
 // The hint for each problem, and its place.
 

@@ -1,10 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { createLocator } from '../../schema/locate.ts';
-import { fromPointer, toPointer } from '../../schema/problem.ts';
-import { scanJson } from '../../schema/scan-json.ts';
-import { createPlaceFinder } from '../../schema/text-place.ts';
-import { decodeUtf8 } from '../../schema/utf8.ts';
+import { fromPointer, toPointer } from '../../schema/basics/problem.ts';
+import { createLocator, createPlaceFinder } from '../../schema/json/locate.ts';
+import { scanJson } from '../../schema/json/scan.ts';
+import { decodeUtf8 } from '../../schema/json/utf8.ts';
 import { expectDeep } from '../depth.ts';
 
 /** Almost valid JSON: valid texts with some characters removed, inserted or replaced. */

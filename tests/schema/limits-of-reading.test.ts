@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { toWords } from '../../schema/basics/names.ts';
 import { importOriginal, type Problem, readLevel } from '../../schema/index.ts';
-import { toWords } from '../../schema/names.ts';
 
 const small = (rest: string) => `{"version":1,"name":"a","astronaut":{"x":1,"y":2},"blackHole":{"x":1,"y":3}${rest}}`;
 const problemsOf = (source: string | Uint8Array): Problem[] => {

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { createLocator } from '../../schema/locate.ts';
+import { createLocator } from '../../schema/json/locate.ts';
 
 test('a string ends at the first unescaped quote, however many backslashes there are', () => {
   // strings of quotes, backslashes and brackets before the located value, as keys and as values

@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { closestName, editDistance } from '../../schema/closest-name.ts';
-import { quote } from '../../schema/format-value.ts';
+import { closestName, editDistance, quote } from '../../schema/basics/words.ts';
 import { codeFrame, levelSchema } from '../../schema/index.ts';
 
 /** The distance by definition, without a limit. */

@@ -1,7 +1,6 @@
 import { Ajv2020 } from 'ajv/dist/2020.js';
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { withoutExtensions } from '../../schema/extensions.ts';
 import {
   formatPack,
   formatPackJsonSchema,
@@ -12,6 +11,7 @@ import {
   packSchema,
   readPack,
 } from '../../schema/index.ts';
+import { withoutExtensions } from '../../schema/json/values.ts';
 import { apply, edit } from './edits.ts';
 
 const id = fc.oneof(

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createSearch, type Proof, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
-import { isDeep } from '../depth.ts';
+import { isDeep, itDeep } from '../depth.ts';
 import { ALSO, at, LEVELS, level } from './impossible-levels.ts';
 
 const proofOf = (name: string): Proof => {
@@ -92,7 +92,10 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
 
   it('passes as it is', () => expect(verifyProof(LEVELS[code], proof)).toEqual({ ok: true }));
 
-  it('any change to the proof is rejected, or its claim is still true', () => {
+  // whether a changed claim is true takes a second for orbits
+  const test = code === 'orbits' ? itDeep : it;
+
+  test('any change to the proof is rejected, or its claim is still true', () => {
     const places = ways(proof as unknown as Json).filter(([first]) => first !== 'reason');
     let rejected = 0;
     const tamper = (way: (string | number)[], change: (old: Json) => Json | undefined) => {
@@ -109,7 +112,7 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
     expect(rejected).toBeGreaterThan(isDeep ? 15 : 5);
   });
 
-  it('any change to the level is rejected, or the proof still holds', () => {
+  test('any change to the level is rejected, or the proof still holds', () => {
     const numbers = ways(LEVELS[code] as unknown as Json).filter((way) => /^(x|y|vx|vy|radius|range)$/.test(String(way.at(-1))));
     fc.assert(
       fc.property(fc.nat(numbers.length - 1), fc.integer({ min: -300, max: 300 }), (which, by) => {

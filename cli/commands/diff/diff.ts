@@ -5,6 +5,7 @@ import { type Command, Option } from 'commander';
 import { plural } from '../../../check/words/index.ts';
 import { levelInLines } from '../../../review/index.ts';
 import { type DiffReport, readLevel } from '../../../schema/index.ts';
+import { readContent } from '../../../schema/level/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { findConfig } from '../../config/index.ts';
 import {
@@ -179,7 +180,7 @@ function textOfLevel(bytes: Uint8Array): string {
   const [{ message, line, column }] = read.problems;
   const place = line === null ? '' : `${line}:${column ?? 1}: `;
   // with a mark before it, a level is still one to look at
-  const marked = readLevel(bytes, { byteOrderMark: 'skip' });
+  const marked = readContent(bytes);
   const content = marked.ok ? levelInLines(marked.document.file) : new TextDecoder().decode(bytes);
   return `not a valid level: ${place}${message}\n${content}`;
 }

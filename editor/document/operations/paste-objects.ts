@@ -1,5 +1,5 @@
-import { strictJson } from '../../../schema/basics/index.ts';
 import { kindOfList, LEVEL_VERSION, OBJECT_LISTS, readLevel, SINGLE_KINDS } from '../../../schema/index.ts';
+import { strictJson } from '../../../schema/json/index.ts';
 import type { Recipe } from '../edited-level.ts';
 import { fileBefore, type PlacedObject, plainList } from '../objects.ts';
 import { placesOf, shifted } from '../places.ts';

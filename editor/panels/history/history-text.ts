@@ -1,5 +1,5 @@
-import { strictJson } from '../../../schema/basics/index.ts';
 import { formatLevel } from '../../../schema/index.ts';
+import { strictJson } from '../../../schema/json/index.ts';
 import { readText } from '../../files/index.ts';
 import { type PastVersion, VERSION_MAKERS, type VersionBy } from '../../versions/index.ts';
 

@@ -1,5 +1,6 @@
 import { addLevels as listLevels, removeLevels as unlistLevels } from '../../../check/pack/index.ts';
-import { formatLevel, type LevelEntry, type LevelFile, levelsOfPack, readLevel } from '../../../schema/index.ts';
+import { formatLevel, type LevelEntry, type LevelFile, levelsOfPack } from '../../../schema/index.ts';
+import { readContent } from '../../../schema/level/index.ts';
 import type { Editor } from '../../context/index.ts';
 import { folderOf, folderPackIn, idsIn } from '../../files/index.ts';
 import { loadSamples } from '../../templates/index.ts';
@@ -319,7 +320,7 @@ export async function renameTitle(editor: Editor, { id }: LevelEntry, name: stri
     tellError(editor, answer.error);
     return false;
   }
-  const reading = readLevel(answer.value.text ?? '', { byteOrderMark: 'skip' });
+  const reading = readContent(answer.value.text ?? '');
   if (!reading.ok) return false;
   const text = formatLevel({ ...reading.document.file, name });
   const written = await storage.write(id, text, answer.value.etag);
