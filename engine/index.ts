@@ -21,8 +21,19 @@ export type { Circles, IndexedCircles, SpatialIndex } from './indexed-circles.ts
 export type { Aliens, ChosenEffect, EffectChoice, Scene } from './scene.ts';
 export { joinHolds, playScript } from './script.ts';
 export { createSimulation, type Run, type SimulateOptions, type State, simulate } from './simulate.ts';
-export * from './simulation.ts';
-export { isJump, type Trajectory } from './simulation.ts';
+export {
+  type BodyKind,
+  type Ending,
+  isJump,
+  type Mode,
+  type Outcome,
+  type RunEvent,
+  type Simulation,
+  STATE_SIZE,
+  type Touched,
+  type Trajectory,
+  type Work,
+} from './simulation.ts';
 export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf, unusualTerms } from './terms.ts';
 export {
   findWarnings,

@@ -102,7 +102,7 @@ type BareSchemaOf<S> = S extends { readonly only: infer V extends z.core.util.Li
               : S extends { readonly keys: infer K }
                 ? z.ZodObject<{ -readonly [key in keyof K]: SchemaOf<K[key]> }, z.core.$strict>
                 : z.ZodUnknown;
-type Type<S> = S & z.core.$ZodType;
+type Type<S> = S extends z.core.$ZodType ? S : never;
 type SchemaOf<S> = Type<S extends { readonly optional: true } ? z.ZodOptional<Type<BareSchemaOf<S>>> : BareSchemaOf<S>>;
 
 type ObjectSchemas = { [K in SingleKind]: ObjectSchema<K> } & {
