@@ -26,19 +26,19 @@ const LIMITS = [
       export const createPlayer = composePlayer();`,
     most: 44_000,
   },
-  // 51.4 and 50.3 kB
+  // 52.1 and 51.0 kB
   {
     what: '`readLevel` and a player of every part that the shipped levels call for',
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 52_000,
+    most: 52_400,
   },
-  // 67.6 and 65.9 kB
+  // 68.0 and 66.4 kB
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 68_000,
+    most: 68_400,
   },
 ];
 
