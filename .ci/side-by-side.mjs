@@ -6,8 +6,8 @@ import { setTimeout } from 'node:timers/promises';
 
 // node .ci/side-by-side.mjs AT_ONCE < STEPS
 // Runs steps, one a line, `name: command of bash`, at most so many at once, in their order. What a step prints is kept and
-// printed whole when it ends. The first step that fails ends the others, is printed last, and decides the exit code. So does a
-// signal, which ends all.
+// printed whole when it ends. When a step fails, the others go on, as they may tell more; what failed is printed last, and the
+// first failure decides the exit code. A signal ends all.
 
 /** ms that a step has to end by itself, as browsers must to leave nothing behind */
 const PATIENCE = 10_000;
@@ -28,7 +28,9 @@ if (!(atOnce >= 1) || waiting.length === 0) throw new Error('expected a number o
 
 /** The steps that run, by their process. */
 const running = new Map();
-/** Name of the step or of the signal that ended all others. */
+/** Names of the steps that failed. */
+const failed = [];
+/** Name of the signal that ended all. */
 let reason = null;
 let exitCode = 0;
 
@@ -50,17 +52,17 @@ async function end(child) {
   send('SIGKILL');
 }
 
-function endAll(why, code) {
+function endAll(signal) {
   if (reason !== null) return;
-  reason = why;
-  exitCode = code;
+  reason = signal;
+  exitCode = 128 + constants.signals[signal];
   waiting.length = 0;
   for (const child of running.keys()) void end(child);
 }
 
-for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => endAll(signal, 128 + constants.signals[signal]));
+for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, endAll);
 
-/** Runs a step to its end. @returns what to print last, if it is the one that failed */
+/** Runs a step to its end. @returns what to print last, if it failed */
 function run({ name, command }) {
   return new Promise((resolve) => {
     const began = performance.now();
@@ -78,7 +80,8 @@ function run({ name, command }) {
       if (reason !== null) show(name, `ended after ${took}, because of ${reason}`, output);
       else if (code === 0) show(name, `passed in ${took}`, output);
       else {
-        endAll(name, code ?? 128 + constants.signals[signal]);
+        failed.push(name);
+        exitCode ||= code ?? 128 + constants.signals[signal];
         resolve(() => show(name, `FAILED after ${took} with ${code ?? signal}`, output));
         return;
       }
@@ -94,5 +97,6 @@ const lane = async () => {
 };
 await Promise.all(Array.from({ length: atOnce }, lane));
 for (const print of last) print?.();
-console.log(`\n${reason === null ? 'all passed' : `ended by ${reason}`} in ${seconds(began)}`);
+const how = failed.length === 0 ? 'all passed' : `failed: ${failed.join(', ')}`;
+console.log(`\n${reason === null ? how : `ended by ${reason}`} in ${seconds(began)}`);
 process.exitCode = exitCode;

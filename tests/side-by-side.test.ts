@@ -52,26 +52,25 @@ it('runs no more at once than it is told', async () => {
   expect(await steps(1, [`a: ${step}`, `b: ${step}`, `c: ${step}`])).toMatchObject({ code: 0 });
 });
 
-it('ends the others when one fails, prints that one last, begins no other, and fails as it does', async () => {
-  const long = 'sleep 600 & echo $! > process; touch began; echo so far; wait';
-  const bad = 'until [ -e began ]; do sleep 0.01; done; echo why; exit 3';
-  const ended = await steps(2, [`long: ${long}`, `bad: ${bad}`, 'never: touch never']);
+it('goes on with the others when one fails, prints what failed last, and fails as the first did', async () => {
+  const long = 'until [ -e failed ]; do sleep 0.01; done; echo so far';
+  const ended = await steps(1, ['bad: echo why; touch failed; exit 3', `long: ${long}`, 'worse: echo no; exit 4']);
   expect(ended).toEqual({
     code: 3,
-    stdout: '\n== long: ended after N s, because of bad\nso far\n\n== bad: FAILED after N s with 3\nwhy\n\nended by bad in N s\n',
+    stdout:
+      '\n== long: passed in N s\nso far\n\n== bad: FAILED after N s with 3\nwhy\n\n== worse: FAILED after N s with 4\nno\n\nfailed: bad, worse in N s\n',
   });
-  expect(has('never')).toBe(false);
-  // with what it had started
-  await until(() => !isAlive(Number(readFileSync(join(folder, 'process'), 'utf8'))));
 });
 
-it('ends all steps and itself when it gets a signal', async () => {
-  const ended = await steps(2, ['one: touch began; sleep 600', 'two: sleep 600', 'three: touch never'], async (send) => {
+it('ends all steps with what they started, and itself, when it gets a signal', async () => {
+  const long = 'sleep 600 & echo $! > process; touch began; wait';
+  const ended = await steps(2, [`one: ${long}`, 'two: sleep 600', 'three: touch never'], async (send) => {
     await until(() => has('began'));
     send('SIGTERM');
   });
   expect(ended).toMatchObject({ code: 143, stdout: expect.stringContaining('== two: ended after N s, because of SIGTERM') });
   expect(has('never')).toBe(false);
+  await until(() => !isAlive(Number(readFileSync(join(folder, 'process'), 'utf8'))));
 });
 
 it('refuses what is no step, and no steps', async () => {
