@@ -101,6 +101,23 @@ describe('the history of a level', () => {
     expect((await listed(all)).at(-1)).toMatchObject({ number: 3, by: 'other', labels: ['More'] });
   });
 
+  it('takes in thousands of versions at once, each bit for bit, and knows them the second time', async () => {
+    const all = begin();
+    const text = (x: number) => formatLevel({ ...FILE, blackHole: { ...FILE.blackHole, x } });
+    const past = Array.from({ length: 2000 }, (_, i) => ({
+      ...{ time: START - 50 * 60_000 + i * 1000, by: 'page' as const, labels: [`Step ${i}`], more: 0, changes: '' },
+      ...{ name: i === 100 ? 'Kept' : null, text: text(905 + i) },
+    }));
+    all.versions.note(all.level.file(), 'found');
+    expect(await listed(all)).toHaveLength(1);
+    expect(await all.versions.import(past)).toBe(2000);
+    const found = await listed(all);
+    expect(found).toHaveLength(2001);
+    expect(found[100].name).toBe('Kept');
+    for (const i of [0, 1, 100, 999, 1999]) expect(await all.versions.text(found[i])).toBe(past[i].text);
+    expect(await all.versions.import(past)).toBe(0);
+  });
+
   it('restores every version bit for bit after any edits, undo and redo', async () => {
     await fc.assert(
       fc.asyncProperty(
