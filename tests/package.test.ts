@@ -1,5 +1,5 @@
 import { execFileSync, spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, relative, sep } from 'node:path';
 import process from 'node:process';
@@ -86,12 +86,19 @@ describe('the package of the engine alone', () => {
 
 describe('what an old build has left', () => {
   it('is removed before the package is packed, and no other module', () => {
-    const words = join(root, 'dist/check/words');
-    const exist = (name: string) => ['.js', '.js.map', '.d.ts'].map((end) => existsSync(join(words, `${name}${end}`)));
-    for (const end of ['.js', '.js.map', '.d.ts']) writeFileSync(join(words, `gone${end}`), '');
-    execFileSync(process.execPath, ['.ci/remove-stale.mjs'], { cwd: root });
+    // in a project of its own: others may be packing this one
+    const project = mkdtempSync(join(tmpdir(), 'gq-stale-'));
+    const words = join(project, 'dist/check/words');
+    mkdirSync(words, { recursive: true });
+    mkdirSync(join(project, 'check/words'), { recursive: true });
+    writeFileSync(join(project, 'check/words/figures.ts'), '');
+    const ends = ['.js', '.js.map', '.d.ts'];
+    for (const name of ['figures', 'gone']) for (const end of ends) writeFileSync(join(words, `${name}${end}`), '');
+    execFileSync(process.execPath, ['.ci/remove-stale.mjs', project], { cwd: root });
+    const exist = (name: string) => ends.map((end) => existsSync(join(words, `${name}${end}`)));
     expect(exist('gone')).toEqual([false, false, false]);
     expect(exist('figures')).toEqual([true, true, true]);
+    rmSync(project, { recursive: true });
   });
 });
 
