@@ -11,15 +11,15 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-  files: { goal: 1150, now: 1870 },
+  files: { goal: 1150, now: 1562 },
   /** their lines */
-  lines: { goal: 121_000, now: 132_500 },
+  lines: { goal: 121_000, now: 132_000 },
   /** lines of a file in the median, at least */
-  median: { goal: 80, now: 52 },
+  median: { goal: 80, now: 64 },
   /** % of files under 30 lines */
-  short: { goal: 20, now: 30 },
+  short: { goal: 20, now: 24 },
   /** faces that forward one file */
-  faces: { goal: 0, now: 55 },
+  faces: { goal: 0, now: 12 },
   /** lines of bench/ */
   bench: { goal: 9500, now: 9300 },
 } as const;
