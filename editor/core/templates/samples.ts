@@ -7,7 +7,7 @@ export interface Sample {
   readonly file: LevelFile;
 }
 
-const TEXTS = import.meta.glob<string>('../../levels/*.level.json', { query: '?raw', import: 'default', eager: true });
+const TEXTS = import.meta.glob<string>('../../../levels/*.level.json', { query: '?raw', import: 'default', eager: true });
 
 /** The shipped levels, in the order of play. */
 export const SAMPLES: readonly Sample[] = Object.entries(TEXTS)
