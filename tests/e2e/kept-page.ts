@@ -160,14 +160,9 @@ export async function keepPage(context: BrowserContext, page: Page, folder: stri
       await page.getByRole('heading', { level: 1 }).filter({ hasNotText: 'Between' }).waitFor();
       remove((name) => name === `${ID}.level.json`);
       await isListed(page, names.length);
-      // Tab goes on from where the focus was last: as in a new page, from its beginning
-      await page.evaluate(() => {
-        const { body } = document;
-        body.tabIndex = -1;
-        body.focus();
-        body.blur();
-        body.removeAttribute('tabindex');
-      });
+      // not in the list, which has keys of its own
+      await page.getByRole('application', { name: 'Level canvas' }).focus();
+      await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
       await page.mouse.move(0, 0);
     },
     clear: () => inTime(clear()),
