@@ -1,17 +1,8 @@
 import process from 'node:process';
 import { Command, CommanderError } from 'commander';
-import type { CommandResult } from './command.ts';
+import type { CommandResult, ResultFile } from './command.ts';
 import { COMMANDS } from './commands/index.ts';
-import {
-  beginSignals,
-  Failure,
-  leaveSignals,
-  printAll,
-  readVersion,
-  takeNotices,
-  visible,
-  writeResultFiles,
-} from './io/index.ts';
+import { beginSignals, Failure, leaveSignals, printAll, readVersion, takeNotices, visible } from './terminal/index.ts';
 
 /**
  * Runs one command: parse, work, report.
@@ -23,7 +14,7 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
   const streams = watchStreams();
   try {
     const result = await perform(args);
-    const { messages, failed } = await writeResultFiles(result.files ?? []);
+    const { messages, failed } = await writeFiles(result.files ?? []);
     // from here on a signal ends the process even while a write waits for its reader
     if (result.end === undefined) await leaveSignals();
     const said = takeNotices() + (result.messages ?? '');
@@ -35,6 +26,13 @@ export async function runCommandLine(args: readonly string[]): Promise<number> {
     await leaveSignals();
     return reportError(error);
   }
+}
+
+async function writeFiles(files: readonly ResultFile[]): Promise<{ messages: string[]; failed: boolean }> {
+  if (files.length === 0) return { messages: [], failed: false };
+  // help and most reports do without what reads and writes files
+  const { writeResultFiles } = await import('./io/index.ts');
+  return writeResultFiles(files);
 }
 
 async function writeOutput({ output, end }: CommandResult): Promise<void> {

@@ -15,19 +15,11 @@ import {
 } from '../check/index.ts';
 import type { Configuration } from '../config/index.ts';
 import { type FoundFiles, findConfigured, pathsOr } from '../find/index.ts';
-import {
-  Failure,
-  type FoundPack,
-  levelIdOf,
-  NotAFile,
-  readRegularFile,
-  type StoppingSignal,
-  sortedByPlay,
-  statOrError,
-} from '../io/index.ts';
+import { type FoundPack, levelIdOf, NotAFile, readRegularFile, sortedByPlay, statOrError } from '../io/index.ts';
 import { type CheckedPack, checkPackFile } from '../pack-file/index.ts';
 import { FileFailure } from '../report-parts/index.ts';
 import { isFailing } from '../show-failure/index.ts';
+import { Failure, type StoppingSignal } from '../terminal/index.ts';
 
 /** A level file of a pack. */
 interface PackFile {

@@ -4,11 +4,8 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { PACK_FILE, type Pack, packScript, pageOf } from '../../check/pack/index.ts';
 import {
-  allOrNone,
-  Failure,
   type FileStatus,
   makeFolders,
-  namedPath,
   type PlannedFile,
   planFile,
   readBuilt,
@@ -16,10 +13,9 @@ import {
   removeFolders,
   renamePatiently,
   statOrError,
-  systemReason,
-  uncut,
   writeAll,
 } from '../io/index.ts';
+import { allOrNone, Failure, namedPath, systemReason, uncut } from '../terminal/index.ts';
 
 /** What becomes of a file of a site. */
 export interface SiteFile {

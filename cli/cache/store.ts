@@ -1,7 +1,8 @@
 import { createHash } from 'node:crypto';
 import { readdirSync, rmdirSync, rmSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { makeFolders, readRegularFile, replaceSpareFile, UNFINISHED, uncut } from '../io/index.ts';
+import { makeFolders, readRegularFile, replaceSpareFile, UNFINISHED } from '../io/index.ts';
+import { uncut } from '../terminal/index.ts';
 
 // Records are spread over a few files, the shards, by the first digit of their keys: reading a thousand small files takes
 // longer than the work that they save. A shard is replaced as a whole. When two processes replace it at once, the later one

@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import process from 'node:process';
-import { Failure, FETCH_MORE, type Git, shellPath } from '../io/index.ts';
+import { FETCH_MORE, type Git } from '../io/index.ts';
+import { Failure, shellPath } from '../terminal/index.ts';
 
 /** The commit with which files are compared. */
 interface Base {

@@ -3,7 +3,8 @@ import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { plural } from '../../check/words/index.ts';
 import { CONFIG_NAME, configFolders } from '../config/index.ts';
-import { Failure, Git, visibleLine } from '../io/index.ts';
+import { Git } from '../io/index.ts';
+import { Failure, visibleLine } from '../terminal/index.ts';
 import { findBase } from './base.ts';
 
 const GIT = new Git('.', '--changed', 'name the levels to check');

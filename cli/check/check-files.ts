@@ -1,5 +1,6 @@
 import { setMaxListeners } from 'node:events';
-import { hearSignals, isStream, openPool, runInParts, type StoppingSignal, statOrError, stoppable } from '../io/index.ts';
+import { isStream, openPool, runInParts, statOrError } from '../io/index.ts';
+import { hearSignals, type StoppingSignal, stoppable } from '../terminal/index.ts';
 import type { CheckedFile, checkLevel } from './check-level.ts';
 import { type CheckedLevel, type CheckSettings, crashedLevel } from './checked-level.ts';
 import type { LevelCache } from './level-cache.ts';

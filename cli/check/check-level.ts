@@ -29,9 +29,10 @@ import {
   type SoftlockReport,
 } from '../../schema/index.ts';
 import { createDecider, createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
-import { Failure, readBytes, shellPath } from '../io/index.ts';
+import { readBytes } from '../io/index.ts';
 import { type OpenedLevel, placed, reportRun } from '../levels/index.ts';
 import { byHolds, showProblems } from '../report-parts/index.ts';
+import { Failure, shellPath } from '../terminal/index.ts';
 import {
   type CheckedLevel,
   type CheckSettings,

@@ -1,6 +1,7 @@
 import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
 import { contentKey, keyOf, openStore, semantics } from '../cache/index.ts';
-import { nameOfFile, readRegularFile, shellPath } from '../io/index.ts';
+import { nameOfFile, readRegularFile } from '../io/index.ts';
+import { shellPath } from '../terminal/index.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
 /** Changes when what is kept about a level changes its shape. */

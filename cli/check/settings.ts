@@ -1,6 +1,6 @@
 import type { Configuration, ConfiguredTerms } from '../config/index.ts';
-import { Failure } from '../io/index.ts';
 import { limitsOf, type SearchOptions, type TermsOptions, termsFrom } from '../options/index.ts';
+import { Failure } from '../terminal/index.ts';
 import type { CheckedLevel, CheckSettings } from './checked-level.ts';
 
 /**

@@ -25,20 +25,7 @@ import {
 } from '../difficulty/index.ts';
 import { findConfigured, PATHS, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import {
-  colorsFor,
-  createProgress,
-  createStatusLine,
-  expectOutput,
-  Failure,
-  firstPack,
-  levelsRead,
-  namedPath,
-  readBytes,
-  visibleLine,
-  widthOf,
-  writeWhole,
-} from '../io/index.ts';
+import { expectOutput, firstPack, levelsRead, readBytes, writeWhole } from '../io/index.ts';
 import {
   addShardOptions,
   addTermsOptions,
@@ -55,6 +42,7 @@ import {
   wholeNumberOption,
 } from '../options/index.ts';
 import { percent } from '../report-parts/index.ts';
+import { colorsFor, createProgress, createStatusLine, Failure, namedPath, visibleLine, widthOf } from '../terminal/index.ts';
 
 interface Options extends ConfigOptions, TermsOptions, ShardOptions {
   readonly run?: string;

@@ -5,8 +5,8 @@ import { GAME } from '../build/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
-import { catchSignals, visible } from '../io/index.ts';
 import { wholeNumberOption } from '../options/index.ts';
+import { catchSignals, visible } from '../terminal/index.ts';
 
 interface EditOptions extends ConfigOptions {
   readonly port?: number;

@@ -6,27 +6,11 @@ import { readContent } from '../../schema/level/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { type FoundFiles, findConfigured, PATHS, pathsOr } from '../find/index.ts';
-import {
-  type Colors,
-  colorsFor,
-  Failure,
-  hearSignals,
-  isPackFile,
-  namedPath,
-  once,
-  packFormat,
-  readBytes,
-  readStdin,
-  shellPath,
-  stdinName,
-  visible,
-  visibleLine,
-  whyNotWritable,
-  writeWhole,
-} from '../io/index.ts';
+import { isPackFile, once, packFormat, readBytes, readStdin, stdinName, whyNotWritable, writeWhole } from '../io/index.ts';
 import { formatOption } from '../options/index.ts';
 import { problemJson, type ShownProblem, showFileProblems, showProblems } from '../report-parts/index.ts';
 import { type Annotation, type Places, pathInWorkspace, placesOf, workflowCommands } from '../reporters/index.ts';
+import { type Colors, colorsFor, Failure, hearSignals, namedPath, shellPath, visible, visibleLine } from '../terminal/index.ts';
 
 interface FmtOptions extends ConfigOptions {
   readonly stdinPath?: string;

@@ -1,7 +1,7 @@
 import { type Command, Option } from 'commander';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { missing, type OnBrokenRun, setUp, undo } from '../git-setup/index.ts';
-import { Failure, visibleLine } from '../io/index.ts';
+import { Failure, visibleLine } from '../terminal/index.ts';
 
 interface Options {
   readonly undo?: true;

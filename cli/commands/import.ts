@@ -12,21 +12,11 @@ import {
   MAX_FILE_SIZE,
 } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
-import {
-  colorsFor,
-  differing,
-  Failure,
-  namedPath,
-  Outputs,
-  type PlannedFile,
-  planFile,
-  readBytes,
-  visibleLine,
-  writeAll,
-} from '../io/index.ts';
+import { differing, Outputs, type PlannedFile, planFile, readBytes, writeAll } from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';
 import { formatOption } from '../options/index.ts';
 import { showFileProblems, showProblems } from '../report-parts/index.ts';
+import { colorsFor, Failure, namedPath, visibleLine } from '../terminal/index.ts';
 
 interface ImportOptions {
   readonly out: string;

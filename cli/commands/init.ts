@@ -3,8 +3,9 @@ import { type Command, Option } from 'commander';
 import type { InitReport } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { type Ci, chooseCi, type Plan, planProject } from '../init/index.ts';
-import { planFile, shellPath, visibleLine, writeAll } from '../io/index.ts';
+import { planFile, writeAll } from '../io/index.ts';
 import { formatOption } from '../options/index.ts';
+import { shellPath, visibleLine } from '../terminal/index.ts';
 
 interface InitOptions {
   readonly ci?: Ci;

@@ -15,10 +15,10 @@ import {
 } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { type Colors, colorsFor, visibleLine, widthOf } from '../io/index.ts';
 import { openLevel, warningsOf } from '../levels/index.ts';
 import { addTermsOptions, formatOption, type TermsOptions, termsFrom } from '../options/index.ts';
 import { alignColumns, problemJson, type ShownProblem, showFileProblems } from '../report-parts/index.ts';
+import { type Colors, colorsFor, visibleLine, widthOf } from '../terminal/index.ts';
 
 interface InspectOptions extends ConfigOptions, TermsOptions {
   readonly format: 'pretty' | 'json';

@@ -4,9 +4,10 @@ import { plural } from '../../check/words/index.ts';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { noConfiguration, readConfiguration } from '../config/index.ts';
-import { Failure, readBytes, shellPath, systemReason, visibleLine, writeWhole } from '../io/index.ts';
+import { readBytes, writeWhole } from '../io/index.ts';
 import { type MergedFile, mergeFiles, mergeText, playAgain } from '../merge-driver/index.ts';
 import { termsFrom, wholeNumberOption } from '../options/index.ts';
+import { Failure, shellPath, systemReason, visibleLine } from '../terminal/index.ts';
 
 interface Options {
   readonly markerSize: number;

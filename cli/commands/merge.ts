@@ -17,7 +17,7 @@ import {
   resultsIn,
   setPaths,
 } from '../fleet/index.ts';
-import { exitCodeAfter, Failure, levelsRead, namedPath, shellPath, stoppable } from '../io/index.ts';
+import { levelsRead } from '../io/index.ts';
 import { jobsOption } from '../options/index.ts';
 import {
   chooseReports,
@@ -27,6 +27,7 @@ import {
   reporterOption,
   reportFormatOption,
 } from '../reporters/index.ts';
+import { exitCodeAfter, Failure, namedPath, shellPath, stoppable } from '../terminal/index.ts';
 
 const LISTS = ['list', 'slurm', 'k8s'] as const;
 

@@ -9,7 +9,7 @@ import {
   type ReportName,
 } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
-import { didYouMean, Failure } from '../io/index.ts';
+import { didYouMean, Failure } from '../terminal/index.ts';
 
 interface PrintedSchema {
   readonly about: string;

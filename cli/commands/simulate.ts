@@ -5,10 +5,10 @@ import { compile, effectEventInWords, type Run, type RunEvent } from '../../engi
 import { type Hold, type Level, objectName, type RunReport, type SimulateReport } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { type Colors, colorsFor, Failure, visibleLine } from '../io/index.ts';
 import { openLevel, reportRun, withinWorkOf } from '../levels/index.ts';
 import { addTermsOptions, formatOption, numberOption, type TermsOptions, termsFrom } from '../options/index.ts';
 import { chooseRun, parseHolds } from '../runs/index.ts';
+import { type Colors, colorsFor, Failure, visibleLine } from '../terminal/index.ts';
 
 const MAX_SAMPLES = 1_000_000;
 

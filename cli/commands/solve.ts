@@ -8,18 +8,7 @@ import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { findConfigured, unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import {
-  type Colors,
-  colorsFor,
-  createStatusLine,
-  entryName,
-  Failure,
-  packFormat,
-  statOrError,
-  uncut,
-  visible,
-  visibleLine,
-} from '../io/index.ts';
+import { entryName, packFormat, statOrError } from '../io/index.ts';
 import { expectWritable, type OpenedFile, openLevel } from '../levels/index.ts';
 import {
   addSearchOptions,
@@ -49,6 +38,7 @@ import {
   solveLevel,
   solveReport,
 } from '../solve/index.ts';
+import { type Colors, colorsFor, createStatusLine, Failure, uncut, visible, visibleLine } from '../terminal/index.ts';
 
 interface Options extends ConfigOptions, TermsOptions, SearchOptions, ShardOptions {
   readonly minerals: Goal['minerals'];

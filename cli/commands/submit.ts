@@ -19,8 +19,9 @@ import {
   submitJob,
   USUAL_ARRAY_SIZE,
 } from '../fleet/index.ts';
-import { Failure, hearSignals, makeFolders, namedPath, shellPath, systemReason, visibleLine } from '../io/index.ts';
+import { makeFolders } from '../io/index.ts';
 import { wholeNumberOption } from '../options/index.ts';
+import { Failure, hearSignals, namedPath, shellPath, systemReason, visibleLine } from '../terminal/index.ts';
 
 interface Options {
   readonly plan: string;

@@ -8,22 +8,7 @@ import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { unreadableFolders } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import {
-  colorsFor,
-  Failure,
-  filesBelow,
-  firstPack,
-  hearSignals,
-  namedPath,
-  once,
-  print,
-  readRegularFile,
-  STDIN,
-  siblingHint,
-  statOrError,
-  systemReason,
-  visibleLine,
-} from '../io/index.ts';
+import { filesBelow, firstPack, once, readRegularFile, STDIN, siblingHint, statOrError } from '../io/index.ts';
 import {
   addShardOptions,
   jobsOption,
@@ -33,6 +18,7 @@ import {
   type ShardOptions,
   type TermsOptions,
 } from '../options/index.ts';
+import { colorsFor, Failure, hearSignals, namedPath, print, systemReason, visibleLine } from '../terminal/index.ts';
 import {
   addPlayOptions,
   countsPretty,

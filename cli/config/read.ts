@@ -1,8 +1,9 @@
 import { dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { type ConfigFile, type ReporterName, readConfig } from '../../schema/index.ts';
-import { Failure, namedPath, readBytes, realTarget, repositoryOf, systemReason } from '../io/index.ts';
+import { readBytes, realTarget, repositoryOf } from '../io/index.ts';
 import { FileFailure, showProblems } from '../report-parts/index.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import { type Configuration, type ReporterChoice, termsIn } from './configuration.ts';
 
 /**

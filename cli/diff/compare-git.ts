@@ -3,7 +3,7 @@ import { relative, resolve } from 'node:path';
 import process from 'node:process';
 import { isSame, MAX_FILE_SIZE } from '../../schema/index.ts';
 import { readConfiguration, termsSaid } from '../config/index.ts';
-import { Failure, namedPath } from '../io/index.ts';
+import { Failure, namedPath } from '../terminal/index.ts';
 import type { Comparison, FileVersion, Pair, Side } from './comparison.ts';
 import { GIT, readObjects, shallowHint, splitNul, termsInTree, treeOf } from './side-terms.ts';
 

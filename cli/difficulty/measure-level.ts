@@ -4,8 +4,9 @@ import { effortInWords, termsReport } from '../../check/words/index.ts';
 import { compile, joinHolds, maxTicksOf, type Scene } from '../../engine/index.ts';
 import { type Hold, type Level, readLevel } from '../../schema/index.ts';
 import { findRuns, measureDifficulty, type Success, successProbability, verifyRun } from '../../solver/index.ts';
-import { Failure, readBytes } from '../io/index.ts';
+import { readBytes } from '../io/index.ts';
 import { closestRunInWords, showProblems } from '../report-parts/index.ts';
+import { Failure } from '../terminal/index.ts';
 import {
   type MeasuredLevel,
   type MeasureSettings,

@@ -5,10 +5,11 @@ import type { Terms } from '../../engine/index.ts';
 import { type Hold, levelsOfPack, type TermsReport } from '../../schema/index.ts';
 import type { Difficulty, Goal, Success } from '../../solver/index.ts';
 import type { ConfiguredTerms } from '../config/index.ts';
-import { type Failure, type FoundPack, levelIdOf, nameOfFile, runInPool, visibleLine } from '../io/index.ts';
+import { type FoundPack, levelIdOf, nameOfFile, runInPool } from '../io/index.ts';
 import { type TermsOptions, termsFrom } from '../options/index.ts';
 import { readPackFile } from '../pack-file/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
+import { type Failure, visibleLine } from '../terminal/index.ts';
 import type { LevelPlays } from './plays/index.ts';
 
 /** The measured difficulty of one level file. */

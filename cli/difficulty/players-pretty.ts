@@ -10,8 +10,8 @@ import {
 import { plural } from '../../check/words/index.ts';
 import { objectName, touchedName } from '../../schema/index.ts';
 import type { FitInterval, PlayerForecast } from '../../solver/index.ts';
-import { type Colors, visibleLine } from '../io/index.ts';
 import { alignColumns, percent } from '../report-parts/index.ts';
+import { type Colors, visibleLine } from '../terminal/index.ts';
 import type { MeasuredLevel, Players } from './measured-level.ts';
 import type { CollectedPlays } from './plays/index.ts';
 

@@ -4,15 +4,8 @@ import { homedir } from 'node:os';
 import { dirname, isAbsolute, join } from 'node:path';
 import process from 'node:process';
 import { runMessage, tokenMessage } from '../../schema/index.ts';
-import {
-  createPrivateFile,
-  makeFolders,
-  openRegularFile,
-  readBeyond,
-  readRegularFile,
-  replaceFile,
-  systemReason,
-} from '../io/index.ts';
+import { createPrivateFile, makeFolders, openRegularFile, readBeyond, readRegularFile, replaceFile } from '../io/index.ts';
+import { systemReason } from '../terminal/index.ts';
 
 /** What lets pages in. */
 export interface Access {

@@ -1,8 +1,8 @@
 import { createHash } from 'node:crypto';
 import { setImmediate } from 'node:timers/promises';
 import type { EditEvent, FolderTerms, LevelEntry, ListResponse, PackOnDisk } from '../../schema/index.ts';
-import { systemReason } from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';
+import { systemReason } from '../terminal/index.ts';
 import { changesBetween, SortedEntries } from './changes.ts';
 import { findLevel, findLevels, type LevelFileFound } from './level-files.ts';
 import { readPackOnDisk } from './pack-on-disk.ts';

@@ -1,6 +1,7 @@
 import { lstatSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { inOrderOfPlay, isShown, sortedByPlay, systemReason, walk } from '../io/index.ts';
+import { inOrderOfPlay, isShown, sortedByPlay, walk } from '../io/index.ts';
+import { systemReason } from '../terminal/index.ts';
 
 export const SUFFIX = '.level.json';
 

@@ -3,7 +3,8 @@ import { realpathSync } from 'node:fs';
 import { basename, dirname, join, relative, sep } from 'node:path';
 import process from 'node:process';
 import type { EditorPlace } from '../../schema/index.ts';
-import { Failure, namedPath, shellPath, siblingHint, statOrError, systemReason } from '../io/index.ts';
+import { siblingHint, statOrError } from '../io/index.ts';
+import { Failure, namedPath, shellPath, systemReason } from '../terminal/index.ts';
 import { findLevel, SUFFIX } from './level-files.ts';
 
 /** The folder to edit, and the place to open in it; null: the page decides. */

@@ -1,7 +1,8 @@
 import { accessSync, constants, lstatSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { MAX_FILE_SIZE, PACK_NAME, type PackOnDisk, readPack } from '../../schema/index.ts';
-import { createFile, readRegularFile, replaceFile, systemReason, whyNotWritable } from '../io/index.ts';
+import { createFile, readRegularFile, replaceFile, whyNotWritable } from '../io/index.ts';
+import { systemReason } from '../terminal/index.ts';
 import { type Base, etagOf } from './read-entry.ts';
 import { Refusal, refuseWayOut } from './refusal.ts';
 

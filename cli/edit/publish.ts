@@ -16,8 +16,8 @@ import {
   writeSite,
 } from '../build/index.ts';
 import { type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { Failure } from '../io/index.ts';
 import { FileFailure } from '../report-parts/index.ts';
+import { Failure } from '../terminal/index.ts';
 import { findLevel } from './level-files.ts';
 import { Refusal, unknownLevel } from './refusal.ts';
 

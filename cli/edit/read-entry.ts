@@ -2,7 +2,8 @@ import { createHash } from 'node:crypto';
 import { accessSync, constants, lstatSync, statSync } from 'node:fs';
 import { dirname } from 'node:path';
 import { type LevelEntry, MAX_FILE_SIZE, type Problem, type ReadResponse, readLevel } from '../../schema/index.ts';
-import { readRegularFile, systemReason, whyNotWritable } from '../io/index.ts';
+import { readRegularFile, whyNotWritable } from '../io/index.ts';
+import { systemReason } from '../terminal/index.ts';
 import type { LevelFileFound } from './level-files.ts';
 
 /** The strong entity tag of a content, including the quotes. */

@@ -10,7 +10,7 @@ import {
   type RefusedLevel,
   readLevel,
 } from '../../schema/index.ts';
-import { systemReason } from '../io/index.ts';
+import { systemReason } from '../terminal/index.ts';
 
 interface Details {
   readonly problems?: Problem[];

@@ -1,8 +1,9 @@
 import { isAccuracyName } from '../../engine/index.ts';
 import { type ConfigFile, type FolderTerms, type Problem, readConfig } from '../../schema/index.ts';
 import { type ConfigOptions, chosenConfig } from '../config/index.ts';
-import { Failure, readBytes } from '../io/index.ts';
+import { readBytes } from '../io/index.ts';
 import { termsFrom } from '../options/index.ts';
+import { Failure } from '../terminal/index.ts';
 
 /** Returns the terms that the configuration sets now. */
 export type TermsOnDisk = () => FolderTerms;

@@ -3,7 +3,7 @@ import { basename, dirname, join, sep } from 'node:path';
 import process from 'node:process';
 import { PACK_NAME } from '../../schema/index.ts';
 import { CONFIG_NAME, type ConfigOptions, configFolders } from '../config/index.ts';
-import { systemReason } from '../io/index.ts';
+import { systemReason } from '../terminal/index.ts';
 import type { KnownLevels } from './known-levels.ts';
 import { SUFFIX } from './level-files.ts';
 

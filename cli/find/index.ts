@@ -3,21 +3,18 @@ import { MAX_FILE_SIZE } from '../../schema/basics/index.ts';
 import type { Configuration } from '../config/index.ts';
 import {
   entryName,
-  Failure,
   type FoundPack,
   filesBelow,
   isPackFile,
   NOT_A_LEVEL,
-  namedPath,
   once,
   packFileOf,
   packFormat,
   readRegularFile,
-  shellPath,
   siblingHint,
   statOrError,
-  systemReason,
 } from '../io/index.ts';
+import { Failure, namedPath, shellPath, systemReason } from '../terminal/index.ts';
 
 const LEVEL_FILE = /\.level\.json$/;
 

@@ -2,20 +2,18 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { CommandResult } from '../command.ts';
+import { type Batch, LineWriter, readSet } from '../io/index.ts';
+import type { Destination } from '../reporters/index.ts';
 import {
-  type Batch,
   createStatusLine,
   exitCodeAfter,
   Failure,
-  LineWriter,
   namedPath,
   onSignal,
-  readSet,
   type StoppingSignal,
   stoppable,
   systemReason,
-} from '../io/index.ts';
-import type { Destination } from '../reporters/index.ts';
+} from '../terminal/index.ts';
 import { contentsOf, type JobName, type Json, type ShardRecord } from './job.ts';
 import { jobOf, type ReportOptions } from './jobs/index.ts';
 import { LineReader } from './line-reader.ts';

@@ -1,6 +1,6 @@
 import { readdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { Failure, hearSignals, namedPath, systemReason } from '../io/index.ts';
+import { Failure, hearSignals, namedPath, systemReason } from '../terminal/index.ts';
 import type { Json } from './job.ts';
 import { LineReader } from './line-reader.ts';
 import type { Plan } from './plan.ts';

@@ -1,15 +1,6 @@
 import { createHash } from 'node:crypto';
-import {
-  type Batch,
-  type Contents,
-  entriesOf,
-  Failure,
-  hearSignals,
-  namedPath,
-  packFormat,
-  readBytes,
-  readSet,
-} from '../io/index.ts';
+import { type Batch, type Contents, entriesOf, packFormat, readBytes, readSet } from '../io/index.ts';
+import { Failure, hearSignals, namedPath } from '../terminal/index.ts';
 import { type Balanced, balance, type Costs } from './balance.ts';
 import { assignedOf, contentHash, entryHash, SetDigest, ShardDigest, shardOf } from './digest.ts';
 import { contentsOf, type JobName } from './job.ts';

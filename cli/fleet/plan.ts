@@ -3,7 +3,8 @@ import * as z from 'zod';
 import { ENGINE_ID } from '../../game/index.ts';
 import { strictJson } from '../../schema/json/index.ts';
 import { codeFingerprint } from '../cache/index.ts';
-import { Failure, namedPath, readRegularFile, readVersion, systemReason } from '../io/index.ts';
+import { readRegularFile } from '../io/index.ts';
+import { Failure, namedPath, readVersion, systemReason } from '../terminal/index.ts';
 import { JOBS } from './job.ts';
 
 export const PLAN_VERSION = 1;

@@ -1,6 +1,7 @@
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { Failure, namedPath, readRegularFile, statOrError, systemReason } from '../io/index.ts';
+import { readRegularFile, statOrError } from '../io/index.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import { Costs } from './balance.ts';
 import { LineReader } from './line-reader.ts';
 import { RESULT_FILE } from './result.ts';

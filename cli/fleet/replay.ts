@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import FlatQueue from 'flatqueue';
-import { type Batch, Failure, namedPath, readSet, sizeOf } from '../io/index.ts';
+import { type Batch, readSet, sizeOf } from '../io/index.ts';
+import { Failure, namedPath } from '../terminal/index.ts';
 import { contentsOf, type ShardRecord } from './job.ts';
 import { jobOf } from './jobs/index.ts';
 import { LineReader } from './line-reader.ts';

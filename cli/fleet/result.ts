@@ -1,7 +1,8 @@
 import { createHash, type Hash } from 'node:crypto';
 import { linkSync, renameSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { Failure, LineWriter, namedPath } from '../io/index.ts';
+import { LineWriter } from '../io/index.ts';
+import { Failure, namedPath } from '../terminal/index.ts';
 import { entryHash, ShardDigest } from './digest.ts';
 import type { ShardRecord } from './job.ts';
 import { LineReader } from './line-reader.ts';

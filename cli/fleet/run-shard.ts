@@ -1,5 +1,6 @@
 import { lstatSync } from 'node:fs';
-import { type Batch, entriesOf, Failure, makeFolders, namedPath, readBytes, readSet, sizeOf, systemReason } from '../io/index.ts';
+import { type Batch, entriesOf, makeFolders, readBytes, readSet, sizeOf } from '../io/index.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import { assignedOf, DIGEST, SetDigest, ShardDigest } from './digest.ts';
 import { contentsOf } from './job.ts';
 import { jobOf } from './jobs/index.ts';

@@ -1,6 +1,7 @@
 import { relative, resolve } from 'node:path';
 import { findLevelFiles, ignoreOf, unreadableFolders } from '../find/index.ts';
-import { type Contents, Failure, filesBelow, namedPath, once, statOrError, systemReason } from '../io/index.ts';
+import { type Contents, filesBelow, once, statOrError } from '../io/index.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import type { Plan } from './plan.ts';
 
 /** The files and packs of a set, in its order. */

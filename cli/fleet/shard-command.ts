@@ -1,7 +1,7 @@
 import process from 'node:process';
 import type { CommandResult } from '../command.ts';
-import { createProgress, exitCodeAfter, Failure, namedPath, stoppable } from '../io/index.ts';
 import type { ShardOptions } from '../options/index.ts';
+import { createProgress, exitCodeAfter, Failure, namedPath, stoppable } from '../terminal/index.ts';
 import { contentsOf } from './job.ts';
 import { jobOf } from './jobs/index.ts';
 import { readPlan } from './plan.ts';

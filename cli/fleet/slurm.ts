@@ -1,6 +1,6 @@
 import { spawnSync } from 'node:child_process';
 import process from 'node:process';
-import { Failure, shellWord } from '../io/index.ts';
+import { Failure, shellWord } from '../terminal/index.ts';
 
 /** What is to be submitted to Slurm. */
 export interface SlurmOrder {

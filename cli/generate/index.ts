@@ -1,19 +1,9 @@
 import { basename, join, resolve } from 'node:path';
 import { formatLevel, formatPack, MAX_FILE_SIZE, PACK_NAME, PACK_VERSION } from '../../schema/index.ts';
 import { createPackJudge, type Generated, type PackOptions, packLevel } from '../../solver/index.ts';
-import {
-  createFile,
-  Failure,
-  levelIdOf,
-  makeFolders,
-  NotAFile,
-  namedPath,
-  readRegularFile,
-  runInPool,
-  systemReason,
-  tryFolder,
-} from '../io/index.ts';
+import { createFile, levelIdOf, makeFolders, NotAFile, readRegularFile, runInPool, tryFolder } from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import type { GenerateTask, MadeLevel } from './make-level.ts';
 
 /** What happened to a generated level; `in the way`: another file has its name, which is not overwritten. */

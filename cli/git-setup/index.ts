@@ -2,7 +2,8 @@ import { existsSync, readFileSync, realpathSync, rmSync } from 'node:fs';
 import { dirname, isAbsolute, join, relative } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
-import { Failure, Git, systemReason, writeWhole } from '../io/index.ts';
+import { Git, writeWhole } from '../io/index.ts';
+import { Failure, systemReason } from '../terminal/index.ts';
 
 /** What happens when no run completes a merged level any more. */
 export type OnBrokenRun = 'stop' | 'warn';

@@ -1,6 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, relative, resolve, sep } from 'node:path';
-import { Failure, readRegularFile, repositoryOf, shellWord, systemReason, tryGit } from '../io/index.ts';
+import { readRegularFile, repositoryOf, tryGit } from '../io/index.ts';
+import { Failure, shellWord, systemReason } from '../terminal/index.ts';
 
 /** Where levels are checked for everybody. */
 export type Ci = 'github' | 'gitlab' | 'none';

@@ -3,8 +3,9 @@ import { join, relative, resolve } from 'node:path';
 import { formatLevel, readLevel } from '../../schema/index.ts';
 import { strictJson } from '../../schema/json/index.ts';
 import { CONFIG_NAME, configFolders } from '../config/index.ts';
-import { Failure, repositoryOf, statOrError, systemReason, walk } from '../io/index.ts';
+import { repositoryOf, statOrError, walk } from '../io/index.ts';
 import { schemaReference } from '../levels/index.ts';
+import { Failure, systemReason } from '../terminal/index.ts';
 import { type Ci, type PlannedText, planCi, readShippedLevel, readTemplate, readText } from './ci.ts';
 
 export { type Ci, chooseCi } from './ci.ts';

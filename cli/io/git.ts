@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
-import { Failure, systemReason } from './messages.ts';
+import { Failure, systemReason } from '../terminal/index.ts';
 
 /** The largest answer of git that is read, bytes: a list of names, or the contents of all levels. */
 const MOST_OUTPUT = 2 ** 30;

@@ -23,18 +23,6 @@ export {
   sortedByPlay,
 } from './level-names.ts';
 export {
-  didYouMean,
-  Failure,
-  namedPath,
-  notice,
-  shellPath,
-  shellWord,
-  systemReason,
-  takeNotices,
-  visible,
-  visibleLine,
-} from './messages.ts';
-export {
   type Batch,
   type Contents,
   type Entry,
@@ -46,22 +34,9 @@ export {
   sizeOf,
 } from './packs/index.ts';
 export { openPool, runInParts, runInPool, startThread, type Thread } from './pool.ts';
-export { isStream, readBytes, readStdin, readVersion, STDIN, STDIN_NAME, siblingHint, stdinName } from './read.ts';
+export { isStream, readBytes, readStdin, STDIN, STDIN_NAME, siblingHint, stdinName } from './read.ts';
 export { NotAFile, openRegularFile, readBeyond, readRegularFile } from './regular-file.ts';
 export { expectOutput, type Inputs, levelsRead, Outputs, realTarget, standing, whyNotWritable } from './replaceable.ts';
-export {
-  allOrNone,
-  beginSignals,
-  catchSignals,
-  exitCodeAfter,
-  hearSignals,
-  leaveSignals,
-  onSignal,
-  type StoppingSignal,
-  stoppable,
-  uncut,
-} from './signals.ts';
-export { type Colors, colorsFor, createProgress, createStatusLine, PLAIN, print, printAll, widthOf } from './terminal.ts';
 export { filesBelow, isShown, once, readBuilt, statOrError, walk } from './walk.ts';
 export {
   differing,

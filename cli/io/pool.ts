@@ -1,6 +1,6 @@
 import type { ResourceLimits } from 'node:worker_threads';
 import type { Tinypool } from 'tinypool';
-import { catchSignals } from './signals.ts';
+import { catchSignals } from '../terminal/index.ts';
 
 /**
  * Starts worker threads.

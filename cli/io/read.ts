@@ -5,7 +5,6 @@ import {
   lstatSync,
   openSync,
   readdirSync,
-  readFileSync,
   readlinkSync,
   readSync,
   realpathSync,
@@ -15,7 +14,7 @@ import {
 import { basename, dirname } from 'node:path';
 import process from 'node:process';
 import { closestName, MAX_FILE_SIZE } from '../../schema/basics/index.ts';
-import { Failure, namedPath, systemReason } from './messages.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import { entryName, readEntry } from './packs/index.ts';
 import { NotAFile, readBeyond, readRegularFile } from './regular-file.ts';
 
@@ -164,9 +163,4 @@ function brokenLinkOn(path: string): string | null {
     if (stats?.isSymbolicLink() === true && !existsSync(at)) return at;
     if (stats !== undefined || dirname(at) === at) return null;
   }
-}
-
-/** The version of the package. */
-export function readVersion(): string {
-  return JSON.parse(readFileSync(new URL('../../../package.json', import.meta.url), 'utf8')).version;
 }

@@ -1,6 +1,6 @@
 import { closeSync, constants, fstatSync, openSync, readSync } from 'node:fs';
 import { pointerFile } from '../../schema/json/index.ts';
-import { Failure, namedPath } from './messages.ts';
+import { Failure, namedPath } from '../terminal/index.ts';
 
 // non-blocking, as opening a pipe must not wait for its writer. The type is checked after opening, because the path may lead to
 // another file a moment later. Windows has no such flag.

@@ -12,7 +12,7 @@ import {
   statSync,
 } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
-import { Failure, namedPath, systemReason } from './messages.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 import { entryName } from './packs/index.ts';
 import { openRegularFile } from './regular-file.ts';
 

@@ -1,6 +1,6 @@
 import { type Dirent, readdirSync, readFileSync, realpathSync, type Stats, statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { Failure, systemReason } from './messages.ts';
+import { Failure, systemReason } from '../terminal/index.ts';
 
 /** How a folder is walked. */
 export interface Walking {

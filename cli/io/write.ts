@@ -1,11 +1,10 @@
 import { appendFileSync, closeSync, existsSync, lstatSync, openSync, rmdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import type { ResultFile } from '../command.ts';
+import { allOrNone, Failure, hearSignals, namedPath, shellPath, systemReason, uncut, withUndo } from '../terminal/index.ts';
 import { LineWriter, makeFolders, renamePatiently, replaceFile } from './disk.ts';
-import { Failure, namedPath, shellPath, systemReason } from './messages.ts';
 import { readRegularFile } from './regular-file.ts';
 import { realTarget, whyNotWritable } from './replaceable.ts';
-import { allOrNone, hearSignals, uncut, withUndo } from './signals.ts';
 
 /** Whether something is there that is no file. A pipe behind /dev/stdout has no path of its own, so links are not followed by name. */
 function isDevice(path: string): boolean {

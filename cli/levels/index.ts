@@ -23,20 +23,9 @@ import {
   readLevel,
 } from '../../schema/index.ts';
 import type { CommandResult } from '../command.ts';
-import {
-  colorsFor,
-  Failure,
-  isPackFile,
-  NOT_A_LEVEL,
-  notice,
-  readBytes,
-  readRegularFile,
-  replaceFile,
-  systemReason,
-  visibleLine,
-  whyNotWritable,
-} from '../io/index.ts';
+import { isPackFile, NOT_A_LEVEL, readBytes, readRegularFile, replaceFile, whyNotWritable } from '../io/index.ts';
 import { type ShownProblem, showFileProblems, showProblems } from '../report-parts/index.ts';
+import { colorsFor, Failure, notice, systemReason, visibleLine } from '../terminal/index.ts';
 
 export interface OpenedLevel {
   readonly level: Level;

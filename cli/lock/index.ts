@@ -4,8 +4,9 @@ import { plural } from '../../check/words/index.ts';
 import { type Terms, unusualTerms } from '../../engine/basics/index.ts';
 import type { LockEntry } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { Failure, shellPath, statOrError, visibleLine } from '../io/index.ts';
+import { statOrError } from '../io/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
+import { Failure, shellPath, visibleLine } from '../terminal/index.ts';
 import { lockedFile, lockKey, type OpenedLock, openLock, writeLock } from './lock-file.ts';
 
 export { changedEntries } from './lock-file.ts';

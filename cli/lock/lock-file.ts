@@ -2,8 +2,9 @@ import { readFileSync } from 'node:fs';
 import { dirname, isAbsolute, relative, resolve, sep } from 'node:path';
 import process from 'node:process';
 import { formatLock, LOCK_VERSION, type Lock, readLock } from '../../schema/index.ts';
-import { colorsFor, Failure, readBytes, shellPath, statOrError, writeWhole } from '../io/index.ts';
+import { readBytes, statOrError, writeWhole } from '../io/index.ts';
 import { showFileProblems, showProblems } from '../report-parts/index.ts';
+import { colorsFor, Failure, shellPath } from '../terminal/index.ts';
 
 /** A lock file that was read. */
 export interface OpenedLock {

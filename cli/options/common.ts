@@ -1,5 +1,5 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
-import { Failure, namedPath } from '../io/index.ts';
+import { Failure, namedPath } from '../terminal/index.ts';
 
 /** Parses a number within bounds. */
 export function numberOption(what: string, above: number, max: number): (text: string) => number {

@@ -2,7 +2,7 @@ import { type Command, InvalidArgumentError, Option } from 'commander';
 import { plural } from '../../check/words/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Goal, Objective } from '../../solver/index.ts';
-import { Failure } from '../io/index.ts';
+import { Failure } from '../terminal/index.ts';
 import { numberOption, seedOption, wholeNumberOption } from './common.ts';
 
 /** s of wall time; applies if neither time nor effort is given */

@@ -12,7 +12,7 @@ import {
 } from '../../engine/basics/index.ts';
 import { LONGEST_RUN, MOST_WORK } from '../../schema/basics/index.ts';
 import type { ConfiguredTerms } from '../config/index.ts';
-import { Failure } from '../io/index.ts';
+import { Failure } from '../terminal/index.ts';
 import { numberOption, wholeNumberOption } from './common.ts';
 
 /** The values of the options that `addTermsOptions` declares. An option that was not given is missing: it hides no configuration. */

@@ -9,8 +9,9 @@ import {
   readPack,
   type SeverityMap,
 } from '../../schema/index.ts';
-import { type FoundPack, levelIdOf, NotAFile, readRegularFile, sortedByPlay, systemReason } from '../io/index.ts';
+import { type FoundPack, levelIdOf, NotAFile, readRegularFile, sortedByPlay } from '../io/index.ts';
 import { type ShownProblem, showProblems } from '../report-parts/index.ts';
+import { systemReason } from '../terminal/index.ts';
 
 /** What was found about a pack file. */
 export interface CheckedPack {

@@ -4,7 +4,7 @@ import { MORE_WARNINGS, TICK } from '../../engine/basics/index.ts';
 import type { CheckReport, Problem, RobustnessReport } from '../../schema/index.ts';
 import { codeFrame } from '../../schema/json/index.ts';
 import type { Closest, Robustness } from '../../solver/index.ts';
-import { type Colors, colorsFor, Failure, visible, visibleLine } from '../io/index.ts';
+import { type Colors, colorsFor, Failure, visible, visibleLine } from '../terminal/index.ts';
 
 /** A run as an option, for the end of a sentence. */
 export const byHolds = (holds: string): string => `, with --holds ${holds}`;

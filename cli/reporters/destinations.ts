@@ -1,17 +1,8 @@
 import { lstatSync, statSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { Option } from 'commander';
-import {
-  didYouMean,
-  Failure,
-  type Inputs,
-  namedPath,
-  Outputs,
-  realTarget,
-  standing,
-  systemReason,
-  whyNotWritable,
-} from '../io/index.ts';
+import { type Inputs, Outputs, realTarget, standing, whyNotWritable } from '../io/index.ts';
+import { didYouMean, Failure, namedPath, systemReason } from '../terminal/index.ts';
 import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
 
 /** A report that is asked for. */

@@ -1,6 +1,6 @@
 import { bodyInWords, countMinerals, plural } from '../../check/words/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { visibleLine } from '../io/index.ts';
+import { visibleLine } from '../terminal/index.ts';
 import type { Results } from './reporter.ts';
 
 /** The files that a report for people names at most. */

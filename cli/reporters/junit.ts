@@ -1,8 +1,8 @@
 import type { CheckedLevel } from '../check/index.ts';
-import { visibleLine } from '../io/index.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
+import { visibleLine } from '../terminal/index.ts';
 import { runInWords, unlistedInWords } from './early-end.ts';
 import { pathInRepository, type ReportContext, type Results } from './reporter.ts';
 

@@ -2,9 +2,9 @@ import { statSync } from 'node:fs';
 import { plural, VERDICT_MEANS } from '../../check/words/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
 import type { ResultFile } from '../command.ts';
-import { visible, visibleLine } from '../io/index.ts';
 import { MAX_SHOWN, type ShownProblem } from '../report-parts/index.ts';
 import { type EditorLink, failureOf, isFailing } from '../show-failure/index.ts';
+import { visible, visibleLine } from '../terminal/index.ts';
 import { runInWords } from './early-end.ts';
 import { pathInWorkspace, type ReportContext, type Results } from './reporter.ts';
 

@@ -2,9 +2,9 @@ import { plural, termsInWords, VERDICT_MEANS } from '../../check/words/index.ts'
 import { TICK } from '../../engine/basics/index.ts';
 import type { SoftlockReport, Verdict } from '../../schema/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
-import { visibleLine } from '../io/index.ts';
 import { alignColumns, showFileProblems } from '../report-parts/index.ts';
 import { failureOf, placeInWords } from '../show-failure/index.ts';
+import { visibleLine } from '../terminal/index.ts';
 import { earlyEndInWords, runInWords } from './early-end.ts';
 import type { ReportContext, Results } from './reporter.ts';
 

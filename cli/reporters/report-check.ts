@@ -1,8 +1,8 @@
 import process from 'node:process';
 import type { CheckedLevel } from '../check/index.ts';
 import type { CommandResult, ResultFile } from '../command.ts';
-import { colorsFor, PLAIN, readVersion, widthOf } from '../io/index.ts';
 import { inPieces } from '../report-parts/index.ts';
+import { colorsFor, PLAIN, readVersion, widthOf } from '../terminal/index.ts';
 import type { Destination } from './destinations.ts';
 import { placesOf, type ReportContext, type Reporter, type ReporterName, type Results } from './reporter.ts';
 

@@ -2,9 +2,10 @@ import { realpathSync } from 'node:fs';
 import { isAbsolute, relative, resolve, sep } from 'node:path';
 import type { Terms } from '../../engine/basics/index.ts';
 import type { CheckedLevel, Totals } from '../check/index.ts';
-import { type Colors, entryName, repositoryOf } from '../io/index.ts';
+import { entryName, repositoryOf } from '../io/index.ts';
 import type { CheckedPack } from '../pack-file/index.ts';
 import type { EditorLink } from '../show-failure/index.ts';
+import type { Colors } from '../terminal/index.ts';
 
 /** The names of all reporters. */
 export const REPORTER_NAMES = ['pretty', 'json', 'github', 'junit', 'sarif', 'markdown'] as const;

@@ -5,9 +5,9 @@ import { plural } from '../../check/words/index.ts';
 import type { CodeExplanation } from '../../schema/index.ts';
 import { type CheckedLevel, keyOf } from '../check/index.ts';
 import { EXPLAINED_CODES } from '../explained-codes.ts';
-import { visible, visibleLine } from '../io/index.ts';
 import type { ShownProblem } from '../report-parts/index.ts';
 import { failureOf } from '../show-failure/index.ts';
+import { visible, visibleLine } from '../terminal/index.ts';
 import { unlistedInWords } from './early-end.ts';
 import { pathInRepository, type ReportContext, type Results, rootOf } from './reporter.ts';
 

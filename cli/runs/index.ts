@@ -1,6 +1,6 @@
 import { InvalidArgumentError } from 'commander';
 import { type Hold, type Level, readRunText } from '../../schema/index.ts';
-import { didYouMean, Failure } from '../io/index.ts';
+import { didYouMean, Failure } from '../terminal/index.ts';
 
 export interface ChosenRun {
   readonly name: string;

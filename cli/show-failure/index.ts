@@ -1,7 +1,8 @@
 import { InvalidArgumentError, Option } from 'commander';
 import type { EditorPlace } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
-import { entryName, shellPath } from '../io/index.ts';
+import { entryName } from '../io/index.ts';
+import { shellPath } from '../terminal/index.ts';
 
 /** Where to look at the failure of a level. */
 interface FailingPlace {

@@ -12,8 +12,9 @@ import {
   type ScriptedRun,
 } from '../../schema/index.ts';
 import { createDecider, type Decider } from '../../solver/index.ts';
-import { Failure, nameOfFile, readBytes } from '../io/index.ts';
+import { nameOfFile, readBytes } from '../io/index.ts';
 import { showProblems } from '../report-parts/index.ts';
+import { Failure } from '../terminal/index.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';
 import type { RuleInterval, TunedLevel, TunedValue, TuneSettings, TuneTask } from './tuned-level.ts';
 

@@ -1,7 +1,8 @@
 import { compile, simulate, TICK_RATE, WorkBudget } from '../../engine/index.ts';
 import { createVerifier, encodePlay, type Play } from '../../game/index.ts';
 import type { Level, OwnRules } from '../../schema/index.ts';
-import { Failure, readBytes } from '../io/index.ts';
+import { readBytes } from '../io/index.ts';
+import { Failure } from '../terminal/index.ts';
 import type { EngineModule } from './engine-module.ts';
 
 /** A level that plays may be of. */

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { createVerifier, ENGINE_ID, levelHash, type PlayVerifier } from '../../game/index.ts';
 import { type Level, type OwnRules, readLevel } from '../../schema/index.ts';
-import { Failure, namedPath, systemReason } from '../io/index.ts';
+import { Failure, namedPath, systemReason } from '../terminal/index.ts';
 
 /** What verifying plays needs of an engine: of this toolkit, or of an older one. */
 export interface EngineModule {

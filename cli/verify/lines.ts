@@ -1,6 +1,7 @@
 import { PLAY_LIMITS, playFromText } from '../../game/index.ts';
 import { strictJson } from '../../schema/json/index.ts';
-import { entryName, packFormat, shellPath } from '../io/index.ts';
+import { entryName, packFormat } from '../io/index.ts';
+import { shellPath } from '../terminal/index.ts';
 import type { PlayItem } from './verify-plays.ts';
 
 /** Bytes of the longest line that is read: a play of the largest size as text, and room for its name. */

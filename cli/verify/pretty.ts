@@ -1,6 +1,6 @@
 import { plural } from '../../check/words/index.ts';
 import type { VerifyReport } from '../../schema/index.ts';
-import { type Colors, visibleLine } from '../io/index.ts';
+import { type Colors, visibleLine } from '../terminal/index.ts';
 
 /** One play for people: its verdict, where it comes from, and why. */
 export function playPretty(report: VerifyReport, colors: Colors): string {

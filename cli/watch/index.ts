@@ -3,7 +3,8 @@ import { basename, dirname, join, resolve, sep } from 'node:path';
 import process from 'node:process';
 import type { CommandResult } from '../command.ts';
 import { CONFIG_NAME, configFolders } from '../config/index.ts';
-import { catchSignals, Failure, systemReason, visible, writeResultFiles } from '../io/index.ts';
+import { writeResultFiles } from '../io/index.ts';
+import { catchSignals, Failure, systemReason, visible } from '../terminal/index.ts';
 
 export { Memory } from './memory.ts';
 

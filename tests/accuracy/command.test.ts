@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import * as z from 'zod';
 import { accuracyPretty } from '../../cli/commands/accuracy/report.ts';
-import { PLAIN } from '../../cli/io/terminal.ts';
+import { PLAIN } from '../../cli/terminal/terminal.ts';
 import { cheapestGoodEnough, measureWorkPrecision } from '../../engine/work-precision/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
 import { SWING, SWING_FILE } from './scenes.ts';

@@ -1,5 +1,15 @@
 import { execFileSync, spawn } from 'node:child_process';
-import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  closeSync,
+  constants,
+  mkdirSync,
+  openSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
@@ -53,6 +63,15 @@ it('prints its version, and help for every command, on stdout', async () => {
     expect(help.stdout).toContain('Examples:\n  $ gq ');
   }
   expect(helps.at(-1)).toEqual(helps[0]);
+});
+
+it('lists its commands without what reads files and levels', async () => {
+  const coverage = join(cwd, 'coverage');
+  await gqProcess(['--help'], { cwd, env: { NODE_V8_COVERAGE: coverage } });
+  const loaded = readdirSync(coverage).map((name) => readFileSync(join(coverage, name), 'utf8'));
+  rmSync(coverage, { recursive: true });
+  expect(loaded.join('')).toMatch(/\/dist\/cli\/command-line\.js/);
+  expect(loaded.join('')).not.toMatch(/\/dist\/(?:cli\/io|engine|schema\/json)\/index\.js|\/node_modules\/zod\//);
 });
 
 itDeep('prints the same output with any number of workers', async () => {

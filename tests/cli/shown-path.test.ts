@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 import process from 'node:process';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { shellPath } from '../../cli/io/messages.ts';
+import { shellPath } from '../../cli/terminal/messages.ts';
 
 describe('a path for a shell', () => {
   it.each([

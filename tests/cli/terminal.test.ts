@@ -1,9 +1,9 @@
 import process from 'node:process';
 import fc from 'fast-check';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { createStatusLine, widthOf } from '../../cli/io/terminal.ts';
 import { alignColumns } from '../../cli/report-parts/index.ts';
 import { checkPretty } from '../../cli/reporters/pretty.ts';
+import { createStatusLine, widthOf } from '../../cli/terminal/terminal.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf } from './reporters/context.ts';
 
 afterEach(() => {

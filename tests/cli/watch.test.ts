@@ -4,7 +4,7 @@ import { join, resolve } from 'node:path';
 import process from 'node:process';
 import { afterEach, expect, it } from 'vitest';
 import type { CommandResult } from '../../cli/command.ts';
-import { leaveSignals } from '../../cli/io/signals.ts';
+import { leaveSignals } from '../../cli/terminal/signals.ts';
 import { watchAndRepeat, watchedPaths } from '../../cli/watch/index.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { rangesOf, readRanges } from '../../cli/fleet/index.ts';
-import { Failure } from '../../cli/io/messages.ts';
+import { Failure } from '../../cli/terminal/messages.ts';
 
 const TOTAL = 60;
 const numbers = fc.array(fc.nat({ max: TOTAL - 1 }), { maxLength: 2 * TOTAL });

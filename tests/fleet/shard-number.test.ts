@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { chooseShard, type Environment } from '../../cli/fleet/index.ts';
-import { Failure } from '../../cli/io/messages.ts';
+import { Failure } from '../../cli/terminal/messages.ts';
 
 /** How each system numbers a process: written down a second time, from the documentation of each. */
 const ENVIRONMENTS: Readonly<Record<string, (shard: number, total: number) => Record<string, string>>> = {

@@ -5,11 +5,11 @@ import * as zlib from 'node:zlib';
 import fc from 'fast-check';
 import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { Failure } from '../../cli/io/messages.ts';
 import { BatchMaker, sizeOf } from '../../cli/io/packs/batch.ts';
 import { readEntry, readSet } from '../../cli/io/packs/index.ts';
 import { ZstdFrame } from '../../cli/io/packs/open-pack.ts';
 import { readTar } from '../../cli/io/packs/tar-archive.ts';
+import { Failure } from '../../cli/terminal/messages.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 
 let place: ReturnType<typeof makeFiles>;

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { loadPngRenderer } from '../../cli/commands/render/views.ts';
-import { Failure } from '../../cli/io/messages.ts';
+import { Failure } from '../../cli/terminal/messages.ts';
 import { renderSvg } from '../../picture/index.ts';
 import { FULL, level, play } from './scenes.ts';
 

@@ -7,7 +7,7 @@ import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accurac
 import type { Hold } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
-import { colorsFor, expectOutput, Failure, levelsRead, visibleLine, widthOf, writeWhole } from '../../io/index.ts';
+import { expectOutput, levelsRead, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
 import {
   addTermsOptions,
@@ -18,6 +18,7 @@ import {
   termsFrom,
 } from '../../options/index.ts';
 import { chooseRun, parseHolds } from '../../runs/index.ts';
+import { colorsFor, Failure, visibleLine, widthOf } from '../../terminal/index.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
 
 /** ms for the timing */

@@ -1,8 +1,8 @@
 import { ACCURACIES, type Accuracy } from '../../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../../engine/work-precision/index.ts';
 import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../../schema/index.ts';
-import { type Colors, visibleLine } from '../../io/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
+import { type Colors, visibleLine } from '../../terminal/index.ts';
 
 /** The results of `accuracy` for a run of a level. */
 export interface AccuracyReport {

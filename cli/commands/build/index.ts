@@ -8,7 +8,6 @@ import { type AskedOptions, refuseLimitsWithoutSearch } from '../../check/index.
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS } from '../../find/index.ts';
-import { colorsFor, createProgress, exitCodeAfter } from '../../io/index.ts';
 import {
   accuracyOption,
   addSearchOptions,
@@ -19,6 +18,7 @@ import {
   refuseUnused,
 } from '../../options/index.ts';
 import { isFailing } from '../../show-failure/index.ts';
+import { colorsFor, createProgress, exitCodeAfter } from '../../terminal/index.ts';
 import { type BuildResult, buildJson, buildPretty, refusedInWords } from './report.ts';
 
 interface Options extends AskedOptions, ConfigOptions, CacheOptions {

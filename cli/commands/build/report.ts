@@ -2,8 +2,8 @@ import { join } from 'node:path';
 import { plural } from '../../../check/words/index.ts';
 import type { BuildReport } from '../../../schema/index.ts';
 import { type BuiltPack, isUnplayable, type SiteFile, whyRefused } from '../../build/index.ts';
-import { type Colors, shellPath, visibleLine } from '../../io/index.ts';
 import { problemJson, showFileProblems } from '../../report-parts/index.ts';
+import { type Colors, shellPath, visibleLine } from '../../terminal/index.ts';
 
 type Levels = BuiltPack['levels'];
 

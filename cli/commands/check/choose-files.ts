@@ -1,6 +1,7 @@
 import type { Configuration } from '../../config/index.ts';
 import { type FoundFiles, findConfigured } from '../../find/index.ts';
-import { Failure, namedPath, readStdin, STDIN_NAME, stdinName } from '../../io/index.ts';
+import { readStdin, STDIN_NAME, stdinName } from '../../io/index.ts';
+import { Failure, namedPath } from '../../terminal/index.ts';
 
 /** What the options say about the files to check. */
 interface ChoiceOptions {

@@ -23,7 +23,7 @@ import {
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, type Configuration, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr, unreadableFolders } from '../../find/index.ts';
-import { createProgress, exitCodeAfter, Failure, type FoundPack, firstPack, levelsRead, STDIN } from '../../io/index.ts';
+import { type FoundPack, firstPack, levelsRead, STDIN } from '../../io/index.ts';
 import {
   addSearchOptions,
   addShardOptions,
@@ -44,6 +44,7 @@ import {
   reportFormatOption,
 } from '../../reporters/index.ts';
 import { editorLinkTo, editorUrlOption } from '../../show-failure/index.ts';
+import { createProgress, exitCodeAfter, Failure } from '../../terminal/index.ts';
 import { chooseFiles, refuseForPacks } from './choose-files.ts';
 
 const MOST_WARNINGS = 1_000_000;

@@ -19,9 +19,10 @@ import {
   playVersions,
   termsOfSides,
 } from '../../diff/index.ts';
-import { colorsFor, expectOutput, Failure, PLAIN, readBytes, visible, visibleLine, writeWhole } from '../../io/index.ts';
+import { expectOutput, readBytes, writeWhole } from '../../io/index.ts';
 import { addTermsOptions, formatOption, jobsOption, type TermsOptions } from '../../options/index.ts';
 import { problemJson } from '../../report-parts/index.ts';
+import { colorsFor, Failure, PLAIN, visible, visibleLine } from '../../terminal/index.ts';
 import { diffText } from './text.ts';
 
 interface Options extends TermsOptions {

@@ -6,7 +6,8 @@ import { pathToFileURL } from 'node:url';
 import type { Command } from 'commander';
 import type { CommandHelp, CommandModule, CommandResult } from '../../command.ts';
 import { compareFiles, type Diff, type DiffSettings, diffFiles, playVersions, termsOfSides } from '../../diff/index.ts';
-import { colorsFor, Failure, visibleLine, writeWhole } from '../../io/index.ts';
+import { writeWhole } from '../../io/index.ts';
+import { colorsFor, Failure, visibleLine } from '../../terminal/index.ts';
 import { diffText } from './text.ts';
 
 interface Options {

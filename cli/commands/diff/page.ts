@@ -6,7 +6,7 @@ import { type Comparison, pathOf, renderComparison } from '../../../picture/comp
 import { renderSvg } from '../../../picture/index.ts';
 import { type Hold, type Level, rulesOf, type Verdict } from '../../../schema/index.ts';
 import type { Diff, DiffedLevel, DiffStatus, PlayedVersion, PlayedVersions } from '../../diff/index.ts';
-import { visibleLine } from '../../io/index.ts';
+import { visibleLine } from '../../terminal/index.ts';
 import { PLAYER, STYLE } from './page-parts.ts';
 import { countsInWords, linesOf, pathInWords, rulesInWords, termsChangesInWords, turnsInWords } from './text.ts';
 

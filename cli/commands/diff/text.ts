@@ -1,7 +1,7 @@
 import { plural } from '../../../check/words/index.ts';
 import { isSame } from '../../../schema/index.ts';
 import type { Diff, DiffedLevel, DiffStatus, JudgedVersion } from '../../diff/index.ts';
-import { type Colors, visibleLine } from '../../io/index.ts';
+import { type Colors, visibleLine } from '../../terminal/index.ts';
 
 /** What each status is called in a summary, in its order there. */
 export const STATUS_WORDS: Readonly<Record<DiffStatus, string>> = {

@@ -3,8 +3,8 @@ import type { Command } from 'commander';
 import type { ExplainReport } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { EXPLAINED_CODES as ALL } from '../../explained-codes.ts';
-import { colorsFor, didYouMean, Failure } from '../../io/index.ts';
 import { formatOption } from '../../options/index.ts';
+import { colorsFor, didYouMean, Failure } from '../../terminal/index.ts';
 import { explainPretty, explainProof, listCodes, PROOF_KINDS } from './report.ts';
 
 /** A code that is also one of a problem is explained as that. */

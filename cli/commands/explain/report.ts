@@ -1,7 +1,7 @@
 import type { CodeExplanation } from '../../../schema/index.ts';
 import type { ProofCode } from '../../../solver/index.ts';
-import type { Colors } from '../../io/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
+import type { Colors } from '../../terminal/index.ts';
 
 const WIDTH = 100;
 

@@ -5,21 +5,10 @@ import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.t
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured } from '../../find/index.ts';
-import {
-  colorsFor,
-  differing,
-  expectOutput,
-  Failure,
-  levelsRead,
-  namedPath,
-  planFile,
-  readBytes,
-  statOrError,
-  writeAll,
-  writeWhole,
-} from '../../io/index.ts';
+import { differing, expectOutput, levelsRead, planFile, readBytes, statOrError, writeAll, writeWhole } from '../../io/index.ts';
 import { formatOption } from '../../options/index.ts';
 import { showFileProblems, showProblems } from '../../report-parts/index.ts';
+import { colorsFor, Failure, namedPath } from '../../terminal/index.ts';
 import { type Made, type OriginalOptions, type ReadFile, type Refused, toOriginal, toTiled } from './made.ts';
 import { type ExportedFile, exportJson, exportPretty, warningsInWords } from './report.ts';
 

@@ -10,7 +10,7 @@ import {
   type Problem,
   type TitledOriginal,
 } from '../../../schema/index.ts';
-import { Failure } from '../../io/index.ts';
+import { Failure } from '../../terminal/index.ts';
 
 /** A level that was read. */
 export interface ReadFile {

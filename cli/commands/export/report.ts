@@ -1,6 +1,7 @@
 import { plural } from '../../../check/words/index.ts';
 import type { ExportReport } from '../../../schema/index.ts';
-import { type FileStatus, visibleLine } from '../../io/index.ts';
+import type { FileStatus } from '../../io/index.ts';
+import { visibleLine } from '../../terminal/index.ts';
 import type { Made } from './made.ts';
 
 export interface ExportedFile {

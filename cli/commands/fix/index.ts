@@ -3,7 +3,6 @@ import type { Command } from 'commander';
 import { proposalInWords } from '../../../check/words/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
-import { colorsFor, createStatusLine, Failure, uncut, visibleLine } from '../../io/index.ts';
 import { expectWritable, type OpenedFile, openLevel, replaceLevel } from '../../levels/index.ts';
 import {
   addSearchOptions,
@@ -15,6 +14,7 @@ import {
   termsFrom,
   wholeNumberOption,
 } from '../../options/index.ts';
+import { colorsFor, createStatusLine, Failure, uncut, visibleLine } from '../../terminal/index.ts';
 import { type Fixed, type FixSettings, fixLevel } from './fixed.ts';
 import { fixPretty, fixReport } from './report.ts';
 

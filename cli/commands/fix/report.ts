@@ -10,7 +10,7 @@ import {
 } from '../../../check/words/index.ts';
 import { type FixReport, type Level, listOf } from '../../../schema/index.ts';
 import { changeEdits, type ObjectRef } from '../../../solver/index.ts';
-import { type Colors, visible, visibleLine } from '../../io/index.ts';
+import { type Colors, visible, visibleLine } from '../../terminal/index.ts';
 import type { Fixed, FixedFile, FixSettings } from './fixed.ts';
 
 /** What `gq fix` prints for people. */

@@ -32,7 +32,6 @@ import {
   makePack,
   packPath,
 } from '../../generate/index.ts';
-import { colorsFor, createProgress, Failure, uncut, visibleLine } from '../../io/index.ts';
 import {
   addTermsOptions,
   formatOption,
@@ -43,6 +42,7 @@ import {
   termsFrom,
   wholeNumberOption,
 } from '../../options/index.ts';
+import { colorsFor, createProgress, Failure, uncut, visibleLine } from '../../terminal/index.ts';
 import { generateJson, generatePretty } from './report.ts';
 
 /** The default effort for each level, ticks: takes minutes. */

@@ -1,8 +1,8 @@
 import { plural } from '../../../check/words/index.ts';
 import type { GenerateReport } from '../../../schema/index.ts';
 import type { Rejection } from '../../../solver/index.ts';
-import { type Colors, visibleLine } from '../../io/index.ts';
 import { alignColumns, percent } from '../../report-parts/index.ts';
+import { type Colors, visibleLine } from '../../terminal/index.ts';
 
 /** The results of `generate` as JSON. */
 export const generateJson = (report: GenerateReport): string => `${JSON.stringify(report)}\n`;

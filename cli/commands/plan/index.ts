@@ -4,7 +4,7 @@ import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, readConfiguration } from '../../config/index.ts';
 import { PATHS, pathsOr } from '../../find/index.ts';
 import { contentsOf, ignoreFor, JOBS, type JobName, MOST_SHARDS, makePlan, planText, readCosts } from '../../fleet/index.ts';
-import { createStatusLine, Failure, namedPath, readRegularFile, shellPath, statOrError, writeWhole } from '../../io/index.ts';
+import { readRegularFile, statOrError, writeWhole } from '../../io/index.ts';
 import {
   accuracyOption,
   addSearchOptions,
@@ -13,6 +13,7 @@ import {
   objectiveOption,
   wholeNumberOption,
 } from '../../options/index.ts';
+import { createStatusLine, Failure, namedPath, shellPath } from '../../terminal/index.ts';
 import { addPlayOptions } from '../../verify/index.ts';
 import { ORDERS, type PlanOptions, refuseOfOthers } from './orders.ts';
 

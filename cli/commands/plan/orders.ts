@@ -5,9 +5,9 @@ import type { ConfigOptions, Configuration } from '../../config/index.ts';
 import { measureSettings } from '../../difficulty/index.ts';
 import { unreadableFolders } from '../../find/index.ts';
 import type { JobName } from '../../fleet/index.ts';
-import { Failure } from '../../io/index.ts';
 import { limitsOf, refuseUnused, USUAL_EFFORT } from '../../options/index.ts';
 import { askedRuns } from '../../solve/index.ts';
+import { Failure } from '../../terminal/index.ts';
 import { type PlayOptions, planned, playSettings, unusableLevels } from '../../verify/index.ts';
 
 /** Options of the commands that shards run. */

@@ -8,7 +8,7 @@ import type { Goal } from '../../../solver/index.ts';
 import { SOFTLOCK_EFFORT } from '../../check/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
-import { expectOutput, Failure, levelsRead, namedPath, shellPath, visibleLine, writeWhole } from '../../io/index.ts';
+import { expectOutput, levelsRead, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
 import {
   addTermsOptions,
@@ -22,6 +22,7 @@ import {
 } from '../../options/index.ts';
 import { type ChosenRun, chooseRun, parseHolds } from '../../runs/index.ts';
 import { type Solved, solveLevel } from '../../solve/index.ts';
+import { Failure, namedPath, shellPath, visibleLine } from '../../terminal/index.ts';
 import {
   loadPngRenderer,
   type View,

@@ -13,11 +13,11 @@ import {
   type Search,
   type Standing,
 } from '../../../solver/index.ts';
-import { Failure } from '../../io/index.ts';
 import { withinWorkOf } from '../../levels/index.ts';
 import { percent } from '../../report-parts/index.ts';
 import type { ChosenRun } from '../../runs/index.ts';
 import type { Solved } from '../../solve/index.ts';
+import { Failure } from '../../terminal/index.ts';
 
 /** What a picture shows, apart from its size and colours. */
 export interface View extends Omit<RenderOptions, 'width' | 'theme'> {

@@ -6,16 +6,7 @@ import { drawTuning, type Ground } from '../../../picture/tune/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured, PATHS } from '../../find/index.ts';
-import {
-  colorsFor,
-  createProgress,
-  expectOutput,
-  Failure,
-  levelsRead,
-  visibleLine,
-  widthOf,
-  writeWhole,
-} from '../../io/index.ts';
+import { expectOutput, levelsRead, writeWhole } from '../../io/index.ts';
 import {
   addSearchOptions,
   addTermsOptions,
@@ -28,6 +19,7 @@ import {
   termsFrom,
 } from '../../options/index.ts';
 import { showFileProblems } from '../../report-parts/index.ts';
+import { colorsFor, createProgress, Failure, visibleLine, widthOf } from '../../terminal/index.ts';
 import {
   amountsOf,
   type Change,

@@ -1,6 +1,6 @@
 import { accuracyInWords, plural } from '../../../check/words/index.ts';
 import { RULE_NAMES, RULES, type RuleName, type TuneReport } from '../../../schema/index.ts';
-import { type Colors, visibleLine } from '../../io/index.ts';
+import { type Colors, visibleLine } from '../../terminal/index.ts';
 import {
   amountsOf,
   type Change,

@@ -6,19 +6,8 @@ import type { Terms } from '../../../engine/index.ts';
 import { levelHash, type PlayVerdict } from '../../../game/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import {
-  Failure,
-  filesBelow,
-  namedPath,
-  readBytes,
-  runInPool,
-  STDIN,
-  STDIN_NAME,
-  siblingHint,
-  sortedByPlay,
-  statOrError,
-  systemReason,
-} from '../../io/index.ts';
+import { filesBelow, readBytes, runInPool, STDIN, STDIN_NAME, siblingHint, sortedByPlay, statOrError } from '../../io/index.ts';
+import { Failure, namedPath, systemReason } from '../../terminal/index.ts';
 import { linesOf } from '../../verify/index.ts';
 import type { PlayedLevel, PlayFinding, PlaySource, PlayTask } from './read-plays.ts';
 

@@ -4,7 +4,8 @@ import type { PlayVerdict } from '../../../game/index.ts';
 import { decodePlay, PLAY_LIMITS, whyOtherEngine } from '../../../game/play/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { Failure, readBytes, readRegularFile, systemReason } from '../../io/index.ts';
+import { readBytes, readRegularFile } from '../../io/index.ts';
+import { Failure, systemReason } from '../../terminal/index.ts';
 import { readLine } from '../../verify/index.ts';
 
 /** Levels that are ready for replays, of this thread. */

@@ -1,9 +1,9 @@
 import process from 'node:process';
 import type { CommandResult, ResultFile } from '../../command.ts';
-import { type Colors, colorsFor, PLAIN, widthOf } from '../../io/index.ts';
 import { inPieces } from '../../report-parts/index.ts';
 import type { Destination, ReporterName } from '../../reporters/index.ts';
 import type { EditorLink } from '../../show-failure/index.ts';
+import { type Colors, colorsFor, PLAIN, widthOf } from '../../terminal/index.ts';
 import type { Json, ShardRecord, Work } from '../job.ts';
 
 /** Options of a report that do not come from the plan. */

@@ -1,5 +1,5 @@
 import { MAX_FILE_SIZE } from '../../../schema/basics/index.ts';
-import { Failure } from '../messages.ts';
+import { Failure } from '../../terminal/index.ts';
 
 /** Of a longer entry only slightly more bytes than this are kept, which readers then refuse. */
 export const MOST_OF_ENTRY = MAX_FILE_SIZE + 4096;

@@ -1,7 +1,7 @@
 import { createReadStream, readSync } from 'node:fs';
 import { pipeline, type Readable, type Transform } from 'node:stream';
 import * as zlib from 'node:zlib';
-import { Failure, namedPath, systemReason } from '../messages.ts';
+import { Failure, namedPath, systemReason } from '../../terminal/index.ts';
 import { NotAFile, openRegularFile, refusePointer } from '../regular-file.ts';
 import type { PackFormat } from './batch.ts';
 

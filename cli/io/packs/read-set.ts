@@ -1,5 +1,5 @@
 import * as zlib from 'node:zlib';
-import { Failure, namedPath } from '../messages.ts';
+import { Failure, namedPath } from '../../terminal/index.ts';
 import { readRegularFile, refusePointer } from '../regular-file.ts';
 import { type Batch, type BatchLimits, BatchMaker, type Contents, MOST_OF_ENTRY, packFormat, sizeOf, unwrap } from './batch.ts';
 import { AFTER_ZEROS, damaged, noZstd, openPack, UNEXPECTED_END, ZstdFrame } from './open-pack.ts';

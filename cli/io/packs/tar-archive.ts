@@ -1,6 +1,6 @@
 import { createRequire } from 'node:module';
 import type { Parser, ReadEntry } from 'tar';
-import { Failure, namedPath } from '../messages.ts';
+import { Failure, namedPath } from '../../terminal/index.ts';
 import { type Batch, type BatchMaker, MOST_OF_ENTRY } from './batch.ts';
 
 /** Bytes of a block: headers and contents begin at multiples of it. */

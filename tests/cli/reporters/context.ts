@@ -1,8 +1,8 @@
 import type { CheckedLevel } from '../../../cli/check/checked-level.ts';
 import { totalsOf } from '../../../cli/check/index.ts';
-import { PLAIN } from '../../../cli/io/terminal.ts';
 import type { ShownProblem } from '../../../cli/report-parts/index.ts';
 import type { ReportContext, Results } from '../../../cli/reporters/reporter.ts';
+import { PLAIN } from '../../../cli/terminal/terminal.ts';
 import { DEFAULT_TERMS } from '../../../engine/index.ts';
 
 /** What reporters are given where a test does not care. */

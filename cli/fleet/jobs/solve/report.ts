@@ -1,9 +1,9 @@
 import { holdsInWords, plural } from '../../../../check/words/index.ts';
 import type { SolveReport, SolveSetReport } from '../../../../schema/index.ts';
 import type { CommandResult } from '../../../command.ts';
-import { type Colors, visibleLine } from '../../../io/index.ts';
 import { alignColumns, jsonWithLevels, percent, problemJson, showFileProblems } from '../../../report-parts/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
+import { type Colors, visibleLine } from '../../../terminal/index.ts';
 import type { ShardRecord } from '../../job.ts';
 import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';
 import type { SolveRecord, SolveVerdict } from './record.ts';

@@ -1,7 +1,7 @@
 import { type VerifyReport, verifyReportSchema } from '../../../../schema/index.ts';
 import type { CommandResult } from '../../../command.ts';
-import { visibleLine } from '../../../io/index.ts';
 import type { Destination } from '../../../reporters/index.ts';
+import { visibleLine } from '../../../terminal/index.ts';
 import { countsPretty, playPretty } from '../../../verify/index.ts';
 import type { ShardRecord } from '../../job.ts';
 import { expectVerdict, Listed, plainReport, type ReportOptions, unlistedInWords } from '../kind.ts';

@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import process from 'node:process';
 import { closestName } from '../../schema/basics/index.ts';
 
@@ -83,4 +84,9 @@ export function takeNotices(): string {
 export function didYouMean(word: string, candidates: readonly string[]): string {
   const best = closestName(word, candidates);
   return best === null ? '' : ` (did you mean ${best}?)`;
+}
+
+/** The version of the package. */
+export function readVersion(): string {
+  return JSON.parse(readFileSync(new URL('../../../package.json', import.meta.url), 'utf8')).version;
 }

@@ -1,0 +1,36 @@
+export {
+  didYouMean,
+  Failure,
+  namedPath,
+  notice,
+  readVersion,
+  shellPath,
+  shellWord,
+  systemReason,
+  takeNotices,
+  visible,
+  visibleLine,
+} from './messages.ts';
+export {
+  allOrNone,
+  beginSignals,
+  catchSignals,
+  exitCodeAfter,
+  hearSignals,
+  leaveSignals,
+  onSignal,
+  type StoppingSignal,
+  stoppable,
+  uncut,
+  withUndo,
+} from './signals.ts';
+export {
+  type Colors,
+  colorsFor,
+  createProgress,
+  createStatusLine,
+  PLAIN,
+  print,
+  printAll,
+  widthOf,
+} from './terminal.ts';
