@@ -1,6 +1,7 @@
 import {
   applyPolicy,
   findingsOf,
+  type Hints,
   type LevelProblem,
   type LevelVerdict,
   type LostMineral,
@@ -14,8 +15,7 @@ import {
 import type { Problem } from '../../../schema/index.ts';
 import type { Proof } from '../../../solver/index.ts';
 import type { LiveProof } from './answer.ts';
-import { PAGE_HINTS } from './hints.ts';
-import { limitProblem, proofsGivenUp } from './left-out.ts';
+import { type Limit, limitInWords } from './patience.ts';
 
 /** What a worker has proved about a level. */
 export interface Proved {
@@ -71,3 +71,35 @@ export function toldProblems(
   const { problems } = applyPolicy(told, { severity: {}, allow: findings?.allow ?? {} });
   return problems.map((problem) => ({ ...problem, line: null, column: null }));
 }
+
+/**
+ * The problem that stands for problems that are not known.
+ * @param message why a worker, which has more patience, does not know them either; null: not asked, or not done
+ */
+const limitProblem = (limit: Limit, message: string | null): LevelProblem => ({
+  code: 'work-limit',
+  severity: 'warning',
+  message: message ?? limitInWords(limit),
+  hint: limit === 'unchecked' ? 'turn checks on to simulate it' : 'delete objects, aliens above all, or runs',
+  pointer: '',
+});
+
+/** The problem for proofs whose search ended early. @param why the beginning of a sentence */
+const proofsGivenUp = (why: string): LevelProblem => ({
+  code: 'work-limit',
+  severity: 'warning',
+  message: `${why}: the page could not decide whether something is out of reach`,
+  hint: 'gq check may search longer; fewer objects make it faster',
+  pointer: '',
+});
+
+/** Hints of problems on the page. */
+export const PAGE_HINTS: Hints = {
+  firstRun: 'play the level and keep an attempt as a run, or let the solver find a run',
+  // both are visible: the run on the canvas, the others a click away
+  seeRun: () => '',
+  seeAccuracies: () => '; the accuracy panel shows the result at each setting',
+  moreWork: ', aliens above all',
+  seeLost: '',
+  seeProof: ': move the objects that the reason names',
+};

@@ -1,13 +1,23 @@
-import { type KeyboardEvent, type MouseEvent, useId, useRef } from 'react';
+import { useVirtualizer } from '@tanstack/react-virtual';
+import { ContextMenu } from 'radix-ui';
+import {
+  Fragment,
+  type KeyboardEvent,
+  type MouseEvent,
+  type ReactElement,
+  type RefObject,
+  useEffect,
+  useId,
+  useRef,
+} from 'react';
+import { FINGER, useCoarse } from '../ui/index.ts';
 import { rowAt } from './row-at.ts';
 import { showMenu } from './show-menu.ts';
-import { TreeMenu } from './TreeMenu.tsx';
-import './tree.css';
 import { actOnKey } from './tree-keys.ts';
 import type { TreeProps } from './tree-props.ts';
-import type { TreeRow } from './tree-rows.ts';
+import type { MenuEntry, TreeRow } from './tree-rows.ts';
 import { useRowDrag } from './use-row-drag.ts';
-import { useShownRows } from './use-shown-rows.ts';
+import './tree.css';
 
 /**
  * A virtual list or tree for pointer and keyboard: arrows move, Enter opens, Alt + arrows reorder, the menu key opens the
@@ -98,4 +108,61 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
   );
   if (menu === undefined) return tree;
   return <TreeMenu entries={activeIndex < 0 ? [] : menu(rows[activeIndex])}>{tree}</TreeMenu>;
+}
+
+/** The context menu of the active row, opened anywhere in the tree. */
+function TreeMenu({ entries, children }: { readonly entries: readonly MenuEntry[]; readonly children: ReactElement }) {
+  return (
+    <ContextMenu.Root>
+      <ContextMenu.Trigger asChild>{children}</ContextMenu.Trigger>
+      <ContextMenu.Portal>
+        <ContextMenu.Content className="menu" collisionPadding={8}>
+          {entries.map((entry, index) =>
+            entry === null ? (
+              // biome-ignore lint/suspicious/noArrayIndexKey: lines have no name, and the menu is rebuilt each time
+              <ContextMenu.Separator key={index} className="menu__line" />
+            ) : (
+              <Fragment key={entry.title}>
+                <ContextMenu.Item className="menu__item" disabled={entry.disabled} onSelect={entry.run}>
+                  {entry.title}
+                  {entry.keys !== undefined && <kbd>{entry.keys}</kbd>}
+                </ContextMenu.Item>
+              </Fragment>
+            ),
+          )}
+        </ContextMenu.Content>
+      </ContextMenu.Portal>
+    </ContextMenu.Root>
+  );
+}
+
+/** The rows that are rendered, out of any number. The active one is scrolled into view. */
+function useShownRows<R extends TreeRow>(
+  scroller: RefObject<HTMLDivElement | null>,
+  rows: readonly R[],
+  rowHeight: (row: R) => number,
+  activeIndex: number,
+) {
+  const least = useCoarse() ? FINGER : 0;
+  const virtual = useVirtualizer({
+    count: rows.length,
+    getScrollElement: () => scroller.current,
+    estimateSize: (index) => Math.max(least, rowHeight(rows[index])),
+    getItemKey: (index) => rows[index].key,
+    overscan: 8,
+  });
+
+  const measure = useRef(virtual.measure);
+  measure.current = virtual.measure;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another pointer or other rows, other heights
+  useEffect(() => measure.current(), [least, rowHeight]);
+
+  // Scrolls to the active row, whatever made it active.
+  const scrollTo = useRef(virtual.scrollToIndex);
+  scrollTo.current = virtual.scrollToIndex;
+  useEffect(() => {
+    if (activeIndex >= 0) scrollTo.current(activeIndex, { align: 'auto' });
+  }, [activeIndex]);
+
+  return virtual;
 }
