@@ -23,10 +23,10 @@ import { lossesQuestion, lostQuestion } from '../../editor/features/lost/watch-l
 import { mendQuestion } from '../../editor/features/mend/watch-mend.ts';
 import { gradeQuestion } from '../../editor/features/pack/grades.ts';
 import { playsQuestion } from '../../editor/features/plays/open-plays.ts';
-import { checkQuestion } from '../../editor/features/solver/check-watch.ts';
+import { checkQuestion } from '../../editor/core/verdict/index.ts';
 import { difficultyQuestion } from '../../editor/features/solver/difficulty-session.ts';
 import { fixQuestion } from '../../editor/features/solver/fix-session.ts';
-import { proofQuestion } from '../../editor/features/solver/proof-watch.ts';
+import { proofQuestion } from '../../editor/core/verdict/index.ts';
 import { fanQuestion, robustnessQuestion } from '../../editor/features/solver/robustness-watch.ts';
 import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-jobs.ts';
 import { createWorkers, type WorkerPort } from '../../editor/workers/index.ts';

@@ -1,6 +1,6 @@
 import { useStore } from 'zustand';
 import { useLevel, useProof } from '../../core/context/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import type { Loss } from '../../workers/index.ts';
 import { lossKey, lostOf } from './lost-store.ts';
 
