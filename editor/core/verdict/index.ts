@@ -4,13 +4,13 @@ import type { LevelVerdict } from '../../../check/index.ts';
 import type { Problem } from '../../../schema/index.ts';
 import { type AskedOf, jobs, type Proofs } from '../../workers/index.ts';
 import { type Asked, type Desk, question } from '../ask/index.ts';
-import { ofLevel, type OpenLevel, useEditor } from '../context/index.ts';
+import { type OpenLevel, ofLevel, useEditor } from '../context/index.ts';
 import {
   type FoundByWorker,
   type LiveProof,
   limitInWords,
-  type Proved,
   type ProofStore,
+  type Proved,
   toldProblems,
   toldVerdict,
   toPlay,

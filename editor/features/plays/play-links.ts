@@ -1,9 +1,7 @@
 import { placeIn } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
+import { groupPlays, levelsByHash, openPlays } from '../../core/plays/index.ts';
 import { playInFragment, playsInText } from '../../core/shelf/index.ts';
-import { levelsByHash } from './find-levels.ts';
-import { groupPlays } from './group-plays.ts';
-import { openPlays } from './open-plays.ts';
 
 /** A play in the page's address. */
 export interface LinkedPlay {

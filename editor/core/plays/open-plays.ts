@@ -1,13 +1,14 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { plural } from '../../../check/words/index.ts';
-import { askOnce, question } from '../../core/ask/index.ts';
-import type { Editor, OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
-import { openListed } from '../../core/levels/index.ts';
-import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../../core/shelf/index.ts';
+import { decodePlay, ENGINE_ID, levelHash, type Play } from '../../../game/index.ts';
+import { type LevelEntry, readLevel } from '../../../schema/index.ts';
 import { type AskedOf, jobs } from '../../workers/index.ts';
-import { levelsByHash } from './find-levels.ts';
-import { groupPlays, type ReadPlay, refusedInWords } from './group-plays.ts';
+import { askOnce, question } from '../ask/index.ts';
+import type { Editor, OpenLevel } from '../context/index.ts';
+import { allLevels, folderTermsIn } from '../files/index.ts';
+import { keptWith } from '../kept/index.ts';
+import { openListed } from '../levels/index.ts';
+import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../shelf/index.ts';
 
 /** What is read and verified at the moment. */
 export interface Reading {
@@ -41,7 +42,7 @@ function inTurn(editor: Editor, act: () => Promise<void>): Promise<void> {
 }
 
 /** How plays are opened. */
-export interface OpenOptions {
+interface OpenOptions {
   /** What was refused before. */
   readonly refused?: readonly RefusedFile[];
   /** Whether the level of the plays is opened, too, as for a link; otherwise it is offered. */
@@ -197,4 +198,77 @@ function staleInWords({ open }: Editor, hash: string): string {
   const found = `found one of level ${hash.slice(0, 8)}…, which no level of this folder is now`;
   const here = level === null ? 'a level of this folder' : `the open level, “${level.document.file().name}”`;
   return `stale-level: expected a play of ${here}, ${found}. Open the version of the level that it was played on`;
+}
+
+/** A play that can be read, by an engine that this page has. */
+interface ReadPlay extends GivenPlay {
+  readonly play: Play;
+}
+
+/** Plays by the hash of their level. */
+interface GroupedPlays {
+  readonly byLevel: ReadonlyMap<string, readonly ReadPlay[]>;
+  readonly refused: readonly RefusedFile[];
+}
+
+/** Reads plays and groups them by level. Those that can't be read, or were played with another engine, are refused. */
+export function groupPlays(given: readonly GivenPlay[]): GroupedPlays {
+  const byLevel = new Map<string, ReadPlay[]>();
+  const refused: RefusedFile[] = [];
+  for (const { name, bytes } of given) {
+    const decoded = decodePlay(bytes);
+    if (!decoded.ok) {
+      refused.push({ name, reason: `${decoded.verdict}: ${decoded.message}` });
+      continue;
+    }
+    const { play } = decoded;
+    if (play.engine !== ENGINE_ID) {
+      refused.push({ name, reason: `unknown-engine: expected a play of engine ${ENGINE_ID}, found one of ${play.engine}` });
+      continue;
+    }
+    const group = byLevel.get(play.level);
+    if (group === undefined) byLevel.set(play.level, [{ name, bytes, play }]);
+    else group.push({ name, bytes, play });
+  }
+  return { byLevel, refused };
+}
+
+/** Lines of a message. */
+const LINES = 4;
+
+/** What was refused, a line each; what there is no room for is counted. */
+export function refusedInWords(refused: readonly RefusedFile[]): string {
+  const lines = refused.slice(0, LINES).map(({ name, reason }) => `${name}: ${reason}.`);
+  const rest = refused.length - lines.length;
+  if (rest > 0) lines.push(`${rest} more ${rest === 1 ? 'was' : 'were'} refused as well.`);
+  return lines.join('\n');
+}
+
+/** The hashes of levels that were read, by file, version and rules. */
+const hashesOf = keptWith<Editor, Map<string, string | null>>(() => new Map());
+
+async function hashOf(editor: Editor, { id, etag }: LevelEntry): Promise<string | null> {
+  const { storage, store } = editor.workspace;
+  const { rules } = folderTermsIn(store.getState());
+  const hashes = hashesOf(editor);
+  const key = JSON.stringify([id, etag, rules]);
+  const before = hashes.get(key);
+  if (before !== undefined) return before;
+  const answer = await storage.read(id);
+  const reading = answer.ok ? readLevel(answer.value.text ?? '', { rules }) : null;
+  const hash = reading?.ok === true ? levelHash(reading.level) : null;
+  if (answer.ok) hashes.set(key, hash);
+  return hash;
+}
+
+/** Finds levels of the folder by their hashes. It reads their files, until all are found. */
+export async function levelsByHash(editor: Editor, wanted: ReadonlySet<string>): Promise<ReadonlyMap<string, LevelEntry>> {
+  const found = new Map<string, LevelEntry>();
+  for (const entry of await allLevels(editor.workspace)) {
+    if (found.size === wanted.size) break;
+    if (entry.status !== 'valid') continue;
+    const hash = await hashOf(editor, entry);
+    if (hash !== null && wanted.has(hash) && !found.has(hash)) found.set(hash, entry);
+  }
+  return found;
 }

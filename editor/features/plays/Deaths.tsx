@@ -1,9 +1,23 @@
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { type OnCanvas, type Point, toLevel, toScreen } from '../../canvas/index.ts';
-import { useLevel, useSession } from '../../core/context/index.ts';
-import { deathsNear, shelfOf } from '../../core/shelf/index.ts';
+import {
+  COLOURS,
+  type Colours,
+  colourNumber,
+  type Drawing,
+  deathOpacity,
+  fillSquares,
+  type OnCanvas,
+  type Point,
+  toLevel,
+  toScreen,
+} from '../../canvas/index.ts';
+import { useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
+import { type DeathMap, deathsNear, shelfOf } from '../../core/shelf/index.ts';
 import './plays.css';
+import type { GameObjects, Scene } from 'phaser';
+import { plural } from '../../../check/words/index.ts';
+import { ShadeLegend } from '../../core/ui/index.ts';
 
 /** px of the level around the pointer in which deaths count, and the least of them on the screen */
 const REACH = { level: 12, screen: 10 } as const;
@@ -58,4 +72,44 @@ export function DeathTip({ canvas, host }: OnCanvas) {
       {causes.length > LINES && <span>and {causes.length - LINES} other causes</span>}
     </div>
   );
+}
+
+/** The legend of the heat map of deaths. Empty while the map is not shown. */
+export function DeathLegend() {
+  const deaths = useStore(shelfOf(useLevel()).store, (state) => state.deaths);
+  const isShown = useSession(({ layers, mode }) => layers.deaths && mode === 'edit');
+  const theme = usePageTheme();
+  if (deaths === null || !isShown) return null;
+  return (
+    <ShadeLegend
+      label="Heat map of deaths"
+      caption={`${plural(deaths.deaths, 'death')}, counted in squares of ${deaths.cellSize} px`}
+      map={deaths}
+      colour={COLOURS[theme].death}
+      opacityOf={deathOpacity}
+      corner="right"
+    />
+  );
+}
+
+/** The heat map of deaths: squares above space, below the objects. */
+export class DeathLayer implements Drawing<DeathMap | null> {
+  private readonly graphics: GameObjects.Graphics;
+
+  constructor(
+    scene: Scene,
+    private readonly colours: Colours,
+  ) {
+    this.graphics = scene.add.graphics().setDepth(0.3);
+  }
+
+  /** @param deaths null: none are shown */
+  show(deaths: DeathMap | null): void {
+    this.graphics.clear();
+    if (deaths !== null) fillSquares(this.graphics, deaths, colourNumber(this.colours.death), deathOpacity);
+  }
+
+  destroy(): void {
+    this.graphics.destroy();
+  }
 }
