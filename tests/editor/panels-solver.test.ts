@@ -10,7 +10,7 @@ import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { createDifficultySession } from '../../editor/features/solver/difficulty-session.ts';
 import { createOverlay } from '../../editor/features/solver/overlay.ts';
-import { watchProofs } from '../../editor/core/verdict/index.ts';
+import { watchProofs } from '../../editor/core/verdict/evidence.ts';
 import { watchRobustness } from '../../editor/features/solver/robustness-watch.ts';
 import { createSearchSession } from '../../editor/features/solver/search-session.ts';
 import { aimOf, createSearchSettings, goalOf } from '../../editor/features/solver/search-settings.ts';

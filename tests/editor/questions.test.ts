@@ -13,7 +13,7 @@ import { playsQuestion } from '../../editor/core/plays/open-plays.ts';
 import { createProofStore, type LiveProof, slackQuestion } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
-import { checkQuestion, proofQuestion } from '../../editor/core/verdict/index.ts';
+import { checkQuestion, proofQuestion } from '../../editor/core/verdict/evidence.ts';
 import { accuracyQuestion } from '../../editor/features/accuracy/use-measured.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';

@@ -18,6 +18,5 @@ export {
 } from './level-files.ts';
 export { listHistoryOf } from './list-history.ts';
 export { changePack, editPack } from './pack-steps.ts';
-export { TextDialog } from './TextDialog.tsx';
 export { factsKey, factsOf, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
 export { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';

@@ -6,6 +6,7 @@ import { isModKey } from '../../core/commands/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { errorInWords } from '../../core/files/index.ts';
 import { deleteLevel, duplicateLevel, followSaves, openListed } from '../../core/levels/index.ts';
+import { TextDialog } from '../../core/panel/index.ts';
 import { Tree } from '../../core/tree/index.ts';
 import { Button, focusHome } from '../../core/ui/index.ts';
 import { FolderLine } from './FolderLine.tsx';
@@ -14,7 +15,6 @@ import { LevelSearch } from './LevelSearch.tsx';
 import { copyPath, levelMenu, moveTo } from './level-menu.ts';
 import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
-import { TextDialog } from '../../core/levels/index.ts';
 import { NoLevels } from './NoLevels.tsx';
 import { RenameDialog } from './RenameDialog.tsx';
 

@@ -2,7 +2,7 @@ import { useEffect, useEffectEvent, useMemo, useState } from 'react';
 import { formatLevel, type Problem } from '../../../schema/index.ts';
 import { type Editor, useEditor } from '../context/index.ts';
 import { readText, type StorageError } from '../files/index.ts';
-import { openListed } from './index.ts';
+import { openListed } from '../levels/index.ts';
 
 const NOTHING = [] as const;
 
