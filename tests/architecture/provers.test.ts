@@ -14,17 +14,17 @@ const graph = importGraph(sources);
 const isIn = (folder: string) => (path: string) => path.startsWith(`solver/${folder}/`);
 
 it('no prover knows a checker', () => {
-  const wrong = [...graph].filter(([path, targets]) => isIn('proofs')(path) && targets.some(isIn('verify')));
+  const wrong = [...graph].filter(([path, targets]) => isIn('prove')(path) && targets.some(isIn('check')));
   expect(wrong.map(([path]) => path)).toEqual([]);
 });
 
 it('a checker knows of the provers only the types of what they claim, and nothing else of the solver', () => {
-  const checkers = sources.filter(({ path }) => isIn('verify')(path));
+  const checkers = sources.filter(({ path }) => isIn('check')(path));
   expect(checkers.length).toBeGreaterThan(20);
   const outside = checkers.flatMap(({ path }) =>
-    (graph.get(path) ?? []).filter((target) => !isIn('verify')(target)).map((target) => `${path} -> ${target}`),
+    (graph.get(path) ?? []).filter((target) => !isIn('check')(target)).map((target) => `${path} -> ${target}`),
   );
-  expect(outside.filter((arrow) => !arrow.endsWith('-> solver/proofs/index.ts'))).toEqual([]);
-  const values = checkers.filter(({ text }) => /^(?:import|export) (?!type )[^;]*from '[./]*proofs\/index\.ts';/m.test(text));
+  expect(outside.filter((arrow) => !arrow.endsWith('-> solver/prove/index.ts'))).toEqual([]);
+  const values = checkers.filter(({ text }) => /^(?:import|export) (?!type )[^;]*from '[./]*prove\/index\.ts';/m.test(text));
   expect(values.map(({ path }) => path)).toEqual([]);
 });
