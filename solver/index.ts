@@ -12,7 +12,6 @@
  * @module
  */
 
-export { type Verification, verifyProof } from './check/index.ts';
 export { type Goal, mineralsNeeded } from './goal.ts';
 export {
   createGenerator,
@@ -171,8 +170,10 @@ export {
   type Search,
   type SearchOptions,
 } from './search/explore/index.ts';
-export { type Cleaned, type CleanOptions, cleanRun } from './search/solve/clean-run.ts';
 export {
+  type Cleaned,
+  type CleanOptions,
+  cleanRun,
   createSolver,
   mergeSolutions,
   type Objective,
@@ -182,3 +183,4 @@ export {
 } from './search/solve/index.ts';
 export type { Steps } from './steps.ts';
 export { type Candidate, createReplay, cutHolds, type Replay, verifyRun } from './verified-run.ts';
+export { type Verification, verifyProof } from './verify/index.ts';

@@ -118,7 +118,7 @@ describe('terms are a value', () => {
     'game/player/create-player.ts': 'a published entry that says its default',
     'solver/search/anytime/anytime-proof.ts': 'a published entry that says its default',
     'solver/prove/setting.ts': 'a published entry that says its default',
-    'solver/check/claim.ts': 'reads what a proof of that entry claims',
+    'solver/verify/claim.ts': 'reads what a proof of that entry claims',
     'solver/make/generate/generator-spec.ts': 'a published entry that says its default',
   };
 

@@ -14,8 +14,8 @@ const robustness = (...names: string[]): string[] => names.map((name) => `tests/
 const engine = (...names: string[]): string[] => names.map((name) => `tests/engine/${name}.test.ts`);
 
 export const ROOMS: Readonly<Record<string, Room>> = {
-  'solver/check': {
-    sources: ['solver/check'],
+  'solver/verify': {
+    sources: ['solver/verify'],
     tests: [
       'tests/solver/near-miss',
       ...['verify', 'proofs', 'lemmas', 'lemmas-of-ways', 'orbits'].map((name) => `tests/solver/${name}.test.ts`),

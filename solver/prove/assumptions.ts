@@ -3,7 +3,7 @@ import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
 import type { Prover } from './proof.ts';
 
 // What provers assume about the game: the effects that each of them understands, and the bounds that follow from the effects.
-// The checker has its own declarations (solver/check/assumptions.ts), because an error in a list that both read would be an
+// The checker has its own declarations (solver/verify/assumptions.ts), because an error in a list that both read would be an
 // error in both. They share only the engine's names and the table of rules.
 //
 // Winds and wormholes: what happens at the start happens before either acts. `out-of-range` follows wormholes, `enclosed`

@@ -114,7 +114,7 @@ const ROUNDING = 2e-16;
 /**
  * Whether in `arcade` rounding could take her off the line or turn her box. What counts is the angular momentum about the
  * asteroid that rounding adds. Frames amplify it by less than a factor of 3 on the way, and it turns her direction from the
- * asteroid faster the nearer she is. See `offLine` in solver/check/fall.ts for the argument (lemma `arcade-fall`).
+ * asteroid faster the nearer she is. See `offLine` in solver/verify/fall.ts for the argument (lemma `arcade-fall`).
  */
 function mayBeRoundedOff(setting: Setting, line: Line, { front }: Trap): boolean {
   const { level, rules, box, jump, maxTime, strongest } = setting;

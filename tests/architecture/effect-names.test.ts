@@ -41,7 +41,7 @@ const mayName = (kind: string): string[] => [
 ];
 
 /** A way to prove that follows an effect, or keeps out of it, and its check: they understand it by name, or refuse it. */
-const PROOFS = /^solver\/(prove|check)\//;
+const PROOFS = /^solver\/(prove|verify)\//;
 
 // The kinds that the original game does not have: each was added after the tables were there.
 describe.each(LISTED_KINDS.filter((kind) => KINDS[kind].original === null))('%s', (kind) => {

@@ -14,15 +14,15 @@ const graph = importGraph(sources);
 const isIn = (folder: string) => (path: string) => path.startsWith(`solver/${folder}/`);
 
 it('no prover knows a checker', () => {
-  const wrong = [...graph].filter(([path, targets]) => isIn('prove')(path) && targets.some(isIn('check')));
+  const wrong = [...graph].filter(([path, targets]) => isIn('prove')(path) && targets.some(isIn('verify')));
   expect(wrong.map(([path]) => path)).toEqual([]);
 });
 
 it('a checker knows of the provers only the types of what they claim, and nothing else of the solver', () => {
-  const checkers = sources.filter(({ path }) => isIn('check')(path));
+  const checkers = sources.filter(({ path }) => isIn('verify')(path));
   expect(checkers.length).toBeGreaterThan(20);
   const outside = checkers.flatMap(({ path }) =>
-    (graph.get(path) ?? []).filter((target) => !isIn('check')(target)).map((target) => `${path} -> ${target}`),
+    (graph.get(path) ?? []).filter((target) => !isIn('verify')(target)).map((target) => `${path} -> ${target}`),
   );
   expect(outside.filter((arrow) => !arrow.endsWith('-> solver/prove/index.ts'))).toEqual([]);
   const values = checkers.filter(({ text }) => /^(?:import|export) (?!type )[^;]*from '[./]*prove\/index\.ts';/m.test(text));

@@ -1,10 +1,10 @@
 import { compile, isAccuracyName, type Scene, simulate, TICK } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/basics/index.ts';
-import { verifyProof } from '../../check/index.ts';
 import type { Goal } from '../../goal.ts';
 import { proveImpossible } from '../../prove/index.ts';
 import { type Candidate, createSearch } from '../../search/explore/index.ts';
 import { verifyRun } from '../../verified-run.ts';
+import { verifyProof } from '../../verify/index.ts';
 
 /**
  * Whether the level can be completed without an asteroid that the given run uses:

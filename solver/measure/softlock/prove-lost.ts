@@ -1,8 +1,8 @@
 import { type AccuracyName, isAccuracyName, type Simulation, STATE_SIZE, TICK, WorkBudget } from '../../../engine/index.ts';
 import { KINDS, type Level, LISTED_KINDS, NO_OBJECTS, objectsIn } from '../../../schema/basics/index.ts';
-import { verifyProof } from '../../check/index.ts';
 import { type Proof, type ProveOptions, type Prover, type ProverEntry, proveBy, proversThat } from '../../prove/index.ts';
 import { type AnytimeProof, createAnytimeProof } from '../../search/anytime/index.ts';
+import { verifyProof } from '../../verify/index.ts';
 
 /** What the provers of one state may cost, pieces of motion. */
 const MAX_WORK = 10_000;

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, createSimulation } from '../../../engine/index.ts';
 import { DEFAULT_RULES } from '../../../schema/index.ts';
-import { afterChase, type Chaser, eitherChaser } from '../../../solver/check/chasers.ts';
+import { afterChase, type Chaser, eitherChaser } from '../../../solver/verify/chasers.ts';
 import { expectDeep } from '../../depth.ts';
 import { at, levelWith, type NearMiss, nearMisses, ORIGIN } from './near-miss.ts';
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { speedAfter } from '../../../solver/check/assumptions.ts';
-import { type Fall, offLine } from '../../../solver/check/fall.ts';
+import { speedAfter } from '../../../solver/verify/assumptions.ts';
+import { type Fall, offLine } from '../../../solver/verify/fall.ts';
 import { real } from '../../real.ts';
 import { PULL, TICK } from './near-miss.ts';
 

@@ -35,7 +35,7 @@ const wrong = (why: string): Verification => ({ ok: false, why });
  * every accuracy that the proof claims to cover. The proof may come from a file: nothing is assumed about it except that it is
  * JSON.
  *
- * What each check rests on is written at the head of its file in `solver/check`, and in `docs/proofs.md`.
+ * What each check rests on is written at the head of its file in `solver/verify`, and in `docs/proofs.md`.
  * @param level the level that the proof is about
  * @param proof the proof, possibly damaged or forged
  * @returns whether the proof holds, and if not, why
