@@ -23,7 +23,7 @@ import { lossesQuestion, lostQuestion } from '../../editor/features/lost/watch-l
 import { mendQuestion } from '../../editor/features/mend/watch-mend.ts';
 import { gradeQuestion } from '../../editor/features/pack/grades.ts';
 import { playsQuestion } from '../../editor/features/plays/open-plays.ts';
-import { checkQuestion } from '../../editor/features/solver/verify-watch.ts';
+import { checkQuestion } from '../../editor/features/solver/check-watch.ts';
 import { difficultyQuestion } from '../../editor/features/solver/difficulty-session.ts';
 import { fixQuestion } from '../../editor/features/solver/fix-session.ts';
 import { proofQuestion } from '../../editor/features/solver/proof-watch.ts';
