@@ -115,10 +115,10 @@ describe('terms are a value', () => {
     'game/light/index.ts': 'a published entry that says its default',
     'game/play/verify.ts': 'a published entry that says its default',
     'game/player/create-player.ts': 'a published entry that says its default',
-    'solver/anytime/anytime-proof.ts': 'a published entry that says its default',
-    'solver/proofs/setting.ts': 'a published entry that says its default',
+    'solver/search/anytime/anytime-proof.ts': 'a published entry that says its default',
+    'solver/prove/setting.ts': 'a published entry that says its default',
     'solver/verify/claim.ts': 'reads what a proof of that entry claims',
-    'solver/generate/generator-spec.ts': 'a published entry that says its default',
+    'solver/make/generate/generator-spec.ts': 'a published entry that says its default',
   };
 
   it('what holds where nothing is said is named where terms are made, and nowhere else', () => {

@@ -36,12 +36,12 @@ const mayName = (kind: string): string[] => [
   'picture/kinds/index.ts',
   'schema/basics/kinds.ts',
   'schema/level.schema.json',
-  'solver/generate/placed/index.ts',
-  `solver/generate/placed/${kind}.ts`,
+  'solver/make/generate/placed/index.ts',
+  `solver/make/generate/placed/${kind}.ts`,
 ];
 
 /** A way to prove that follows an effect, or keeps out of it, and its check: they understand it by name, or refuse it. */
-const PROOFS = /^solver\/(proofs|verify)\//;
+const PROOFS = /^solver\/(prove|verify)\//;
 
 // The kinds that the original game does not have: each was added after the tables were there.
 describe.each(LISTED_KINDS.filter((kind) => KINDS[kind].original === null))('%s', (kind) => {
