@@ -131,7 +131,7 @@ export class PieceRecorder implements Recorder, Trajectory {
   /** The smallest gap to a hazard. */
   clearance(): Clearance | null {
     const { scene, events } = this;
-    const near = new ClearanceTracker(scene);
+    const near = new ClearanceTracker(scene, WHOLE_METHOD.effects.hazardsOf(scene));
     if (near.count === 0) return null;
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
