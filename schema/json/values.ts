@@ -1,6 +1,8 @@
-type Json = { readonly [key: string]: unknown };
+/** An object of a JSON file. */
+export type Json = Readonly<Record<string, unknown>>;
 
-const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
+/** Whether a JSON value is an object, and neither a list nor null. */
+export const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /**
  * Whether two JSON values are equal, in any order of keys.
