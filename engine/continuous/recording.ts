@@ -1,15 +1,19 @@
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
+import { integratorOf } from '../integrators/index.ts';
 import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent, Trajectory } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
-import { WHOLE_METHOD } from './method.ts';
-import { ContinuousSimulation } from './simulation.ts';
+import { ContinuousSimulation, type Method } from './simulation.ts';
 
 const { START, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
+
+/** The method for every scene and accuracy. */
+export const WHOLE_METHOD: Method = { effects: ALL_EFFECTS, integratorOf };
 
 /** Bytes that a recorded piece takes in addition to its numbers. */
 const BYTES_A_PIECE = 128;

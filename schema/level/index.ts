@@ -7,9 +7,10 @@ export { withIds } from './ids.ts';
 export { conflictProblems } from './merge-conflicts.ts';
 export { type JsonObject, MIGRATIONS, type Migration, migrate, readVersion } from './migrate.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readContent, readLevel } from './read-level.ts';
+export { type ReadRunTextOptions, readRunText } from './read-run-text.ts';
 export { enteringFolder, leavingFolder, resolveLevel } from './resolve.ts';
 export { type GameRule, RULES } from './rules.ts';
-export * from './run-text/index.ts';
+export * from './run-text.ts';
 export {
   type FileConflict,
   formatLevelShape,

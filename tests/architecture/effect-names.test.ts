@@ -30,7 +30,7 @@ const mayName = (kind: string): string[] => [
   'engine/effects/parts.ts',
   'engine/light/index.ts',
   'game/light/index.ts',
-  'phaser/drawing/drawings.ts',
+  'phaser/drawing/textures.ts',
   `phaser/drawing/${kind}.ts`,
   `picture/kinds/${kind}.ts`,
   'picture/kinds/index.ts',
