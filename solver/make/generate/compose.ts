@@ -5,7 +5,7 @@ import type { Rejection } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { withoutUnused } from './harden.ts';
 import { distance, type Layout } from './layout.ts';
-import { hasRoom, MINERAL_RADIUS } from './minerals.ts';
+import { hasRoom, MINERAL_RADIUS } from './novae.ts';
 import type { Route } from './route.ts';
 import { ALL, ANY, findWays, sceneOf } from './scouting.ts';
 import { isOnTheme, type Stage } from './stage.ts';

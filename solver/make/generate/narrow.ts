@@ -1,9 +1,8 @@
 import { boxOf, compile } from '../../../engine/index.ts';
 import { type Disc, rulesOf } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { successProbability } from '../../measure/robustness/index.ts';
 import type { Random } from '../../random.ts';
-import { type Candidate, verifyRun } from '../../verified-run.ts';
+import { type Candidate, type Goal, verifyRun } from '../../verified-run.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { fits, type Layout, NOVA_MARGIN } from './layout.ts';
 import { toLevel } from './level-file.ts';

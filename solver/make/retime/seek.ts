@@ -1,6 +1,5 @@
 import type { Steps } from '../../steps.ts';
-import { type Move, movesOf, shifted } from './moves.ts';
-import type { Point, Task } from './task.ts';
+import { type Move, movesOf, type Point, shifted, type Task } from './task.ts';
 
 /** Shifts that are tried around the given edges, ticks, the smallest first. */
 const SIZES = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32, 36, 40, 48, 56, 64, 72, 80, 90];

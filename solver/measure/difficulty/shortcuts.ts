@@ -1,8 +1,7 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
-import { type Candidate, verifyRun } from '../../verified-run.ts';
-import { countOnePress } from './one-press.ts';
+import { type Candidate, type Goal, verifyRun } from '../../verified-run.ts';
+import { countOnePress } from './random-play.ts';
 import { findWithoutAsteroids, type WithoutAsteroid } from './without-asteroid.ts';
 
 /** What single presses achieve. */

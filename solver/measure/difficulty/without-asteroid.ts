@@ -1,9 +1,8 @@
 import { compile, isAccuracyName, type Scene, simulate, TICK } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { proveImpossible } from '../../prove/index.ts';
 import { type Candidate, createSearch } from '../../search/explore/index.ts';
-import { verifyRun } from '../../verified-run.ts';
+import { type Goal, verifyRun } from '../../verified-run.ts';
 import { verifyProof } from '../../verify/index.ts';
 
 /**

@@ -10,15 +10,12 @@ import {
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createRandom, type Random } from '../../random.ts';
 import { cutHolds } from '../../verified-run.ts';
-import { Approach } from './approach.ts';
-import { CellKey, CellTable, SnapshotPool } from './cell-table.ts';
+import { CellKey, CellTable, MineralSet, SnapshotPool } from './cell-table.ts';
 import { Frontier } from './frontier.ts';
 import { BANDS, type Guide } from './guide.ts';
 import { HeatMap } from './heat-map.ts';
 import { LineOfFlight } from './line-of-flight.ts';
-import { MineralSet } from './mineral-set.ts';
-import { NodeList } from './node-list.ts';
-import type { Reports } from './reports.ts';
+import { Approach, NodeList, type Reports } from './node-list.ts';
 import type { Closest, Effort, Moment } from './search.ts';
 
 // What has been tried from a node.

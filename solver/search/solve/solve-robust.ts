@@ -3,7 +3,6 @@ import { createRandom, type Random } from '../../random.ts';
 import { changeRun } from './change-run.ts';
 import { Clouds } from './clouds.ts';
 import { createLocalSearch, holdsOf, type LocalSearch, meanShiftStep } from './local-search.ts';
-import { isSameWay, mergeSolutions } from './merge-solutions.ts';
 import {
   centred,
   certifyCandidate,
@@ -18,6 +17,7 @@ import {
   toSolution,
 } from './robust-candidate.ts';
 import { screen } from './screen.ts';
+import { isSameWay, mergeSolutions } from './solution.ts';
 import { playable, type SolverSession } from './solver-session.ts';
 
 /** The most new runs per round from clouds, and from changes. */

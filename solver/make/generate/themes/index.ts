@@ -1,4 +1,4 @@
-import type { ThemeName } from '../theme-name.ts';
+import type { ThemeName } from '../generator-spec.ts';
 import { corridors } from './corridors.ts';
 import { fields } from './fields.ts';
 import { lures } from './lures.ts';

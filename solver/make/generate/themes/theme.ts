@@ -1,6 +1,5 @@
 import type { Level } from '../../../../schema/index.ts';
-import type { GeneratorSpec } from '../generator-spec.ts';
-import type { SymmetryKind } from '../theme-name.ts';
+import type { GeneratorSpec, SymmetryKind } from '../generator-spec.ts';
 import type { Flight } from './flight.ts';
 import type { Site } from './site.ts';
 

@@ -2,7 +2,7 @@ import { normalBeyondHalf, Z_90 } from '../../robustness/index.ts';
 import { exponential, logarithm } from './elementary.ts';
 import { Evidence, type ObservedAttempt } from './evidence.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
-import { practiceTable, timeRun } from './timing.ts';
+import { practiceTable, timeRun } from './player.ts';
 
 export type { ObservedAttempt } from './evidence.ts';
 
