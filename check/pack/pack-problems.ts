@@ -4,7 +4,7 @@ import { EFFECT_NAMES, effectInWords, introductionsOf, type MetLevel } from './i
 import { inPackOrder } from './order.ts';
 
 type ReadPack = Extract<PackReading, { readonly ok: true }>;
-type Place = readonly (string | number)[];
+type JsonPath = readonly (string | number)[];
 
 /** More levels are not named in one message. */
 const MOST_NAMED = 10;
@@ -15,7 +15,7 @@ interface Found {
   readonly severity: Problem['severity'];
   readonly message: string;
   readonly hint: string;
-  readonly at: Place;
+  readonly at: JsonPath;
 }
 
 const quoted = (id: string): string => JSON.stringify(id);
@@ -83,7 +83,7 @@ function missingLevels(entries: readonly PackEntry[], levels: readonly MetLevel[
   });
 }
 
-const placeOf = (entry: PackEntry, index: number): Place =>
+const placeOf = (entry: PackEntry, index: number): JsonPath =>
   typeof entry === 'object' && 'level' in entry ? ['levels', index, 'level'] : ['levels', index];
 
 function repeatedLevels(entries: readonly PackEntry[]): Found[] {

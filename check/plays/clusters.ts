@@ -1,3 +1,4 @@
+import type { Place } from '../../schema/basics/index.ts';
 import type { Attempt, FailureCause } from './attempt.ts';
 import { byCause } from './causes.ts';
 
@@ -53,7 +54,7 @@ const countOf = (own: readonly Attempt[], failures: number): Pick<FailureCluster
   plays: own.map(({ play }) => play).sort((a, b) => a - b),
 });
 
-function placeOf(points: readonly Point[]): Pick<FailureCluster, 'x' | 'y' | 'spread'> {
+function placeOf(points: readonly Place[]): Pick<FailureCluster, 'x' | 'y' | 'spread'> {
   let [x, y, squares] = [0, 0, 0];
   for (const point of points) {
     x += point.x / points.length;
@@ -61,12 +62,6 @@ function placeOf(points: readonly Point[]): Pick<FailureCluster, 'x' | 'y' | 'sp
   }
   for (const point of points) squares += ((point.x - x) * (point.x - x) + (point.y - y) * (point.y - y)) / points.length;
   return { x, y, spread: Math.sqrt(squares) };
-}
-
-/** A point of the plane. */
-export interface Point {
-  readonly x: number;
-  readonly y: number;
 }
 
 interface Cell {
@@ -98,7 +93,7 @@ const AROUND: readonly (readonly [number, number])[] = Array.from({ length: 25 }
  * @param least how many points a neighbourhood needs
  * @returns the number of each point's cluster, from 0; -1 for a point that belongs to none
  */
-export function dbscan(points: readonly Point[], reach: number, least: number): Int32Array {
+export function dbscan(points: readonly Place[], reach: number, least: number): Int32Array {
   const near = reach * reach;
   const distance = (a: number, b: number): number => {
     const [dx, dy] = [points[a].x - points[b].x, points[a].y - points[b].y];
@@ -162,11 +157,11 @@ export function dbscan(points: readonly Point[], reach: number, least: number): 
 }
 
 /** Whether one point comes before another in the canonical order. */
-const isBefore = (a: Point, b: Point): boolean => a.x < b.x || (a.x === b.x && a.y < b.y);
+const isBefore = (a: Place, b: Place): boolean => a.x < b.x || (a.x === b.x && a.y < b.y);
 
 const keyOf = (column: number, row: number): string => `${column} ${row}`;
 
-function cellsOf(points: readonly Point[], side: number): Map<string, Cell> {
+function cellsOf(points: readonly Place[], side: number): Map<string, Cell> {
   const cells = new Map<string, Cell>();
   for (const [i, { x, y }] of points.entries()) {
     const [column, row] = [Math.floor(x / side), Math.floor(y / side)];

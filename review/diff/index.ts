@@ -7,8 +7,8 @@ export {
   assessLevel,
   playAlike,
   renamedStanding,
-  type Standing,
   type StandingRun,
+  type VersionStanding,
 } from './standing.ts';
 export { takeBack } from './take-back.ts';
 export { changesInWords, effectsInWords, standingInWords } from './words/index.ts';

@@ -1,6 +1,6 @@
 import { DEFAULT_TERMS, type Terms } from '../../../engine/index.ts';
 import type { OwnRules } from '../../../schema/basics/index.ts';
-import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
+import { PLACED_KINDS, type PlacedList } from './placed.ts';
 
 /** How hard a generated level should be: a word, or a grade from 1 to 10 that is met within 0.5. */
 export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;

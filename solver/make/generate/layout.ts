@@ -2,7 +2,7 @@ import { boxOf } from '../../../engine/index.ts';
 import { type Disc, type OwnRules, type Place, placesIn, rulesOf } from '../../../schema/basics/index.ts';
 import type { Random } from '../../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
-import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed/index.ts';
+import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed.ts';
 
 /** A level under construction. All coordinates are whole px. */
 export interface Layout {

@@ -14,7 +14,7 @@ import type { Effort } from '../../search/explore/index.ts';
 import type { Steps } from '../../steps.ts';
 import { type Candidate, edgesOf, holdsOf, verifyRun } from '../../verified-run.ts';
 import { seek } from './seek.ts';
-import { type Move, movesOf, type Standing, shifted, Task } from './task.ts';
+import { type Completing, type Move, movesOf, shifted, Task } from './task.ts';
 
 /** What {@link createRetime} looks for. */
 export interface RetimeOptions {
@@ -187,7 +187,7 @@ function* shrink(task: Task): Steps<void> {
     more = false;
     for (const move of moves) {
       for (const edges of towards(task.best.edges, own, move)) {
-        const before: Standing = task.best;
+        const before: Completing = task.best;
         task.attempt(edges);
         yield null;
         if (task.best === before) continue;

@@ -3,7 +3,7 @@ import type { Hold } from '../../../schema/basics/index.ts';
 import { edgesOf, holdsOf } from '../../verified-run.ts';
 
 /** Holds that complete the level. */
-export interface Standing {
+export interface Completing {
   readonly edges: readonly number[];
   /** So many of the wanted minerals are not collected. */
   readonly missing: number;
@@ -26,7 +26,7 @@ interface Sought {
 type Preference = 'smallest' | 'fewest';
 
 /** A run that failed, and by how much. */
-export interface Point {
+export interface NearMiss {
   readonly edges: readonly number[];
   readonly miss: number;
 }
@@ -38,7 +38,7 @@ export class Task {
   readonly own: readonly number[];
   /** So many of them may be shifted: those that come before the end of the run. */
   readonly count: number;
-  best: Standing | null = null;
+  best: Completing | null = null;
   private readonly within: number;
   private readonly prefers: Preference;
 
@@ -70,12 +70,12 @@ export class Task {
     return this.best !== null && this.best.missing === 0 && !this.isSmaller(this.standing(edges, 0), this.best);
   }
 
-  private standing(edges: readonly number[], missing: number): Standing {
+  private standing(edges: readonly number[], missing: number): Completing {
     const { own } = this;
     return { edges, missing, shifted: edges.filter((edge, i) => edge !== own[i]).length, total: totalShift(edges, own) };
   }
 
-  private isSmaller(a: Standing, b: Standing): boolean {
+  private isSmaller(a: Completing, b: Completing): boolean {
     if (this.prefers === 'fewest' && a.shifted !== b.shifted) return a.shifted < b.shifted;
     return a.total < b.total;
   }

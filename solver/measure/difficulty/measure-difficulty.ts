@@ -10,10 +10,10 @@ import {
   type Success,
   successProbability,
 } from '../robustness/index.ts';
-import { asGiven, type ComparedRun, compareRuns, findRuns } from './find-runs.ts';
 import { type Grade, type GradeInput, gradeOf } from './grade.ts';
+import { asGiven, type ComparedRun, compareRuns, findRuns } from './level-runs.ts';
+import { playAtRandom, type RandomPlay } from './luck.ts';
 import { createPlayers, type PlayerForecast } from './player/index.ts';
-import { playAtRandom, type RandomPlay } from './random-play.ts';
 import { findShortcuts, type Shortcuts } from './shortcuts.ts';
 import { findSigmaAtHalf, type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 

@@ -108,15 +108,15 @@ export function* judgeInSteps(trials: Trials, runs: readonly (readonly Hold[])[]
   const states: Float64Array[] = [];
   let before = -1;
   // The previous run had ended by its edge of this depth, so its later edges do not matter.
-  let settled = 0;
+  let endedAt = 0;
   let judged = 0;
   for (const run of order) {
     if (++judged % RUNS_A_STEP === 0) yield null;
     let depth = 0;
     if (before < 0) simulation.reset();
     else {
-      while (depth < settled && edgeOf(run, depth) === edgeOf(before, depth)) depth++;
-      if (depth === settled) {
+      while (depth < endedAt && edgeOf(run, depth) === edgeOf(before, depth)) depth++;
+      if (depth === endedAt) {
         succeeded[run] = succeeded[before];
         continue;
       }
@@ -128,7 +128,7 @@ export function* judgeInSteps(trials: Trials, runs: readonly (readonly Hold[])[]
       states[depth] = simulation.snapshot(states[depth]);
       if (tick === maxTicks || simulation.ending !== null) break;
     }
-    settled = depth;
+    endedAt = depth;
     succeeded[run] = isSuccess(trials, () => runs[run]) ? 1 : 0;
     before = run;
   }

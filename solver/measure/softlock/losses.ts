@@ -1,4 +1,4 @@
-import { type Examined, type LostPlace, leadsThrough } from './standing.ts';
+import { type Examined, type LostPlace, leadsThrough } from './state.ts';
 
 /** Places nearer than this to each other are one, px. */
 const NEAR = 48;

@@ -14,7 +14,7 @@ import type { Steps } from '../../steps.ts';
 import { createReplay } from '../../verified-run.ts';
 import { Losses } from './losses.ts';
 import { createLongProof, proveLost } from './prove-lost.ts';
-import { commonTicks, continued, type Examined, leadsThrough, type Standing, upTo } from './standing.ts';
+import { commonTicks, continued, type Examined, leadsThrough, type Standing, upTo } from './state.ts';
 
 /** Ticks of a search between two breaks. */
 const SLICE = 2000;

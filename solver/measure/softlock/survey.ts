@@ -4,7 +4,7 @@ import { createSearch, type Effort } from '../../search/explore/index.ts';
 import type { Steps } from '../../steps.ts';
 import { verifyRun } from '../../verified-run.ts';
 import { proveLostByOrbits } from './prove-lost.ts';
-import type { Examined, LostPlace, RunLoss, SurveyedState } from './standing.ts';
+import type { Examined, LostPlace, RunLoss, SurveyedState } from './state.ts';
 import { SurveyTask } from './survey-task.ts';
 import { createTracedRun, dateLoss, proveLoss, type TracedRun } from './trace-run.ts';
 

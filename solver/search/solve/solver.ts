@@ -3,7 +3,7 @@ import type { Hold } from '../../../schema/basics/index.ts';
 import { createRandom } from '../../random.ts';
 import type { Goal } from '../../verified-run.ts';
 import { type Closest, type Effort, type Explored, HeatTally } from '../explore/index.ts';
-import { changeRun } from './change-run.ts';
+import { changeRun } from './local-search.ts';
 import { compareSolutions, mergeSolutions, type Objective, type Solution } from './solution.ts';
 import { RobustWork } from './solve-robust.ts';
 import { createSolverSession, playable, type SolverSession } from './solver-session.ts';

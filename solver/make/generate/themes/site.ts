@@ -3,7 +3,7 @@ import { type Disc, type Place, rulesOf } from '../../../../schema/basics/index.
 import type { Random } from '../../../random.ts';
 import type { GeneratorSpec } from '../generator-spec.ts';
 import { distance, emptyLayout, fits, type Layout, NOVA_MARGIN, takesOver, tryOften, withPlaced } from '../layout.ts';
-import type { PlacedList } from '../placed/index.ts';
+import type { PlacedList } from '../placed.ts';
 import { distanceToWays, type Way } from '../tube.ts';
 
 /** px of the grid on which themes place asteroids and fields, and of the finer one for novae that follow no curve. */

@@ -2,17 +2,10 @@ import { TICK } from '../../engine/index.ts';
 import { bendWithin, driftAfter, easySpeed, isEasyFor, recoilBlur } from './assumptions.ts';
 import { standingCircles } from './blockers.ts';
 import type { About, Blocker, BoxNumbers, FanGrid } from './proof.ts';
-import { mouthDiscs, RIM_SLACK } from './rims.ts';
-import type { Setting, Thing } from './setting.ts';
+import { mouthDiscs, RIM_SLACK, type Setting, type Spot, type Thing } from './setting.ts';
 
 /** A box of places and velocities: least and greatest of x, y, vx, vy, px and px/s, along the grid's axes. */
-type Box = [number, number, number, number, number, number, number, number];
-
-interface Circle {
-  readonly x: number;
-  readonly y: number;
-  readonly r: number;
-}
+type FlatBox = [number, number, number, number, number, number, number, number];
 
 const RANGE: Blocker = { kind: 'range' };
 
@@ -25,7 +18,7 @@ const down = (v: number): number => Math.floor((v - SLACK) * PARTS) / PARTS;
 const up = (v: number): number => Math.ceil((v + SLACK) * PARTS) / PARTS;
 
 /** Everything that she may do from the start, as far as it was followed. */
-export interface FanResult {
+export interface BoxesResult {
   /** Every run has ended, and none came near the object. */
   readonly closed: boolean;
   /** The sets of states that are still going on: at the start, and after each complete step. */
@@ -41,42 +34,42 @@ export interface FanResult {
  * pressed. A box that lies entirely in a hazard or out of range has ended. It gives up when a box comes near the object, or
  * after the given number of steps or boxes.
  */
-export function followFan(
+export function followBoxes(
   setting: Setting,
   about: About,
   goal: Thing,
   grid: FanGrid,
   most: { readonly steps: number; readonly boxes: number },
-): FanResult {
-  const fan = new Fan(setting, about, goal, grid);
+): BoxesResult {
+  const reach = new BoxReach(setting, about, goal, grid);
   const layers: BoxNumbers[][] = [];
-  let layer = fan.start();
+  let layer = reach.start();
   let boxes = 0;
   let near = false;
   while (layer.size > 0 && !near && boxes <= most.boxes && layers.length < most.steps) {
     layers.push([...layer.values()]);
-    const next = new Map<number, Box>();
+    const next = new Map<number, FlatBox>();
     for (const box of layer.values()) {
-      near = !fan.advance(box, layers.length * grid.frames * TICK, next);
+      near = !reach.advance(box, layers.length * grid.frames * TICK, next);
       if (near) break;
     }
     boxes += next.size;
     layer = next;
   }
-  const closed = !near && layer.size === 0 && fan.isEasy();
-  return { closed, layers, endedBy: [...fan.endedBy], squares: [...fan.squares.values()] };
+  const closed = !near && layer.size === 0 && reach.isEasy();
+  return { closed, layers, endedBy: [...reach.endedBy], squares: [...reach.squares.values()] };
 }
 
-class Fan {
+class BoxReach {
   private readonly setting: Setting;
   private readonly grid: FanGrid;
   private readonly step: number;
-  private readonly goal: Circle;
-  private readonly hazards: readonly (Circle & { readonly of: Blocker })[];
-  private readonly asteroids: readonly Circle[];
-  private readonly fields: readonly Circle[];
-  private readonly winds: readonly (Circle & { readonly a: readonly [number, number] })[];
-  private readonly mouths: readonly Circle[];
+  private readonly goal: Spot;
+  private readonly hazards: readonly (Spot & { readonly of: Blocker })[];
+  private readonly asteroids: readonly Spot[];
+  private readonly fields: readonly Spot[];
+  private readonly winds: readonly (Spot & { readonly a: readonly [number, number] })[];
+  private readonly mouths: readonly Spot[];
   private readonly a = new Float64Array(4);
   private readonly blur: number;
   /** How much later her velocity may follow a push than her place, s: a frame where frames are followed, too. */
@@ -95,7 +88,7 @@ class Fan {
     this.lag = setting.jump > 0 ? TICK : 0;
     this.strongest = setting.strongest + this.blur;
     const [ux, uy] = grid.axis;
-    const turned = ({ x, y }: { x: number; y: number }, r: number): Circle => ({ x: x * ux + y * uy, y: y * ux - x * uy, r });
+    const turned = ({ x, y }: { x: number; y: number }, r: number): Spot => ({ x: x * ux + y * uy, y: y * ux - x * uy, r });
     const place = ({ x, y }: { x: number; y: number }) => ({ x: x - level.astronaut.x, y: y - level.astronaut.y });
     this.goal = turned(goal, goal.touch);
     this.hazards = standingCircles(setting, about).map((c) => ({ ...turned(c, c.radius + setting.leastHalf), of: c.of }));
@@ -114,11 +107,11 @@ class Fan {
     return isEasyFor({ level, rules, strongest: this.strongest }, this.step);
   }
 
-  start(): Map<number, Box> {
+  start(): Map<number, FlatBox> {
     const { vx, vy } = this.setting.level.astronaut;
     const [ux, uy] = this.grid.axis;
     const v = { x: vx * ux + vy * uy, y: vy * ux - vx * uy };
-    const layer = new Map<number, Box>();
+    const layer = new Map<number, FlatBox>();
     this.put(layer, [down(0), up(0), down(0), up(0), down(v.x), up(v.x), down(v.y), up(v.y)], 0);
     return layer;
   }
@@ -133,7 +126,7 @@ class Fan {
    * In frames her velocity follows a push a frame later than its place. So a step has the pushes at places from a frame before it
    * on, and the first step has a frame's push less, because nothing pushed before.
    */
-  advance(box: Box, time: number, next: Map<number, Box>): boolean {
+  advance(box: FlatBox, time: number, next: Map<number, FlatBox>): boolean {
     const { step, a } = this;
     const isFirst = time <= step;
     const before = isFirst ? 0 : this.lag;
@@ -161,7 +154,7 @@ class Fan {
     const least = isFirst ? step - this.lag : step;
     const slowest = (v: number) => Math.min(v * least, v * step);
     const fastest = (v: number) => Math.max(v * least, v * step);
-    const moved: Box = [
+    const moved: FlatBox = [
       down(box[0] + box[4] * step + low(a[0])),
       up(box[1] + box[5] * step + high(a[1])),
       down(box[2] + box[6] * step + low(a[2])),
@@ -177,7 +170,7 @@ class Fan {
   }
 
   /** Divides a box along the grid, and adds the parts that have not ended to the layer, joined with what is there. */
-  private put(layer: Map<number, Box>, box: Box, time: number): void {
+  private put(layer: Map<number, FlatBox>, box: FlatBox, time: number): void {
     const { cell, bin } = this.grid;
     for (let i = Math.floor(box[0] / cell); i * cell <= box[1]; i++) {
       const xa = Math.max(box[0], i * cell);
@@ -292,20 +285,20 @@ class Fan {
 const least = (v: number, g0: number, g1: number): number => Math.min(v * g0, v * g1);
 const greatest = (v: number, g0: number, g1: number): number => Math.max(v * g0, v * g1);
 
-function join(box: Box, by: Box): void {
+function join(box: FlatBox, by: FlatBox): void {
   for (let i = 0; i < 8; i += 2) {
     box[i] = Math.min(box[i], by[i]);
     box[i + 1] = Math.max(box[i + 1], by[i + 1]);
   }
 }
 
-function nearestTo({ x, y }: Circle, xa: number, xb: number, ya: number, yb: number): number {
+function nearestTo({ x, y }: Spot, xa: number, xb: number, ya: number, yb: number): number {
   const dx = Math.max(0, xa - x, x - xb);
   const dy = Math.max(0, ya - y, y - yb);
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-function farthestFrom({ x, y }: Circle, xa: number, xb: number, ya: number, yb: number): number {
+function farthestFrom({ x, y }: Spot, xa: number, xb: number, ya: number, yb: number): number {
   const dx = Math.max(x - xa, xb - x);
   const dy = Math.max(y - ya, yb - y);
   return Math.sqrt(dx * dx + dy * dy);
