@@ -8,8 +8,17 @@ import { distance, type Layout } from './layout.ts';
 import { hasRoom, MINERAL_RADIUS } from './novae-and-minerals.ts';
 import type { Route } from './route.ts';
 import { ALL, ANY, findWays, sceneOf } from './scouting.ts';
-import { ASIDE, bestImage, flightOf, Site, type Theme, withImages, withoutSingles } from './themes/index.ts';
-import { isOnTheme, type Stage } from './themes/theme.ts';
+import {
+  ASIDE,
+  bestImage,
+  flightOf,
+  isOnTheme,
+  Site,
+  type Stage,
+  type Theme,
+  withImages,
+  withoutSingles,
+} from './themes/index.ts';
 import { distanceToWays, forgives, tubeOf, type Way, wayOf } from './tube.ts';
 
 // Ways of the detour and of its slightly mistimed variations that stay open.

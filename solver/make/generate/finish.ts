@@ -10,8 +10,8 @@ import type { Layout } from './layout.ts';
 import { toLevelFile } from './level-file.ts';
 import { placeMinerals } from './novae-and-minerals.ts';
 import { ALL, ANY, findWays, gradeRun, sceneOf } from './scouting.ts';
+import type { Stage } from './themes/index.ts';
 import { flightOf, symmetryOf } from './themes/index.ts';
-import type { Stage } from './themes/theme.ts';
 import { wayOf } from './tube.ts';
 
 const MINERALS = 3;

@@ -11,8 +11,7 @@ import { type Layout, layOut } from './layout.ts';
 import { addNovae } from './novae-and-minerals.ts';
 import { findRoute, type Route } from './route.ts';
 import { ANY, findWays, gradeRun, sceneOf, scoutOnePress, sortByP40 } from './scouting.ts';
-import { Site, THEMES, type Theme, withImages } from './themes/index.ts';
-import { isOnTheme, PLAIN_STAGE, type Stage } from './themes/theme.ts';
+import { isOnTheme, PLAIN_STAGE, Site, type Stage, THEMES, type Theme, withImages } from './themes/index.ts';
 import { forgives, tubeOf } from './tube.ts';
 
 /** Generates one level. The caller decides how long it works. */

@@ -8,7 +8,7 @@ import { fits, type Layout, NOVA_MARGIN } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { blockWay } from './novae-and-minerals.ts';
 import { ALL, ANY, luckyWays, sceneOf, scoutOnePress } from './scouting.ts';
-import type { Stage } from './themes/theme.ts';
+import type { Stage } from './themes/index.ts';
 import { distanceToWays, forgives, tubeOf, type Way, wayOf } from './tube.ts';
 
 // Paths of random play that are closed per round.

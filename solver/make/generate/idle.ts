@@ -6,8 +6,7 @@ import { type Candidate, cutHolds } from '../../verified-run.ts';
 import { distance, type Layout } from './layout.ts';
 import { PLACED_KINDS, type PlacedList } from './placed.ts';
 import { sceneOf } from './scouting.ts';
-import { type Image, partnerOf } from './themes/index.ts';
-import { PLAIN_STAGE, type Stage } from './themes/theme.ts';
+import { type Image, PLAIN_STAGE, partnerOf, type Stage } from './themes/index.ts';
 
 // Games from the start, and games that leave each known run at a random tick.
 const GAMES = 300;

@@ -10,7 +10,7 @@ export { type Flight, flightOf } from './flight.ts';
 export { ASIDE } from './lures.ts';
 export { Site } from './site.ts';
 export { bestImage, type Image, partnerOf, symmetryOf, withImages, withoutSingles } from './symmetry.ts';
-export type { Theme } from './theme.ts';
+export { isOnTheme, PLAIN_STAGE, type Stage, type Theme } from './theme.ts';
 
 /** The themes by name. */
 export const THEMES: Readonly<Record<ThemeName, Theme>> = { orbits, corridors, slings, lures, fields };
