@@ -1,7 +1,7 @@
 import { closestName, levelOfEntry, levelsOfPack, type PackEntry, type PackReading, type Problem } from '../../schema/index.ts';
 import { plural } from '../words/index.ts';
-import { EFFECT_NAMES, effectInWords, introductionsOf, type MetLevel } from './introductions.ts';
-import { inPackOrder } from './order.ts';
+import { inPackOrder } from './arrange.ts';
+import { EFFECT_NAMES, effectInWords, introductionsOf, type MetLevel } from './sequence.ts';
 
 type ReadPack = Extract<PackReading, { readonly ok: true }>;
 type JsonPath = readonly (string | number)[];

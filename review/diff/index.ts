@@ -1,8 +1,7 @@
 export { applyDiff } from './apply-diff.ts';
 export type { Change } from './change.ts';
-export { diffLevels } from './diff-levels.ts';
+export { diffLevels, marksOf } from './diff-levels.ts';
 export { levelInLines } from './level-lines.ts';
-export { marksOf } from './marks.ts';
 export {
   assessLevel,
   playAlike,

@@ -1,9 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { alignEdges } from '../../check/plays/alignment.ts';
-import { dbscan } from '../../check/plays/clusters.ts';
+import { alignEdges, Tally } from '../../check/plays/edges.ts';
+import { dbscan } from '../../check/plays/failures.ts';
 import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
-import { Tally } from '../../check/plays/quartiles.ts';
 import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import type { Place } from '../../schema/basics/index.ts';

@@ -1,7 +1,6 @@
 import { outcomeAsPredicate, plural } from '../../../check/words/index.ts';
 import type { StandingRun, VersionStanding } from '../standing.ts';
-import { numbersApart } from './numbers.ts';
-import { quoted } from './values.ts';
+import { numbersApart, quoted } from './values.ts';
 
 /** Smaller differences of time are not mentioned, s. */
 const SHORTEST = 0.005;
