@@ -7,7 +7,7 @@ import { plural } from '../core/figures/index.ts';
 import { endInWords } from '../core/proof/index.ts';
 import { isOtherAccuracy, termsInWords } from '../core/terms/index.ts';
 import { Hint } from '../core/ui/index.ts';
-import { useVerdict } from '../features/index.ts';
+import { useVerdict } from '../core/verdict/index.ts';
 import { AccuracySign } from './AccuracySign.tsx';
 
 const LOOKS = {

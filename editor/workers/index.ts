@@ -1,4 +1,4 @@
-export type { AnswerOf, AskedOf, Job, ProgressOf } from './job.ts';
+export { type AnswerOf, type AskedOf, accuracyNameOf, type Job, type ProgressOf } from './job.ts';
 export * as jobs from './jobs/index.ts';
 export {
   FAN_TICKS,

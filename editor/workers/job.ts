@@ -1,4 +1,4 @@
-import type { Terms } from '../../engine/index.ts';
+import { type AccuracyName, isAccuracyName, type Terms } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 
 /** What the page has to know of a job, and the types of what it is asked, reports and answers. */
@@ -40,6 +40,12 @@ export interface Played {
   readonly level: Level;
   /** Under which the answer has to hold. */
   readonly terms: Terms;
+}
+
+/** The name of the accuracy: the page knows no custom settings. */
+export function accuracyNameOf({ accuracy: { name } }: Pick<Terms, 'accuracy'>): AccuracyName {
+  if (!isAccuracyName(name)) throw new Error(`expected a named accuracy, found ${name}`);
+  return name;
 }
 
 /** target duration of a step in ms: a cancel is not received within a step */

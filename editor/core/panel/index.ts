@@ -9,3 +9,4 @@ export { Progress } from './Progress.tsx';
 export { SamplesButton } from './SamplesButton.tsx';
 export { Section } from './Section.tsx';
 export { Segments } from './Segments.tsx';
+export { TextDialog } from './TextDialog.tsx';

@@ -1,3 +1,3 @@
 export { createPageTerms, type PageTerms, type TermsStore } from './page-terms.ts';
-export { accuracyNameOf, termsAt, termsKey } from './terms-of.ts';
+export { termsAt, termsKey } from './terms-of.ts';
 export { isOtherAccuracy, termsInWords } from './words.ts';

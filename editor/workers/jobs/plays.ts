@@ -6,8 +6,7 @@ import {
   type PlayStatistics,
 } from '../../../check/plays/index.ts';
 import { createVerifier, type PlayVerdict } from '../../../game/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
-import { job, type Played, type Work } from '../job.ts';
+import { accuracyNameOf, job, type Played, type Work } from '../job.ts';
 
 /** What a play is found to be. */
 export interface CheckedPlay {

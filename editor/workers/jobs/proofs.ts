@@ -8,8 +8,7 @@ import {
 } from '../../../check/index.ts';
 import { compile, maxTicksOf, type Scene, WorkBudget } from '../../../engine/index.ts';
 import { createAnytimeProof, type Proof } from '../../../solver/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
-import { job, type Played, type Work } from '../job.ts';
+import { accuracyNameOf, job, type Played, type Work } from '../job.ts';
 
 /** What is proved, confirmed by the separate checker; null and empty: nothing is. */
 export interface Proofs {
