@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
 import type { Asked, Desk, Question } from '../../editor/core/ask/index.ts';
 import { createAttempts } from '../../editor/core/attempts/attempts.ts';
@@ -34,12 +34,6 @@ import { ACCURACIES, DEFAULT_TERMS, type Terms } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';
 import { SWING } from './swing-level.ts';
-
-// what modules of the page look at when they are loaded
-vi.hoisted(() => {
-  vi.stubGlobal('navigator', { userAgent: '' });
-  vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => {}, removeEventListener: () => {} }));
-});
 
 const OTHER_TERMS: Terms = { ...DEFAULT_TERMS, accuracy: ACCURACIES.arcade };
 

@@ -1,6 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 
 /** How many of the level's runs that were completed before a change are completed after it. */
 export interface Surviving {
@@ -46,7 +45,5 @@ export type AliveState =
 
 export type AliveStore = StoreApi<AliveState>;
 
-const storeAt = keptWith<object, AliveStore>(() => createStore<AliveState>(() => ({ kind: 'idle' })));
-
 /** What was done last to keep the shown run of a level alive. */
-export const aliveOf = ({ document }: Pick<OpenLevel, 'document'>): AliveStore => storeAt(document);
+export const aliveOf = ofDocument(() => createStore<AliveState>(() => ({ kind: 'idle' })));

@@ -1,7 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
 import { type Desk, keepAnswers, question } from '../../core/ask/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
-import { attemptGhosts, type Ghost } from '../../core/context/index.ts';
+import { attemptGhosts, type Ghost, putGhosts } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import type { OpenedPlay } from '../../core/shelf/index.ts';
 import { termsAt } from '../../core/terms/index.ts';
@@ -35,11 +35,6 @@ export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
     first: 'earliest',
     most: KEPT,
   });
-  const put = (wanted: readonly Ghost[]) => {
-    const now = ghosts.getState();
-    const others = now.filter(({ look }) => look !== 'selected');
-    if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
-  };
   let draw = () => {};
   paths.store.subscribe(({ byKey }, before) => byKey !== before.byKey && draw());
   return {
@@ -53,7 +48,7 @@ export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
           const points = byKey.get(key);
           return points === undefined ? [] : [{ id: `selected-${key}`, label: source, points, look: 'selected' }];
         });
-        put([...own, ...others]);
+        putGhosts(ghosts, 'selected', [...own, ...others]);
       };
       draw();
       for (const { key, play } of shown) {
@@ -64,7 +59,7 @@ export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
     close() {
       paths.stop();
       draw = () => {};
-      put([]);
+      putGhosts(ghosts, 'selected', []);
     },
   };
 }

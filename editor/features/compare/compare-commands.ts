@@ -1,7 +1,7 @@
 import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
-import { STATE_SIZE } from '../../../engine/index.ts';
 import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { pathOf } from '../../core/proof/index.ts';
 import { chosenOf, comparedOf, isCompared, type Source, sourceKey } from './compared.ts';
 import { compareOrTell, showCompared } from './show-compared.ts';
 
@@ -94,9 +94,9 @@ function partingTick(level: OpenLevel): number | null {
   const one = chosenOf(now);
   const found = one === null ? null : (now.trajectories.get(sourceKey(one.source))?.found ?? null);
   if (found === null) return null;
-  const { states, count } = level.proof.proof().run.way;
-  const places = Float32Array.from({ length: 2 * count }, (_, i) => states[(i >> 1) * STATE_SIZE + (i & 1)]);
-  return partingsOf(distancesOf(places, found.points.subarray(0, -2))).parts;
+  // the last entry of each is at its end, which is no tick
+  const shown = pathOf(level.proof.proof().run.way).subarray(0, -2);
+  return partingsOf(distancesOf(shown, found.points.subarray(0, -2))).parts;
 }
 
 /** Runs to compare with, and those that are compared. */

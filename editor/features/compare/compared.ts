@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import { joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import type { Results } from '../../workers/index.ts';
 
@@ -39,12 +39,8 @@ export interface Comparing {
 
 export type ComparingStore = StoreApi<Comparing>;
 
-const storeAt = keptWith<object, ComparingStore>(() =>
-  createStore<Comparing>(() => ({ runs: [], trajectories: new Map(), chosen: null })),
-);
-
 /** The runs that are compared with the shown one of a level. */
-export const comparedOf = ({ document }: Pick<OpenLevel, 'document'>): ComparingStore => storeAt(document);
+export const comparedOf = ofDocument(() => createStore<Comparing>(() => ({ runs: [], trajectories: new Map(), chosen: null })));
 
 export const sourceKey = (source: Source): string => (source.kind === 'run' ? `run ${source.name}` : `attempt ${source.number}`);
 

@@ -8,10 +8,9 @@ import {
   partingsOf,
   type RunsDifference,
 } from '../../../check/runs/index.ts';
-import { STATE_SIZE } from '../../../engine/index.ts';
 import { useInPace } from '../../core/ask/index.ts';
 import { useLevel } from '../../core/context/index.ts';
-import { isWhole, type LiveProof } from '../../core/proof/index.ts';
+import { isWhole, type LiveProof, pathOf } from '../../core/proof/index.ts';
 import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
 import { useSlack } from './use-slack.ts';
 
@@ -31,22 +30,13 @@ export interface ShownDifference {
 const smallest = (slack: readonly { readonly earlier: number; readonly later: number }[] | null): number | null =>
   slack === null || slack.length === 0 ? null : Math.min(...slack.map(({ earlier, later }) => earlier + later));
 
-/** The shown run's places, as the compared run's trajectory has them. */
-function pointsOf({ run }: LiveProof): Float32Array {
-  const { states, count, last } = run.way;
-  const points = new Float32Array(2 * (count + 1));
-  for (let k = 0; k < count; k++) points.set(states.subarray(k * STATE_SIZE, k * STATE_SIZE + 2), 2 * k);
-  points.set(last.subarray(0, 2), 2 * count);
-  return points;
-}
-
 /** The shown run as it was when the page was last idle: its arrays are overwritten by the next answer. */
 const shownOf = (proof: LiveProof) => {
   const { run, full, scene } = proof;
   if (run.name === null || full === null || !isWhole(proof)) return null;
   const { name, holds, outcome, time, minerals } = run;
   const clearance = full.clearance?.distance ?? null;
-  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, points: pointsOf(proof) };
+  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, points: pathOf(run.way) };
 };
 
 const NOTHING = () => null;

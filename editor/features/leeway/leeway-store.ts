@@ -1,6 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 import type { Leeway } from '../../workers/index.ts';
 import type { Question } from './question.ts';
 
@@ -21,9 +20,7 @@ export interface LeewayFindings {
 
 export type LeewayStore = StoreApi<LeewayFindings>;
 
-const storeAt = keptWith<object, LeewayStore>(() =>
+/** What is known of where the selection of a level may stand. */
+export const leewayOf = ofDocument(() =>
   createStore<LeewayFindings>(() => ({ phase: 'off', message: null, answer: null, only: null })),
 );
-
-/** What is known of where the selection of a level may stand. */
-export const leewayOf = ({ document }: Pick<OpenLevel, 'document'>): LeewayStore => storeAt(document);

@@ -1,8 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { AccuracyName } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import type { OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 import type { Losing, Loss } from '../../workers/index.ts';
 
 /** What is known of where the open level is already lost. */
@@ -29,9 +28,5 @@ export const NOTHING_LOST = { message: null, losing: null, losses: new Map<strin
 /** What a run is known by: its effective holds, and the accuracy with which it was played. */
 export const lossKey = (holds: readonly Hold[], accuracy: AccuracyName): string => `${accuracy} ${holds.join()}`;
 
-const storeAt = keptWith<object, LostStore>(() =>
-  createStore<LostFindings>(() => ({ phase: 'off', effort: 0, ...NOTHING_LOST })),
-);
-
 /** What is known of where a level is already lost. */
-export const lostOf = ({ document }: Pick<OpenLevel, 'document'>): LostStore => storeAt(document);
+export const lostOf = ofDocument(() => createStore<LostFindings>(() => ({ phase: 'off', effort: 0, ...NOTHING_LOST })));

@@ -1,6 +1,6 @@
-import { type Box, STATE_SIZE, type Terms } from '../../../engine/index.ts';
+import type { Box, Terms } from '../../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
-import { type LiveProof, playsAlike } from '../../core/proof/index.ts';
+import { type LiveProof, pathOf, playsAlike } from '../../core/proof/index.ts';
 import { type Figures, figuresOf } from './figures.ts';
 
 /** The shown run as it was before a change: copied, as the arrays of a proof are overwritten by the next one. */
@@ -22,24 +22,8 @@ export interface FormerRun {
 /** Copies the shown run. */
 export function formerOf(proof: LiveProof): FormerRun {
   const { file, level, terms, scene, run } = proof;
-  const { states, count, last } = run.way;
-  const points = new Float32Array(2 * count + 2);
-  for (let k = 0; k < count; k++) {
-    points[2 * k] = states[STATE_SIZE * k];
-    points[2 * k + 1] = states[STATE_SIZE * k + 1];
-  }
-  points[2 * count] = last[0];
-  points[2 * count + 1] = last[1];
-  return {
-    file,
-    level,
-    terms,
-    her: scene.box,
-    name: run.name,
-    holds: run.holds,
-    figures: figuresOf(proof),
-    points,
-  };
+  const { name, holds, way } = run;
+  return { file, level, terms, her: scene.box, name, holds, figures: figuresOf(proof), points: pathOf(way) };
 }
 
 /** Whether it is the run that is shown now, under the same terms. */

@@ -1,6 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 import type { FormerRun } from './former.ts';
 import { MEASURING, type SlackKnown } from './slack.ts';
 
@@ -20,9 +19,7 @@ export interface Comparison {
 
 export type OnionStore = StoreApi<Comparison>;
 
-const storeAt = keptWith<object, OnionStore>(() =>
+/** What the shown run of a level is compared with. */
+export const onionOf = ofDocument(() =>
   createStore<Comparison>(() => ({ former: null, phase: 'ended', slack: MEASURING, slackNow: MEASURING, said: '' })),
 );
-
-/** What the shown run of a level is compared with. */
-export const onionOf = ({ document }: Pick<OpenLevel, 'document'>): OnionStore => storeAt(document);

@@ -3,7 +3,7 @@ import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import { type Attempt, attemptInWords } from '../../core/attempts/index.ts';
-import { attemptGhosts, useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { attemptGhosts, putGhosts, useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { plural, seconds } from '../../core/figures/index.ts';
 import { keepAsRun, makeProof } from '../../core/levels/index.ts';
 import { OutcomeSign, outcomeWord } from '../../core/panel/index.ts';
@@ -24,9 +24,8 @@ export function AttemptList() {
 
   useEffect(() => {
     const show = () => {
-      const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
       const shown = kept.store.getState().filter(({ number }) => !hidden.has(number));
-      ghosts.setState([...others, ...attemptGhosts(shown)], true);
+      putGhosts(ghosts, 'attempt', attemptGhosts(shown));
     };
     show();
     return kept.store.subscribe(show);

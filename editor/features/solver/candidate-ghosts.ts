@@ -1,7 +1,6 @@
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import type { Ghost } from '../../core/context/index.ts';
-import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
+import { type Ghost, type OpenLevel, putGhosts } from '../../core/context/index.ts';
 import type { SearchState } from './search-state.ts';
 import { wayOf } from './ways.ts';
 
@@ -12,7 +11,7 @@ export interface CandidateGhosts {
   clear(): void;
 }
 
-export function createCandidateGhosts(shelf: GhostShelf): CandidateGhosts {
+export function createCandidateGhosts({ ghosts: shown }: Pick<OpenLevel, 'ghosts'>): CandidateGhosts {
   // each path is simulated once per scene
   let played: { readonly scene: Scene; readonly ways: Map<string, Float32Array> } | null = null;
   const wayFor = (scene: Scene, holds: readonly Hold[], until?: number): Float32Array => {
@@ -39,8 +38,8 @@ export function createCandidateGhosts(shelf: GhostShelf): CandidateGhosts {
         const points = wayFor(scene, closest.holds, closest.tick + 1);
         ghosts.push({ id: 'closest', label: 'closest approach', points, look: 'candidate' });
       }
-      putGhosts(shelf, 'candidate', ghosts);
+      putGhosts(shown, 'candidate', ghosts);
     },
-    clear: () => putGhosts(shelf, 'candidate', []),
+    clear: () => putGhosts(shown, 'candidate', []),
   };
 }

@@ -3,13 +3,11 @@ import type { Scene } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type Goal, mineralsNeeded, proofPicture } from '../../../solver/index.ts';
 import type { Desk } from '../../core/ask/index.ts';
-import type { EditedLevel } from '../../core/document/index.ts';
-import type { ProofStore } from '../../core/proof/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import type { Proofs, Solving } from '../../workers/index.ts';
 import { createCandidateGhosts } from './candidate-ghosts.ts';
 import { type Found, foundBy, triedIn } from './found-runs.ts';
-import type { GhostShelf } from './ghost-shelf.ts';
 import { addFound, replaceByFound, SOLUTION } from './keep-found-run.ts';
 import type { OverlayStore } from './overlay.ts';
 import { createSearchJobs } from './search-jobs.ts';
@@ -40,7 +38,7 @@ export interface SearchSession {
 }
 
 export interface SearchParts {
-  readonly level: GhostShelf & { readonly document: EditedLevel; readonly proof: ProofStore };
+  readonly level: Pick<OpenLevel, 'document' | 'proof' | 'ghosts'>;
   readonly session: SessionStore;
   readonly desk: Desk;
   readonly settings: SearchSettingsStore;
