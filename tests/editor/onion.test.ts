@@ -12,7 +12,7 @@ import {
 import { tightestOf } from '../../editor/core/figures/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
-import { cardPlace, type Side } from '../../editor/features/onion/card-place.ts';
+import { cardPlace, type Side } from '../../editor/features/onion/card-position.ts';
 import { changedObjects } from '../../editor/features/onion/changed-objects.ts';
 import { dashesOf } from '../../editor/features/onion/dashes.ts';
 import type { Figures } from '../../editor/features/onion/figures.ts';

@@ -7,7 +7,7 @@ import { type Difference, differencesBetween } from '../../editor/features/histo
 import { historyRows } from '../../editor/features/history/history-rows.ts';
 import { formatHistory, readHistory } from '../../editor/features/history/history-text.ts';
 import { restoreVersion, takeBackParts } from '../../editor/features/history/restore.ts';
-import { stepsInWords } from '../../editor/features/history/version-words.ts';
+import { stepsInWords } from '../../editor/features/history/version-rows.ts';
 import { agoInWords, clockTime, dayInWords, momentInWords } from '../../editor/features/history/when.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';

@@ -14,7 +14,7 @@ import { createProofStore, type LiveProof, slackQuestion } from '../../editor/co
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
 import { checkQuestion, proofQuestion } from '../../editor/core/verdict/evidence.ts';
-import { accuracyQuestion } from '../../editor/features/accuracy/use-measured.ts';
+import { accuracyQuestion } from '../../editor/features/accuracy/measured-settings.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';
 import { comparedOf } from '../../editor/features/compare/compared.ts';
@@ -27,7 +27,7 @@ import { gradeQuestion } from '../../editor/features/pack/grades.ts';
 import { difficultyQuestion } from '../../editor/features/solver/difficulty-session.ts';
 import { fixQuestion } from '../../editor/features/solver/fix-session.ts';
 import { fanQuestion, robustnessQuestion } from '../../editor/features/solver/robustness-watch.ts';
-import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-jobs.ts';
+import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-task.ts';
 import { createWorkers, type WorkerPort } from '../../editor/workers/index.ts';
 import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
 import { ACCURACIES, DEFAULT_TERMS, type Terms } from '../../engine/index.ts';

@@ -10,8 +10,8 @@ import { Button, Dialog } from '../../core/ui/index.ts';
 import { accuracyNameOf } from '../../workers/index.ts';
 import './accuracy.css';
 import { drawSettings } from './diagram.ts';
+import { type MeasuredSettings, useMeasured } from './measured-settings.ts';
 import { NAMES, type NamedResult } from './named-results.ts';
-import { type MeasuredSettings, useMeasured } from './use-measured.ts';
 import { useNamedResults } from './use-named-results.ts';
 
 const ABOUT: Readonly<Record<AccuracyName, string>> = {

@@ -4,9 +4,9 @@ import { type Beside, looksLike } from '../../timeline/index.ts';
 import type { Feature } from '../feature.ts';
 import { ComparedLanes } from './ComparedLanes.tsx';
 import { compareCommands, compareDestinations } from './compare-commands.ts';
+import { useComparedRows } from './compared-rows.ts';
 import { RaceLayer } from './race-layer.ts';
 import { type Race, raceOf } from './racers.ts';
-import { useComparedRows } from './use-compared-rows.ts';
 import { useDifference } from './use-difference.ts';
 import { watchCompared } from './watch-compared.ts';
 

@@ -1,4 +1,4 @@
 export { sourceKey } from './compared.ts';
+export { useComparedRows } from './compared-rows.ts';
 export { compareOrTell } from './show-compared.ts';
-export { useComparedRows } from './use-compared-rows.ts';
 export { useDifference } from './use-difference.ts';

@@ -11,7 +11,7 @@ import {
 import { useInPace } from '../../core/ask/index.ts';
 import { useLevel } from '../../core/context/index.ts';
 import { isWhole, type LiveProof, pathOf } from '../../core/proof/index.ts';
-import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
+import { type ComparedRow, useComparedRows } from './compared-rows.ts';
 import { useSlack } from './use-slack.ts';
 
 /** How the shown run and a compared one differ. */

@@ -10,7 +10,7 @@ import { openAsCopy } from './open-as-copy.ts';
 import { type Restored, restoreVersion, takeBackParts } from './restore.ts';
 import { type ComparedWith, useComparison } from './use-comparison.ts';
 import { VersionName } from './VersionName.tsx';
-import { stepsInWords, whoInWords } from './version-words.ts';
+import { stepsInWords, whoInWords } from './version-rows.ts';
 import { momentInWords } from './when.ts';
 
 interface VersionDetailProps {

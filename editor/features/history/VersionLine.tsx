@@ -6,7 +6,7 @@ import { VerdictSign } from '../../core/levels/index.ts';
 import { picturesOf } from '../../core/pictures/index.ts';
 import type { Version } from '../../core/versions/index.ts';
 import { versionKey, wantPicture } from './version-pictures.ts';
-import { stepsInWords } from './version-words.ts';
+import { stepsInWords } from './version-rows.ts';
 import { agoInWords, clockTime } from './when.ts';
 
 /** A version in the list: its picture, time, steps, name and verdict. */

@@ -1,6 +1,6 @@
 import type { TreeRow } from '../../core/tree/index.ts';
 import type { Version } from '../../core/versions/index.ts';
-import { stepsInWords } from './version-words.ts';
+import { stepsInWords } from './version-rows.ts';
 import { dayInWords } from './when.ts';
 
 /** A row of the history: a day, or a version of that day. */

@@ -2,13 +2,13 @@ import { joinHolds } from '../../../engine/index.ts';
 import { COLOURS, type DrawnPart, unchanged } from '../../canvas/index.ts';
 import { looksLike } from '../../timeline/index.ts';
 import type { Feature } from '../feature.ts';
-import { LossMark } from './LossMark.tsx';
 import { LostLegend } from './LostLegend.tsx';
-import { LostReport } from './LostReport.tsx';
+import { LostReport } from './LostStates.tsx';
 import { LostLayer } from './lost-layer.ts';
 import { type LostPicture, lostPictureOf } from './lost-picture.ts';
 import { lostSessionOf } from './lost-session.ts';
 import { lossKey, lostOf } from './lost-store.ts';
+import { LossMark } from './RunLoss.tsx';
 import { RunLossLabel } from './RunLossLabel.tsx';
 import { LOST_KEY } from './watch-lost.ts';
 

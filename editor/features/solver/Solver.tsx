@@ -3,7 +3,7 @@ import { Section } from '../../core/panel/index.ts';
 import { DifficultyReport } from './DifficultyReport.tsx';
 import { FixReport } from './FixReport.tsx';
 import { RobustnessReport } from './RobustnessReport.tsx';
-import { SearchReport } from './SearchReport.tsx';
+import { SearchReport } from './SearchSection.tsx';
 import './solver.css';
 import { SearchSettingsForm } from './SearchSettingsForm.tsx';
 

@@ -6,7 +6,7 @@ import type { OpenLevel } from '../../core/context/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, jobs } from '../../workers/index.ts';
 import { goalOf, type SearchSettingsStore } from './search-settings.ts';
-import { askedInWords } from './standing.ts';
+import { askedInWords } from './search-words.ts';
 
 export interface DifficultyState {
   /** `none`: there is no run to measure */

@@ -1,8 +1,8 @@
 import { Sparkles } from 'lucide-react';
 import { COLOURS, type DrawnPart, unchanged } from '../../canvas/index.ts';
 import type { Feature } from '../feature.ts';
-import { HeatLegend } from './HeatLegend.tsx';
 import type { SearchOverlay } from './overlay.ts';
+import { HeatLegend } from './SearchOverlay.tsx';
 import { Solver } from './Solver.tsx';
 import { SearchLayer } from './search-layer.ts';
 import { solverCommands, solverLevelCommands } from './solver-commands.ts';

@@ -6,13 +6,13 @@ import type { Desk } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import type { Proofs, Solving } from '../../workers/index.ts';
-import { createCandidateGhosts } from './candidate-ghosts.ts';
 import { type Found, foundBy, triedIn } from './found-runs.ts';
+import { createCandidateGhosts } from './ghosts.ts';
 import { addFound, replaceByFound, SOLUTION } from './keep-found-run.ts';
 import type { OverlayStore } from './overlay.ts';
-import { createSearchJobs } from './search-jobs.ts';
 import { aimOf, goalOf, type SearchSettingsStore } from './search-settings.ts';
 import { afterChange, IDLE, type SearchState } from './search-state.ts';
+import { createSearchJobs } from './search-task.ts';
 
 /** ms without a change of the level before the runs that were found are checked in it */
 const SETTLE = 200;

@@ -1,5 +1,5 @@
 import { type RefObject, useCallback, useEffect, useLayoutEffect, useRef } from 'react';
-import { cardPlace, type Rect, type Side } from './card-place.ts';
+import { cardPlace, type Rect, type Side } from './card-position.ts';
 import { type Input, lastInput } from './last-input.ts';
 import type { Comparison } from './onion-store.ts';
 

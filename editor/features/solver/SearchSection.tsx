@@ -7,10 +7,10 @@ import { Progress } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
 import type { Found } from './found-runs.ts';
-import { RUNS_WANTED } from './search-jobs.ts';
 import { goalOf } from './search-settings.ts';
 import type { SearchState } from './search-state.ts';
-import { type OwnRuns, standingOf } from './standing.ts';
+import { RUNS_WANTED } from './search-task.ts';
+import { type OwnRuns, standingOf } from './search-words.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
