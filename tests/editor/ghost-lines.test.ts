@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
 import { poseAt } from '../../editor/canvas/run-pose.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { everyTick, wayOf } from '../../editor/features/solver/ways.ts';
+import { everyTick, wayOf } from '../../editor/features/solver/ghosts.ts';
 import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';

@@ -17,8 +17,7 @@ import { checkQuestion, proofQuestion } from '../../editor/core/verdict/evidence
 import { accuracyQuestion } from '../../editor/features/accuracy/measured-settings.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';
-import { comparedOf } from '../../editor/features/compare/compared.ts';
-import { trajectoryQuestion } from '../../editor/features/compare/watch-compared.ts';
+import { comparedOf, trajectoryQuestion } from '../../editor/features/compare/compared.ts';
 import { comparisonQuestion } from '../../editor/features/history/use-comparison.ts';
 import { leewayQuestion } from '../../editor/features/leeway/watch-leeway.ts';
 import { lossesQuestion, lostQuestion } from '../../editor/features/lost/watch-lost.ts';

@@ -1,5 +1,8 @@
 import { useCallback, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
+import { type AccuracyName, isAccuracyName } from '../../../engine/index.ts';
+import { METHODS } from '../../../engine/work-precision/index.ts';
+import { drawDiagram, type Ground, linesOf, noteOf } from '../../../picture/accuracy/index.ts';
 import { question } from '../../core/ask/index.ts';
 import { useEditor, useLevel } from '../../core/context/index.ts';
 import { type PlayedFile, withoutRuns } from '../../core/proof/index.ts';
@@ -14,7 +17,7 @@ export interface MeasuredSettings {
   readonly holds: string;
 }
 
-export interface Measuring {
+interface Measuring {
   readonly phase: 'idle' | 'measuring' | 'failed';
   readonly message: string | null;
   readonly measured: MeasuredSettings | null;
@@ -42,4 +45,31 @@ export function useMeasured(): Measuring {
   }, [accuracy, proof]);
   const is = phase === 'asking' ? 'measuring' : phase === 'failed' ? 'failed' : 'idle';
   return { phase: is, message, measured, start, cancel: accuracy.forget };
+}
+
+interface DiagramOf {
+  readonly level: string;
+  readonly run: string | null;
+  readonly settings: readonly Setting[];
+  /** The setting in use, which is ringed. */
+  readonly current: AccuracyName;
+}
+
+/** The work-precision diagram of a run as an SVG document. */
+export function drawSettings({ level, run, settings, current }: DiagramOf, ground: Ground): string {
+  const measured = settings.flatMap((setting) => {
+    const accuracy = METHODS.find(({ name }) => name === setting.name);
+    return accuracy === undefined ? [] : [{ ...setting, accuracy }];
+  });
+  const lines = linesOf(measured, ({ accuracy, error, cost, sameVerdict }) => ({
+    error,
+    worseError: null,
+    cost,
+    failures: sameVerdict ? 0 : 1,
+    label: accuracy.name === current ? `${current}, in use` : null,
+    note: isAccuracyName(accuracy.name) ? accuracy.name : accuracy.contact === 'swept' ? noteOf(accuracy) : null,
+  }));
+  const title = run === null ? `${level}: she drifts` : `${level}: ${run}`;
+  const subtitle = ['Error and time of every setting for this level and run, measured in this browser.'];
+  return drawDiagram({ title, subtitle, runs: 1, floor: 0, lines }, ground);
 }

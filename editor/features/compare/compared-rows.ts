@@ -1,11 +1,23 @@
 import { useStore } from 'zustand';
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { useDocument, useLevel, usePageTheme, useProof } from '../../core/context/index.ts';
+import { type Editor, type OpenLevel, useDocument, useLevel, usePageTheme, useProof } from '../../core/context/index.ts';
+import { keepAsRun } from '../../core/levels/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import type { Results } from '../../workers/index.ts';
-import { type ComparedRun, chosenOf, comparedOf, isFresh, sourceHolds, sourceKey, sourceName } from './compared.ts';
-import { LOOKS } from './looks.ts';
+import {
+  type ComparedRun,
+  chosenOf,
+  comparedOf,
+  isFresh,
+  MOST_COMPARED,
+  type Source,
+  sourceHolds,
+  sourceKey,
+  sourceName,
+  toggleCompared,
+} from './compared.ts';
+import { LOOKS } from './racers.ts';
 
 /** A compared run with what is known of it. */
 export interface ComparedRow extends ComparedRun {
@@ -63,4 +75,31 @@ export function useComparedRows(): readonly ComparedRow[] {
       },
     ];
   });
+}
+
+/** Puts a run beside the shown one or takes it away; says why if there is no room. */
+export function compareOrTell({ notices }: Pick<Editor, 'notices'>, level: OpenLevel, source: Source): void {
+  if (source.kind === 'run' && source.name === level.proof.proof().run.name) {
+    notices.show('info', `${source.name} is the shown run: compare it with another one.`, { topic: 'compare' });
+    return;
+  }
+  if (toggleCompared(comparedOf(level), source)) {
+    notices.settle('compare');
+    return;
+  }
+  const text = `${MOST_COMPARED} runs are compared already. Stop comparing one of them, then add ${sourceName(source)}.`;
+  notices.show('warning', text, { topic: 'compare' });
+}
+
+/** Makes a compared run the shown one; they change places. An attempt has to become a run first. */
+export function showCompared(editor: Editor, level: OpenLevel, source: Source): void {
+  if (source.kind === 'run') {
+    editor.session.setState({ run: source.name });
+    return;
+  }
+  const attempt = level.attempts.store.getState().find(({ number }) => number === source.number);
+  if (attempt === undefined) return;
+  const text = `${sourceName(source)} is not a run of the level. Keep it as one to show and edit it.`;
+  const keep = () => keepAsRun({ editor, level }, attempt);
+  editor.notices.show('info', text, { topic: 'compare', actions: [{ title: 'Keep as a run', run: keep }] });
 }

@@ -8,14 +8,15 @@ import {
   partingsOf,
   type RunsDifference,
 } from '../../../check/runs/index.ts';
-import { useInPace } from '../../core/ask/index.ts';
-import { useLevel } from '../../core/context/index.ts';
-import { isWhole, type LiveProof, pathOf } from '../../core/proof/index.ts';
+import type { Hold } from '../../../schema/index.ts';
+import type { EdgeSlack } from '../../../solver/index.ts';
+import { useInPace, useQuestion } from '../../core/ask/index.ts';
+import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { isWhole, type LiveProof, pathOf, type SlackOf, slackQuestion } from '../../core/proof/index.ts';
 import { type ComparedRow, useComparedRows } from './compared-rows.ts';
-import { useSlack } from './use-slack.ts';
 
 /** How the shown run and a compared one differ. */
-export interface ShownDifference {
+interface ShownDifference {
   readonly shown: string;
   readonly row: ComparedRow;
   readonly difference: RunsDifference;
@@ -77,4 +78,19 @@ export function useDifference(measures = false): ShownDifference | null {
   // until the next one is known, the last difference of these runs stays, and says that it is old
   const kept = made ?? (last.current?.key === key ? last.current : null);
   return kept === null || row === null ? null : { ...kept, row, isStale: made === null };
+}
+
+/** How far each press and release of a run of this level may move alone, measured by a worker; null until it is known. */
+function useSlack(holds: readonly Hold[] | null): readonly EdgeSlack[] | null {
+  const { desk } = useEditor();
+  const { proof } = useLevel();
+  const scene = useProof((now) => now.scene);
+  const key = holds?.join() ?? null;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: holds are known by their key
+  const of = useMemo((): SlackOf | null => {
+    const { level, terms } = proof.proof();
+    return holds === null ? null : { of: scene, level, terms, holds, goal: { minerals: 'any' } };
+  }, [proof, scene, key]);
+  const asked = useQuestion(slackQuestion, desk, of);
+  return asked !== null && asked.of === of ? asked.answer : null;
 }

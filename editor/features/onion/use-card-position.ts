@@ -1,7 +1,8 @@
 import { type RefObject, useCallback, useEffect, useLayoutEffect, useRef } from 'react';
+import { extentOf, type OnCanvas, pointsOfWay, toScreen } from '../../canvas/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
 import { cardPlace, type Rect, type Side } from './card-position.ts';
-import { type Input, lastInput } from './last-input.ts';
-import type { Comparison } from './onion-store.ts';
+import type { Comparison } from './watch-onion.ts';
 
 /** px that the card keeps from what it stands beside: a finger and the hand behind it cover more than a pointer */
 const CLEAR = { keys: 20, mouse: 20, touch: 56 } as const;
@@ -103,4 +104,59 @@ export function useCardPlace(card: RefObject<HTMLElement | null>, phase: Compari
       observer.disconnect();
     };
   }, [card, phase, anchorNow, put]);
+}
+
+/** The last input anywhere on the page: a key, or the pointer and where it was, px of the page. */
+type Input = { readonly by: 'keys' } | { readonly by: 'mouse' | 'touch'; readonly x: number; readonly y: number };
+
+let last: Input = { by: 'keys' };
+
+const lastInput = (): Input => last;
+
+/** Follows the input until aborted. */
+export function followInput(signal: AbortSignal): void {
+  // before other listeners, as some of them stop the event
+  const options = { capture: true, passive: true, signal };
+  const onPointer = ({ clientX: x, clientY: y, pointerType }: PointerEvent) => {
+    last = { by: pointerType === 'touch' ? 'touch' : 'mouse', x, y };
+  };
+  const onKey = () => {
+    last = { by: 'keys' };
+  };
+  window.addEventListener('pointerdown', onPointer, options);
+  // a drag goes on while a modifier is pressed, and a mouse that is moved without a button changes nothing
+  window.addEventListener('pointermove', (event) => event.buttons !== 0 && onPointer(event), options);
+  window.addEventListener('keydown', onKey, options);
+}
+
+/** px below the upper edge of the canvas, where the tools stand */
+const TOOLS = 56;
+
+/** Finds on the page what the canvas shows; px of the page. @param host the element of the canvas */
+export function placesOnPage(level: OpenLevel, { host, canvas }: OnCanvas) {
+  const canvasBox = () => host.current?.getBoundingClientRect() ?? { left: 0, top: 0, right: 0, bottom: 0 };
+  return {
+    /** The box around objects; the upper left corner of the canvas if there are none or they are not in view. */
+    whereAre(keys: readonly string[]) {
+      const { left, top, right, bottom } = canvasBox();
+      const corner = { left, top, right: left, bottom: top + TOOLS };
+      const box = keys.length === 0 ? null : extentOf(level.document.file(), level.proof.proof().scene.box, keys);
+      if (box === null) return corner;
+      const { view } = canvas.getState();
+      const from = toScreen(view, { x: box.left, y: box.top });
+      const to = toScreen(view, { x: box.right, y: box.bottom });
+      const seen = {
+        left: left + Math.max(0, from.x),
+        top: top + Math.max(0, from.y),
+        right: Math.min(right, left + to.x),
+        bottom: Math.min(bottom, top + to.y),
+      };
+      return seen.left <= seen.right && seen.top <= seen.bottom ? seen : corner;
+    },
+    /** Points of the way of the shown run. */
+    wayOnPage() {
+      const { left, top } = canvasBox();
+      return pointsOfWay(level.proof.proof().run.way, canvas.getState().view).map(({ x, y }) => ({ x: left + x, y: top + y }));
+    },
+  };
 }

@@ -9,7 +9,7 @@ import { keepAsRun, makeProof } from '../../core/levels/index.ts';
 import { OutcomeSign, outcomeWord } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
-import { CompareButton } from './CompareButton.tsx';
+import { CompareButton } from './RunLine.tsx';
 
 /** The attempts of this session: each is a ghost on the canvas and can be kept as a run of the level. */
 export function AttemptList() {

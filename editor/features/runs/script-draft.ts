@@ -13,9 +13,6 @@ export interface Draft {
   readonly means: string | null;
 }
 
-/** What is typed for the runs of one level, by their names: it stays while other panels are in front. */
-export type Drafts = StoreApi<ReadonlyMap<string, Draft>>;
-
 export const draftsOf = ofDocument(() => createStore<ReadonlyMap<string, Draft>>(() => new Map()));
 
 /** A run of a file as canonical text. */

@@ -1,17 +1,18 @@
-import { Check, CircleCheck, CircleHelp, CircleX, Info, Plus, Replace, TriangleAlert, X } from 'lucide-react';
+import { Check, CircleCheck, CircleHelp, CircleX, Info, Play, Plus, Replace, Square, TriangleAlert, X } from 'lucide-react';
 import { useStore } from 'zustand';
+import { LIMITS } from '../../../schema/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
-import { useDocument, useEditor, useProof, useSession } from '../../core/context/index.ts';
+import { keyLabel } from '../../core/commands/index.ts';
+import { IS_MAC, useDocument, useEditor, useProof, useSession } from '../../core/context/index.ts';
 import { about, percent, plural, seconds } from '../../core/figures/index.ts';
-import { Progress } from '../../core/panel/index.ts';
-import { Button } from '../../core/ui/index.ts';
+import { Progress, Segments } from '../../core/panel/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
-import type { Found } from './found-runs.ts';
-import { goalOf } from './search-settings.ts';
-import type { SearchState } from './search-state.ts';
-import { RUNS_WANTED } from './search-task.ts';
+import { useSolverSession } from './index.ts';
+import type { Found, SearchState } from './search-session.ts';
+import { goalOf, RUNS_WANTED } from './search-task.ts';
 import { type OwnRuns, standingOf } from './search-words.ts';
-import { useSolverSession } from './use-solver-session.ts';
+import { SOLVE_KEY } from './solver-commands.ts';
 
 const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
 const NO_RUNS = [] as const;
@@ -143,6 +144,88 @@ export function SearchReport() {
           </Button>
         )}
       </div>
+    </div>
+  );
+}
+
+const OBJECTIVES = [
+  { value: 'robust', title: 'safest', about: 'the run that still succeeds when every press is a little off' },
+  { value: 'presses', title: 'simplest', about: 'the fewest presses' },
+  { value: 'time', title: 'quickest', about: 'the shortest time' },
+  { value: 'first', title: 'any', about: 'the first run found' },
+] as const;
+
+/** The settings of the search and the button that starts it. */
+export function SearchSettingsForm() {
+  const { settings: store, search } = useSolverSession();
+  const settings = useStore(store);
+  const isRunning = useStore(search.store, ({ phase }) => phase === 'running');
+  const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
+  return (
+    <div className="search-settings">
+      <Segments
+        label="Prefer"
+        value={settings.objective}
+        options={OBJECTIVES}
+        onChange={(objective) => store.setState({ objective })}
+      />
+      {minerals > 0 && (
+        <Segments
+          label="Minerals"
+          value={settings.minerals}
+          options={[
+            { value: 'any', title: 'any', about: 'minerals do not matter' },
+            { value: 'some', title: 'some', about: 'at least the number below' },
+            { value: 'all', title: `all ${minerals}`, about: 'all of them' },
+          ]}
+          onChange={(wanted) => store.setState({ minerals: wanted })}
+        />
+      )}
+      <div className="search-settings__numbers">
+        {minerals > 0 && settings.minerals === 'some' && (
+          <NumberField
+            label="At least"
+            value={Math.min(settings.some, minerals)}
+            min={1}
+            max={minerals}
+            whole
+            onChange={(some) => store.setState({ some })}
+          />
+        )}
+        <NumberField
+          label="Seconds"
+          about="Time limit of the search"
+          value={settings.budget}
+          min={1}
+          max={3600}
+          whole
+          onChange={(budget) => store.setState({ budget })}
+        />
+        <NumberField
+          label="Seed"
+          about="Another seed tries other runs first"
+          value={settings.seed}
+          min={0}
+          max={LIMITS.coordinate}
+          whole
+          onChange={(seed) => store.setState({ seed })}
+        />
+      </div>
+      {isRunning ? (
+        <Button hint="Stop and keep the runs found" look="outlined" icon={<Square size={14} />} onClick={search.cancel}>
+          Cancel
+        </Button>
+      ) : (
+        <Button
+          hint="Find runs"
+          shortcut={keyLabel(SOLVE_KEY, IS_MAC)}
+          look="main"
+          icon={<Play size={14} />}
+          onClick={search.start}
+        >
+          Solve
+        </Button>
+      )}
     </div>
   );
 }

@@ -8,8 +8,8 @@ import type { OpenLevel } from '../../core/context/index.ts';
 import { freeRunName } from '../../core/document/index.ts';
 import { createPreview, type SessionStore } from '../../core/session/index.ts';
 import { type AskedOf, type Fixing, jobs } from '../../workers/index.ts';
-import { SOLUTION } from './keep-found-run.ts';
-import type { SearchSettingsStore } from './search-settings.ts';
+import { SOLUTION } from './search-session.ts';
+import type { SearchSettingsStore } from './search-task.ts';
 
 export interface FixState {
   readonly phase: 'idle' | 'seeking' | 'done' | 'failed';

@@ -6,7 +6,7 @@ import type { EditedLevel } from '../../core/document/index.ts';
 import { plural } from '../../core/figures/index.ts';
 import { endInWords, isWhole, type LiveProof, type ProofStore, withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, FAN_TICKS, type Fan, type FanWay, jobs, type ProgressOf } from '../../workers/index.ts';
-import { everyTick } from './ways.ts';
+import { everyTick } from './ghosts.ts';
 
 /** The robustness of the shown run, as far as it is known. */
 export interface RobustnessState {

@@ -1,10 +1,10 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
-import type { Goal } from '../../../solver/index.ts';
+import type { Goal, Objective } from '../../../solver/index.ts';
 import { type Desk, question } from '../../core/ask/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, jobs, type Proofs, type Solving } from '../../workers/index.ts';
-import type { SearchSettings } from './search-settings.ts';
 
 /** the number of different runs that a search looks for */
 export const RUNS_WANTED = 5;
@@ -26,7 +26,7 @@ interface SearchListener {
 }
 
 /** The questions of a search: one looks for runs, the other for proofs that there are none. */
-export interface SearchJobs {
+interface SearchJobs {
   /** Searches, in place of an earlier search. */
   start(task: SearchTask, listener: SearchListener): void;
   /** Cancels both; no listener is called any more. */
@@ -73,4 +73,38 @@ export function createSearchJobs(desk: Desk): SearchJobs {
     cancel,
     cancelSolving: solving.stop,
   };
+}
+
+/** The settings of a search for runs. */
+export interface SearchSettings {
+  readonly minerals: 'any' | 'all' | 'some';
+  /** the number for `some` */
+  readonly some: number;
+  readonly objective: Objective;
+  /** s */
+  readonly budget: number;
+  readonly seed: number;
+}
+
+export type SearchSettingsStore = StoreApi<SearchSettings>;
+
+export const createSearchSettings = (): SearchSettingsStore =>
+  createStore<SearchSettings>(() => ({ minerals: 'any', some: 1, objective: 'robust', budget: 10, seed: 0 }));
+
+/** The goal of a run. @param count minerals in the level */
+export function goalOf({ minerals, some }: SearchSettings, count: number): Goal {
+  if (minerals === 'some') return { minerals: Math.min(some, count) };
+  // Without minerals in the level, all means any.
+  return { minerals: minerals === 'all' && count > 0 ? 'all' : 'any' };
+}
+
+const AIMS: Readonly<Record<Objective, string>> = { robust: 'safest', presses: 'simplest', time: 'quickest', first: 'found' };
+
+/** The name of a run found with these settings: `safest`, `all minerals, quickest`, `safest 2` for the second best. */
+export function aimOf({ minerals, some, objective }: SearchSettings, place: number): string {
+  const taken =
+    minerals === 'all' ? ['all minerals'] : minerals === 'some' ? [`${some} ${some === 1 ? 'mineral' : 'minerals'}`] : [];
+  // for runs with minerals, safest is the default and goes without saying
+  const best = taken.length > 0 && (objective === 'robust' || objective === 'first') ? [] : [AIMS[objective]];
+  return [...taken, ...best].join(', ') + (place > 1 ? ` ${place}` : '');
 }

@@ -1,8 +1,8 @@
 import { closestInWords } from '../../../check/words/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
 import { pixels, plural } from '../../core/figures/index.ts';
-import { goalOf, type SearchSettings } from './search-settings.ts';
-import type { SearchState } from './search-state.ts';
+import type { SearchState } from './search-session.ts';
+import { goalOf, type SearchSettings } from './search-task.ts';
 
 /** The state of a search in words. */
 export interface Standing {
