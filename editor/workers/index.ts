@@ -20,6 +20,7 @@ export {
   type Solving,
   type Thumbnail,
 } from './jobs/index.ts';
+export { follow } from './jobs/follow.ts';
 export type { JobKind, Requests, Results } from './kinds.ts';
 export {
   CELL_NUMBERS,

@@ -1,4 +1,4 @@
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import { createStore } from 'zustand/vanilla';
 import { joinHolds } from '../../../engine/index.ts';
 import { formatRunText, type LevelFile, type RunTextReading, readRunText } from '../../../schema/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
@@ -13,6 +13,7 @@ export interface Draft {
   readonly means: string | null;
 }
 
+/** What is typed for the runs of a level, by their names: it stays while other panels are in front. */
 export const draftsOf = ofDocument(() => createStore<ReadonlyMap<string, Draft>>(() => new Map()));
 
 /** A run of a file as canonical text. */

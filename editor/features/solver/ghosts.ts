@@ -1,42 +1,44 @@
-import { createSimulation, joinHolds, maxTicksOf, type Scene, STATE_SIZE } from '../../../engine/index.ts';
+import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { type Ghost, type OpenLevel, putGhosts } from '../../core/context/index.ts';
-import type { SearchState } from './search-session.ts';
+import { follow, type Solving } from '../../workers/index.ts';
+
+/** What is drawn of a search. */
+interface DrawnSearch {
+  readonly found: readonly { readonly id: string; readonly candidate: { readonly holds: readonly Hold[] } }[];
+  /** The id of the only run that is drawn; null: all are. */
+  readonly hovered: string | null;
+  readonly solving: Pick<Solving, 'closest'> | null;
+  /** A proof that there is no run; null: there is none. */
+  readonly impossible: object | null;
+}
 
 /** The runs of a search as ghosts on the canvas. */
 interface CandidateGhosts {
   /** Draws the runs found, or only the hovered one; while there is none, the closest approach. */
-  draw(scene: Scene, state: Pick<SearchState, 'found' | 'hovered' | 'solving' | 'impossible'>): void;
+  draw(scene: Scene, search: DrawnSearch): void;
   clear(): void;
 }
 
 export function createCandidateGhosts({ ghosts: shown }: Pick<OpenLevel, 'ghosts'>): CandidateGhosts {
   // each path is simulated once per scene
-  let played: { readonly scene: Scene; readonly ways: Map<string, Float32Array> } | null = null;
-  const wayFor = (scene: Scene, holds: readonly Hold[], until?: number): Float32Array => {
-    if (played?.scene !== scene) played = { scene, ways: new Map() };
+  let played: { readonly scene: Scene; readonly paths: Map<string, Float32Array> } | null = null;
+  const pathIn = (scene: Scene, holds: readonly Hold[], until?: number): Float32Array => {
+    if (played?.scene !== scene) played = { scene, paths: new Map() };
     const key = `${holds.join()} ${until}`;
-    const way = played.ways.get(key) ?? wayOf(scene, holds, until);
-    played.ways.set(key, way);
-    return way;
+    const path = played.paths.get(key) ?? pathOfHolds(scene, holds, until);
+    played.paths.set(key, path);
+    return path;
   };
+  const ghostOf = (id: string, label: string, points: Float32Array): Ghost => ({ id, label, points, look: 'candidate' });
   return {
     draw(scene, { found, hovered, solving, impossible }) {
       const ghosts = found
         .filter(({ id }) => hovered === null || hovered === id)
-        .map(
-          ({ id, candidate }, i): Ghost => ({
-            id: `found-${id}`,
-            label: `found ${i + 1}`,
-            points: wayFor(scene, candidate.holds),
-            look: 'candidate',
-          }),
-        );
+        .map(({ id, candidate }, i) => ghostOf(`found-${id}`, `found ${i + 1}`, pathIn(scene, candidate.holds)));
       const closest = solving?.closest ?? null;
-      if (found.length === 0 && closest !== null && impossible === null) {
-        const points = wayFor(scene, closest.holds, closest.tick + 1);
-        ghosts.push({ id: 'closest', label: 'closest approach', points, look: 'candidate' });
-      }
+      if (found.length === 0 && closest !== null && impossible === null)
+        ghosts.push(ghostOf('closest', 'closest approach', pathIn(scene, closest.holds, closest.tick + 1)));
       putGhosts(shown, 'candidate', ghosts);
     },
     clear: () => putGhosts(shown, 'candidate', []),
@@ -47,38 +49,10 @@ export function createCandidateGhosts({ ghosts: shown }: Pick<OpenLevel, 'ghosts
  * The path of some holds: x, y in px at every tick and at the end.
  * @param until the last tick
  */
-export function wayOf(scene: Scene, holds: readonly Hold[], until: number = maxTicksOf(scene.terms)): Float32Array {
-  const simulation = createSimulation(scene);
-  const script = joinHolds(holds);
-  const state = new Float64Array(STATE_SIZE);
-  const points: number[] = [];
-  const see = () => {
-    simulation.readState(state);
-    points.push(state[0], state[1]);
-  };
-  see();
-  let next = 0;
-  while (simulation.ending === null && simulation.tick < until) {
-    const { tick } = simulation;
-    while (next < script.length && script[next][1] <= tick) next++;
-    simulation.advance(1, next < script.length && script[next][0] <= tick);
-    see();
+export function pathOfHolds(scene: Scene, holds: readonly Hold[], until: number = maxTicksOf(scene.terms)): Float32Array {
+  const steps = follow(scene, holds, until);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value.points;
   }
-  return Float32Array.from(points);
-}
-
-/** A path known at every `ticks` ticks, interpolated linearly to one entry per tick. */
-export function everyTick(points: Float32Array, ticks: number): Float32Array {
-  const count = points.length / 2;
-  if (count < 2) return points;
-  const filled = new Float32Array(2 * ((count - 1) * ticks + 1));
-  for (let i = 0; i < count - 1; i++) {
-    for (let k = 0; k <= ticks; k++) {
-      const share = k / ticks;
-      const o = 2 * (i * ticks + k);
-      filled[o] = points[2 * i] * (1 - share) + points[2 * i + 2] * share;
-      filled[o + 1] = points[2 * i + 1] * (1 - share) + points[2 * i + 3] * share;
-    }
-  }
-  return filled;
 }

@@ -6,7 +6,6 @@ import type { EditedLevel } from '../../core/document/index.ts';
 import { plural } from '../../core/figures/index.ts';
 import { endInWords, isWhole, type LiveProof, type ProofStore, withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, FAN_TICKS, type Fan, type FanWay, jobs, type ProgressOf } from '../../workers/index.ts';
-import { everyTick } from './ghosts.ts';
 
 /** The robustness of the shown run, as far as it is known. */
 export interface RobustnessState {
@@ -162,4 +161,20 @@ export function watchRobustness({ level, desk }: WatchParts): RobustnessWatch {
       fan.close();
     },
   };
+}
+
+/** A path known at every `ticks` ticks, interpolated linearly to one entry per tick. */
+export function everyTick(points: Float32Array, ticks: number): Float32Array {
+  const count = points.length / 2;
+  if (count < 2) return points;
+  const filled = new Float32Array(2 * ((count - 1) * ticks + 1));
+  for (let i = 0; i < count - 1; i++) {
+    for (let k = 0; k <= ticks; k++) {
+      const share = k / ticks;
+      const o = 2 * (i * ticks + k);
+      filled[o] = points[2 * i] * (1 - share) + points[2 * i + 2] * share;
+      filled[o + 1] = points[2 * i + 1] * (1 - share) + points[2 * i + 3] * share;
+    }
+  }
+  return filled;
 }
