@@ -26,7 +26,7 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     tests: ['tests/solver/anytime-schedule.test.ts', 'tests/solver/anytime.test.ts'],
   },
   'solver/measure/softlock': { sources: ['solver/measure/softlock'], tests: ['tests/solver/softlock.test.ts'] },
-  'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },
+  'engine/contact': { sources: ['engine/contact.ts'], tests: engine('contact', 'near-misses') },
   'engine/continuous': {
     sources: ['motion', 'integrators', 'events', 'effects', 'continuous'].map((folder) => `engine/${folder}`),
     tests: ['tests/browsers/node.test.ts', ...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],

@@ -1,4 +1,5 @@
 import { covers, distance, px } from './bodies.ts';
+import { outOfReach, RULE_OF_REACH } from './reach.ts';
 import type { Rule } from './warning.ts';
 
 /** The black hole lies inside a hazard, so touching it means touching the hazard. */
@@ -22,5 +23,20 @@ export const blackHoleCovered: Rule = {
         pointer: '/blackHole',
       };
     }
+  },
+};
+
+/** The black hole is too far from every asteroid, so the level cannot be completed. */
+export const blackHoleOutOfReach: Rule = {
+  explanation: {
+    code: 'black-hole-out-of-reach',
+    severity: 'warning',
+    title: 'the black hole is out of reach of every asteroid',
+    why: `${RULE_OF_REACH} So nobody can touch this black hole, and the level cannot be completed.`,
+    fix: 'Put an asteroid nearer to the black hole, put one into the gap before it, or raise the range.',
+  },
+  *find({ level, reach }) {
+    const words = outOfReach(level, reach, 'the black hole', level.blackHole);
+    if (words !== null) yield { ...words, pointer: '/blackHole' };
   },
 };

@@ -1,6 +1,6 @@
-import type { IndexedCircles } from '../indexed-circles.ts';
-import type { Scene } from '../scene.ts';
-import type { RunEvent } from '../simulation.ts';
+import type { IndexedCircles } from './indexed-circles.ts';
+import type { Scene } from './scene.ts';
+import type { RunEvent } from './simulation.ts';
 
 /** The astronaut in a frame of `arcade`, as an effect sees and changes her. Lengths are in px, times in s. */
 export interface Frame {

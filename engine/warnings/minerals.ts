@@ -1,6 +1,6 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { covers, distance, px } from './bodies.ts';
-import { overlapsBetween } from './pairs.ts';
+import { covers, distance, overlapsBetween, px } from './bodies.ts';
+import { outOfReach, RULE_OF_REACH } from './reach.ts';
 import type { Rule } from './warning.ts';
 
 /** A mineral inside a hazard: collecting it ends the run. */
@@ -16,10 +16,10 @@ export const mineralCovered: Rule = {
     const hazards = bodies.filter(({ isHazard, staysPut }) => isHazard && staysPut);
     if (hazards.length === 0) return;
     const minerals = level.minerals.map(({ x, y, radius }, index) => ({ x, y, radius, index }));
-    const told = new Set<number>();
+    const reported = new Set<number>();
     for (const [mineral, hazard] of overlapsBetween(minerals, hazards)) {
-      if (told.has(mineral.index) || !covers(hazard, mineral)) continue;
-      told.add(mineral.index);
+      if (reported.has(mineral.index) || !covers(hazard, mineral)) continue;
+      reported.add(mineral.index);
       const name = objectName('mineral', mineral.index);
       const apart = distance(hazard, mineral);
       yield {
@@ -27,6 +27,23 @@ export const mineralCovered: Rule = {
         hint: `move ${name} outwards by more than ${px(hazard.radius - mineral.radius - apart)}`,
         pointer: `/minerals/${mineral.index}`,
       };
+    }
+  },
+};
+
+/** A mineral too far from every asteroid to be collected. */
+export const mineralOutOfReach: Rule = {
+  explanation: {
+    code: 'mineral-out-of-reach',
+    severity: 'warning',
+    title: 'a mineral is out of reach of every asteroid',
+    why: `${RULE_OF_REACH} So nobody can collect this mineral.`,
+    fix: 'Move the mineral and an asteroid nearer to each other, or raise the range.',
+  },
+  *find({ level, reach }) {
+    for (const [i, mineral] of level.minerals.entries()) {
+      const words = outOfReach(level, reach, objectName('mineral', i), mineral);
+      if (words !== null) yield { ...words, pointer: `/minerals/${i}` };
     }
   },
 };
