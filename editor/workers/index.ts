@@ -1,4 +1,5 @@
 export { type AnswerOf, type AskedOf, accuracyNameOf, type Job, type ProgressOf } from './job.ts';
+export { follow } from './jobs/follow.ts';
 export * as jobs from './jobs/index.ts';
 export {
   FAN_TICKS,
@@ -20,7 +21,6 @@ export {
   type Solving,
   type Thumbnail,
 } from './jobs/index.ts';
-export { follow } from './jobs/follow.ts';
 export type { JobKind, Requests, Results } from './kinds.ts';
 export {
   CELL_NUMBERS,
