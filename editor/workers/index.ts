@@ -1,5 +1,5 @@
+export { follow } from './follow.ts';
 export { type AnswerOf, type AskedOf, accuracyNameOf, type Job, type ProgressOf } from './job.ts';
-export { follow } from './jobs/follow.ts';
 export * as jobs from './jobs/index.ts';
 export {
   FAN_TICKS,

@@ -1,5 +1,5 @@
-import { createSimulation, joinHolds, playScript, type Scene, STATE_SIZE } from '../../../engine/index.ts';
-import type { Hold } from '../../../schema/index.ts';
+import { createSimulation, joinHolds, playScript, type Scene, STATE_SIZE } from '../../engine/index.ts';
+import type { Hold } from '../../schema/index.ts';
 
 /** ticks per step */
 const TICKS = 20;
