@@ -1,3 +1,4 @@
+import type { StoreApi } from 'zustand/vanilla';
 import type { Attempt } from '../attempts/index.ts';
 
 /** A path beside that of the run: an attempt, a candidate, a part of the slack fan, an attempt or play that is selected. */
@@ -17,4 +18,11 @@ export function attemptGhosts(attempts: readonly Attempt[]): Ghost[] {
   return attempts
     .slice(-SHOWN)
     .map(({ number, points }) => ({ id: `attempt-${number}`, label: `attempt ${number}`, points, look: 'attempt' }));
+}
+
+/** Replaces the ghosts of one look; those of other looks stay. */
+export function putGhosts(ghosts: StoreApi<readonly Ghost[]>, look: Ghost['look'], wanted: readonly Ghost[]): void {
+  const now = ghosts.getState();
+  const others = now.filter((ghost) => ghost.look !== look);
+  if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
 }

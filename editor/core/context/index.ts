@@ -13,7 +13,7 @@ export {
   useSession,
 } from './context.ts';
 export type { Analysis, Editor, OpenLevel } from './editor.ts';
-export { attemptGhosts, type Ghost } from './ghost.ts';
+export { attemptGhosts, type Ghost, putGhosts } from './ghost.ts';
 export { ofLevel } from './of-level.ts';
 export { PerLevel, perLevel, useLevelKey } from './PerLevel.tsx';
 export { usePageTheme } from './page-theme.ts';

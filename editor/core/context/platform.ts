@@ -1,2 +1,2 @@
 /** Whether keys are written as on a Mac. */
-export const IS_MAC = /Mac|iP(hone|ad|od)/.test(navigator.userAgent);
+export const IS_MAC = /Mac|iP(hone|ad|od)/.test(globalThis.navigator?.userAgent ?? '');

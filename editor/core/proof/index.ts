@@ -1,5 +1,6 @@
 export { endInWords, isWhole, type LiveProof } from './answer.ts';
 export { createProofStore, type ProofStore } from './live-proof.ts';
+export { pathOf } from './march.ts';
 export { NEAR, type NearMiss } from './margins.ts';
 export { limitInWords, MOST_WORK } from './patience.ts';
 export { type PlayedFile, playsAlike } from './plays-alike.ts';

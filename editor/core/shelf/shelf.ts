@@ -2,8 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { PlayStatistics, Attempt as Replayed } from '../../../check/plays/index.ts';
 import { type Play, type PlayVerdict, playToText } from '../../../game/index.ts';
 import type { Level } from '../../../schema/index.ts';
-import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import { ofDocument } from '../kept/index.ts';
 import { type DeathMap, deathMapOf } from './death-map.ts';
 
 /** A play that was opened from outside, and what it turned out to be. */
@@ -82,7 +81,5 @@ export function createShelf(): Shelf {
   };
 }
 
-const shelfAt = keptWith<object, Shelf>(createShelf);
-
 /** The opened plays of a level; they stay while the page lives, also when another level is opened in the meantime. */
-export const shelfOf = ({ document }: Pick<OpenLevel, 'document'>): Shelf => shelfAt(document);
+export const shelfOf = ofDocument(createShelf);

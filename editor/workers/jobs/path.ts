@@ -1,7 +1,7 @@
 import { compile } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
+import { follow } from '../follow.ts';
 import { job, type Played, type Work } from '../job.ts';
-import { follow } from './follow.ts';
 
 /** Her path with these holds, up to a tick: x, y in px at every tick and at the end. */
 export const path = job<Played & { readonly holds: readonly Hold[]; readonly until: number }, { readonly points: Float32Array }>({

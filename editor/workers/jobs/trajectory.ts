@@ -1,8 +1,8 @@
 import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
 import { compile, joinHolds, maxTicksOf, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
+import { follow } from '../follow.ts';
 import { job, type Played, type Work } from '../job.ts';
-import { follow } from './follow.ts';
 
 /** Her way in a run, and what came of it. */
 export interface Trajectory {
