@@ -19,8 +19,7 @@ export {
   unproved,
   verdictOfFindings,
 } from './findings.ts';
-export { createMend, type Mend, type Mended, type MendOptions, mendedInWords } from './mend/index.ts';
-export { repairedFile } from './mend/mend.ts';
+export { createMend, type Mend, type Mended, type MendOptions, mendedInWords, repairedFile } from './mend/index.ts';
 export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
 export { type LostMineral, mineralsToProve, proofBudget, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
