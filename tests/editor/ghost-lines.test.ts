@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
-import { poseAt } from '../../editor/canvas/run-pose.ts';
+import { linesOf } from '../../editor/canvas/layers/way-layer.ts';
+import { poseAt } from '../../editor/canvas/picture.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
 import { everyTick, wayOf } from '../../editor/features/solver/ways.ts';
 import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';

@@ -3,5 +3,4 @@ export { Dialog } from './Dialog.tsx';
 export { focusHome, keepFocus } from './focus.ts';
 export { Hint } from './Hint.tsx';
 export { NumberField } from './NumberField.tsx';
-export { ShadeLegend } from './ShadeLegend.tsx';
 export { FINGER, useCoarse } from './use-coarse.ts';

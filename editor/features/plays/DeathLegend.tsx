@@ -1,9 +1,8 @@
 import { useStore } from 'zustand';
 import { plural } from '../../../check/words/index.ts';
-import { COLOURS, deathOpacity } from '../../canvas/index.ts';
+import { COLOURS, ShadeLegend, deathOpacity } from '../../canvas/index.ts';
 import { useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
 import { shelfOf } from '../../core/shelf/index.ts';
-import { ShadeLegend } from '../../core/ui/index.ts';
 
 /** The legend of the heat map of deaths. Empty while the map is not shown. */
 export function DeathLegend() {

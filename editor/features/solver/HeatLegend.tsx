@@ -1,7 +1,7 @@
+import { ShadeLegend } from '../../canvas/index.ts';
 import { useStore } from 'zustand';
 import { heatCaption, heatColour } from '../../../picture/index.ts';
 import { usePageTheme, useSession } from '../../core/context/index.ts';
-import { ShadeLegend } from '../../core/ui/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 
 /**
