@@ -1,4 +1,4 @@
-import type { Terms } from '../../engine/index.ts';
+import { type AccuracyName, isAccuracyName, type Terms } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 
 /** What the page has to know of a job, and the types of what it is asked, reports and answers. */
@@ -42,6 +42,12 @@ export interface Played {
   readonly terms: Terms;
 }
 
+/** The name of an accuracy: the page knows no custom settings. */
+export function accuracyNameOf({ accuracy: { name } }: Pick<Terms, 'accuracy'>): AccuracyName {
+  if (!isAccuracyName(name)) throw new Error(`expected a named accuracy, found ${name}`);
+  return name;
+}
+
 /** target duration of a step in ms: a cancel is not received within a step */
 const STEP = 12;
 const FEWEST_TICKS = 500;
@@ -56,5 +62,15 @@ export function createPacer(now: () => number): (advance: (ticks: number) => voi
     const took = now() - start;
     const factor = took > 0 ? STEP / took : 2;
     ticks = Math.round(Math.min(MOST_TICKS, Math.max(FEWEST_TICKS, ticks * Math.min(2, Math.max(0.25, factor)))));
+  };
+}
+
+/** Paces reports. @returns whether one is due: at news, and otherwise `ms` after the last one */
+export function createReporting(ms: number, now: () => number): (isNews?: boolean) => boolean {
+  let last = now();
+  return (isNews = false) => {
+    const isDue = isNews || now() - last >= ms;
+    if (isDue) last = now();
+    return isDue;
   };
 }

@@ -5,7 +5,7 @@ import { createSession } from '../../editor/core/session/index.ts';
 import { createFixSession } from '../../editor/features/solver/fix-session.ts';
 import { createSearchSettings } from '../../editor/features/solver/search-settings.ts';
 import type { Fixing, JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { createRepair, proveImpossible } from '../../solver/index.ts';

@@ -11,7 +11,7 @@ import { lostInWords } from '../../editor/features/lost/lost-words.ts';
 import { LOST_SQUARE, squaresOf } from '../../editor/features/lost/squares.ts';
 import { watchLost } from '../../editor/features/lost/watch-lost.ts';
 import type { JobKind, Losing, Loss, Losses, LostMoment, Requests } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';

@@ -7,7 +7,7 @@ import { createSettings } from '../../editor/core/settings/index.ts';
 import type { AliveState } from '../../editor/features/alive/alive-state.ts';
 import { type MendSession, mendSessionOf, watchMend } from '../../editor/features/mend/watch-mend.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { outcomeOf } from './alive-stage.ts';

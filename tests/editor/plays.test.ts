@@ -15,8 +15,8 @@ import {
 } from '../../editor/features/attempts/attempt-rows.ts';
 import { groupPlays, refusedInWords } from '../../editor/features/plays/group-plays.ts';
 import { playFileName } from '../../editor/features/plays/share-play.ts';
-import { pathWork } from '../../editor/workers/jobs/path.ts';
 import { playsWork } from '../../editor/workers/jobs/plays.ts';
+import { pathWork } from '../../editor/workers/jobs/trajectory.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { decodePlay, levelHash, PLAY_LIMITS, playToText } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';

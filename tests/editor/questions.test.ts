@@ -30,7 +30,7 @@ import { proofQuestion } from '../../editor/features/solver/proof-watch.ts';
 import { fanQuestion, robustnessQuestion } from '../../editor/features/solver/robustness-watch.ts';
 import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-jobs.ts';
 import { createWorkers, type WorkerPort } from '../../editor/workers/index.ts';
-import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
+import type { FromWorker, ToWorker } from '../../editor/workers/workers.ts';
 import { ACCURACIES, DEFAULT_TERMS, type Terms } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';

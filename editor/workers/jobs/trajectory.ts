@@ -1,8 +1,16 @@
 import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
-import { compile, joinHolds, maxTicksOf, simulate } from '../../../engine/index.ts';
+import {
+  compile,
+  createSimulation,
+  joinHolds,
+  maxTicksOf,
+  playScript,
+  type Scene,
+  STATE_SIZE,
+  simulate,
+} from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { job, type Played, type Work } from '../job.ts';
-import { follow } from './follow.ts';
 
 /** Her way in a run, and what came of it. */
 export interface Trajectory {
@@ -41,3 +49,49 @@ export const trajectoryWork: Work<typeof trajectory> = {
     };
   },
 };
+
+/** Her path with these holds, up to a tick: x, y in px at every tick and at the end. */
+export const path = job<Played & { readonly holds: readonly Hold[]; readonly until: number }, { readonly points: Float32Array }>({
+  name: 'path',
+  lane: 'quick',
+  most: 20_000,
+});
+
+/** Follows her tick by tick. */
+export const pathWork: Work<typeof path> = {
+  of: path,
+  *steps({ level, terms, holds, until }) {
+    const { points } = yield* follow(compile(level, terms), holds, until);
+    return { points };
+  },
+};
+
+/** ticks per step */
+const TICKS = 20;
+
+/** Her way, an entry for every tick and one for the end. */
+export interface Followed {
+  /** x, y in px */
+  readonly points: Float32Array;
+  /** The direction of the box's x axis: cos, sin. */
+  readonly turns: Float32Array;
+}
+
+/** Follows her tick by tick, in steps. @param until the last tick */
+export function* follow(scene: Scene, holds: readonly Hold[], until: number): Generator<null, Followed, void> {
+  const simulation = createSimulation(scene);
+  const script = joinHolds(holds);
+  const state = new Float64Array(STATE_SIZE);
+  const points: number[] = [];
+  const turns: number[] = [];
+  for (;;) {
+    simulation.readState(state);
+    points.push(state[0], state[1]);
+    turns.push(state[4], state[5]);
+    const { tick } = simulation;
+    if (simulation.ending !== null || tick >= until) break;
+    playScript(simulation, script, tick + 1);
+    if (tick % TICKS === 0) yield null;
+  }
+  return { points: Float32Array.from(points), turns: Float32Array.from(turns) };
+}
