@@ -65,9 +65,13 @@ export function createPacer(now: () => number): (advance: (ticks: number) => voi
   };
 }
 
-/** Paces reports. @returns whether one is due: at news, and otherwise `ms` after the last one */
-export function createReporting(ms: number, now: () => number): (isNews?: boolean) => boolean {
-  let last = now();
+/**
+ * Paces reports.
+ * @param start when the job began, by the same clock
+ * @returns whether a report is due: at news, and otherwise `ms` after the last one
+ */
+export function createReporting(ms: number, start: number, now: () => number): (isNews?: boolean) => boolean {
+  let last = start;
   return (isNews = false) => {
     const isDue = isNews || now() - last >= ms;
     if (isDue) last = now();

@@ -39,7 +39,7 @@ export const fixWork: Work<typeof fix> = {
       return { proposals: [...proposals], effort: { ...effort }, isImpossible: proof !== null, completing, finished };
     };
     const pace = createPacer(now);
-    const isReportDue = createReporting(REPORT, now);
+    const isReportDue = createReporting(REPORT, start, now);
     while (!repair.finished && now() - start < budget) {
       pace((ticks) => repair.advance(ticks));
       yield isReportDue() ? found() : null;

@@ -111,7 +111,7 @@ export const leewayWork: Work<typeof leeway> = {
         isFinished,
       };
     };
-    const isReportDue = createReporting(REPORT, now);
+    const isReportDue = createReporting(REPORT, now(), now);
     let wasCovered = false;
     for (const _ of survey.work()) {
       // the first picture at once when it is complete

@@ -115,7 +115,7 @@ function* examine<T>(
 ): Generator<T | null, T, void> {
   const pace = createPacer(now);
   let asked = 0;
-  const isReportDue = createReporting(REPORT, now);
+  const isReportDue = createReporting(REPORT, now(), now);
   while (!survey.finished && asked < effort) {
     pace((ticks) => {
       const more = Math.min(ticks, effort - asked);

@@ -42,7 +42,7 @@ export const playsWork: Work<typeof plays> = {
     const replayer = createPlayReplayer(level, terms, { minerals: 'any' });
     const attempts: Attempt[] = [...known];
     const checked: CheckedPlay[] = [];
-    const isReportDue = createReporting(REPORT, now);
+    const isReportDue = createReporting(REPORT, now(), now);
     for (const bytes of all) {
       const { verdict, message, play } = verifier.verify(bytes);
       const replayed = verdict === 'ok' && play !== null ? replayer.replay(play, first + checked.length) : null;

@@ -54,7 +54,7 @@ const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): 
 export function* search(solver: Solver, budget: number | null, now: () => number): Generator<Solving | null, Solving, void> {
   const start = now();
   const pace = createPacer(now);
-  const isReportDue = createReporting(REPORT, now);
+  const isReportDue = createReporting(REPORT, start, now);
   // nothing is reported yet
   let best: Solver['best'] | undefined;
   while (!solver.finished && (budget === null || now() - start < budget)) {
