@@ -1,7 +1,7 @@
 import { Activity } from 'lucide-react';
-import { type ReactNode, useEffect, useState, useSyncExternalStore } from 'react';
+import { type ReactNode, useEffect, useState } from 'react';
 import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
-import { useEditor, useSession } from '../core/context/index.ts';
+import { mediaOf, useEditor, useMedia, useSession } from '../core/context/index.ts';
 import { Button } from '../core/ui/index.ts';
 import { useProblemCount } from '../features/index.ts';
 import type { SidePanel } from './panels.tsx';
@@ -131,19 +131,12 @@ export function Layout(props: LayoutProps) {
 type Room = 'wide' | 'beside' | 'below';
 
 /** Below this size, too little of the canvas is left between two sides. */
-const wide = matchMedia('(min-width: 880px) and (min-height: 520px)');
+const WIDE = mediaOf('(min-width: 880px) and (min-height: 520px)');
 /** From this width on, the canvas keeps 320 px beside a panel. */
-const beside = matchMedia('(min-width: 600px) and (orientation: landscape)');
-
-const read = (): Room => (wide.matches ? 'wide' : beside.matches ? 'beside' : 'below');
-
-function subscribe(listener: () => void): () => void {
-  const queries = [wide, beside];
-  for (const query of queries) query.addEventListener('change', listener);
-  return () => {
-    for (const query of queries) query.removeEventListener('change', listener);
-  };
-}
+const BESIDE = mediaOf('(min-width: 600px) and (orientation: landscape)');
 
 /** The room of the page; the component re-renders when it changes. */
-export const useRoom = (): Room => useSyncExternalStore(subscribe, read);
+export function useRoom(): Room {
+  const [isWide, isBeside] = [useMedia(WIDE), useMedia(BESIDE)];
+  return isWide ? 'wide' : isBeside ? 'beside' : 'below';
+}

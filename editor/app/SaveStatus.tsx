@@ -104,7 +104,7 @@ export function SaveStatus() {
         <Button
           hint="Download the level as it is now"
           icon={<Download size={14} />}
-          onClick={() => void keepFile(levelFile(opened.id(), document.settledFile()))}
+          onClick={() => void keepFile(levelFile(opened.id(), document.committedFile()))}
         />
       )}
       {(TO_RESOLVE.includes(state.kind) || isUndecided) && (

@@ -151,7 +151,7 @@ export async function createEditor(): Promise<Editor> {
         topic: 'unchecked',
         actions: [{ title: 'Turn checks on', run: on }],
       });
-    } else notices.settle('unchecked');
+    } else notices.clear('unchecked');
     last = { opened, close };
     editor.open.setState(parts.level, true);
   });

@@ -12,13 +12,13 @@ export function followSurroundings({ workspace, notices, journal }: Editor): voi
     const text = link === 'up' ? '' : linkInWords(link, journal.state.getState().kind === 'working');
     if (text === reportedLink) return;
     reportedLink = text;
-    if (text === '') notices.settle('server');
+    if (text === '') notices.clear('server');
     else notices.show('warning', text, { topic: 'server' });
   };
   const tellJournal = () => {
     const state = journal.state.getState();
     tellLink(workspace.store.getState().link);
-    if (state.kind === 'working') notices.settle('journal');
+    if (state.kind === 'working') notices.clear('journal');
     else notices.show('warning', `${state.message}. ${state.hint}`, { topic: 'journal' });
   };
   journal.state.subscribe(tellJournal);
@@ -101,7 +101,7 @@ export function followConfiguration({ workspace, notices }: Editor): void {
       notices.show('error', `${wrong} ${inEffect}`, { topic: TOPIC });
       return;
     }
-    notices.settle(TOPIC);
+    notices.clear(TOPIC);
     const changes = before === null ? [] : changesInWords(now, before);
     if (changes.length === 0) return;
     const what = now.file === null ? 'gq.config.json was deleted' : `${now.file} has changed`;

@@ -85,7 +85,7 @@ describe('proposals in the editor', () => {
     for (const proposal of await found()) {
       fixes.preview(proposal);
       expect(proof.proof()).toMatchObject({ verdict: 'completable', run: { outcome: 'completed', time: proposal.run.time } });
-      expect(document.settledFile()).toBe(before);
+      expect(document.committedFile()).toBe(before);
       expect(document.store.getState().steps).toBe(0);
       expect(fixes.store.getState()).toMatchObject({ previewed: proposal, isOld: false });
     }

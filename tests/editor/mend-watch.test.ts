@@ -164,7 +164,7 @@ describe('what mends a level on the page', () => {
     expect(found.length).toBeGreaterThanOrEqual(3);
     for (const one of mend.store.getState().mending?.found ?? []) {
       mend.preview(one);
-      expect(document.settledFile()).toBe(broken);
+      expect(document.committedFile()).toBe(broken);
       expect(document.store.getState().steps).toBe(1);
       expect(proof.proof()).toMatchObject({
         verdict: 'completable',

@@ -2,9 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../../editor/core/attempts/attempts.ts';
 import { causeInWords } from '../../editor/core/attempts/index.ts';
-import { deathMapOf, deathsNear } from '../../editor/core/shelf/death-map.ts';
 import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/core/shelf/given.ts';
-import { createShelf, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
+import { createShelf, deathMapOf, deathsNear, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
 import {
   type AttemptRow,
   attemptRows,

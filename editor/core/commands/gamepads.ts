@@ -1,3 +1,6 @@
+import { type Commands, needsOf } from './commands.ts';
+import { MODAL } from './keyboard.ts';
+
 /** Buttons of the standard gamepad layout that start commands, by index: https://www.w3.org/TR/gamepad/#remapping */
 const INDICES = { A: 0, Select: 8, Start: 9, Up: 12, Down: 13, Left: 14, Right: 15 } as const;
 
@@ -11,7 +14,7 @@ const LAST_GUN_BUTTON = 7;
 const TILTED = 0.6;
 
 /** A button that went down or up. */
-export interface PadPress {
+interface PadPress {
   /** Unique among all buttons of all gamepads. */
   readonly source: string;
   readonly isDown: boolean;
@@ -88,4 +91,19 @@ export function followGamepads(page: PadPage, onPress: (press: PadPress) => void
     if (frame !== null) page.cancelAnimationFrame(frame);
     releaseAllBut(new Map());
   };
+}
+
+/**
+ * Runs commands by buttons of gamepads.
+ * @param mode the current mode
+ * @returns stops listening
+ */
+export function listenToPads(page: Window, commands: Commands, mode: () => 'edit' | 'play'): () => void {
+  return followGamepads(page, ({ name, isDown }) => {
+    if (!isDown || name === null || page.document.querySelector(MODAL) !== null) return;
+    const command = commands
+      .all()
+      .find((one) => one.pad === name && [mode(), 'both'].includes(one.mode ?? 'edit') && needsOf(one) === null);
+    command?.run();
+  });
 }

@@ -25,7 +25,7 @@ export function followDisagreement({ open, notices, session }: Editor): () => vo
   let stop = () => {};
   const follow = () => {
     stop();
-    notices.settle(TOPIC);
+    notices.clear(TOPIC);
     const level = open.getState();
     if (level === null) return;
     const { opened, document } = level;
@@ -36,7 +36,7 @@ export function followDisagreement({ open, notices, session }: Editor): () => vo
       if (text === last) return;
       last = text;
       if (text === null) {
-        notices.settle(TOPIC);
+        notices.clear(TOPIC);
         return;
       }
       const actions = [{ title: 'Review', run: () => session.setState({ overlay: 'conflict' }) }];

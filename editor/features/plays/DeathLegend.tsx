@@ -1,6 +1,6 @@
 import { useStore } from 'zustand';
 import { plural } from '../../../check/words/index.ts';
-import { COLOURS, ShadeLegend, deathOpacity } from '../../canvas/index.ts';
+import { COLOURS, deathOpacity, ShadeLegend } from '../../canvas/index.ts';
 import { useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
 import { shelfOf } from '../../core/shelf/index.ts';
 

@@ -1,6 +1,6 @@
-import { ShadeLegend } from '../../canvas/index.ts';
 import { useStore } from 'zustand';
 import { heatCaption, heatColour } from '../../../picture/index.ts';
+import { ShadeLegend } from '../../canvas/index.ts';
 import { usePageTheme, useSession } from '../../core/context/index.ts';
 import { useSolverSession } from './use-solver-session.ts';
 

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../../core/context/index.ts';
-import { Button, useCoarse } from '../../core/ui/index.ts';
+import { useCoarse, useEditor, useSession } from '../../core/context/index.ts';
+import { Button } from '../../core/ui/index.ts';
 
 interface Box {
   readonly left: number;

@@ -1,18 +1,18 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { createEditedLevel, type Recipe, settle } from '../../editor/core/document/index.ts';
+import { createEditedLevel, normalize, type Recipe } from '../../editor/core/document/index.ts';
 import { formatLevel, type LevelFile, LIMITS, OBJECT_LISTS, readLevel } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
 const PLAIN: LevelFile = { version: 1, name: 'plain', astronaut: { x: 0, y: 0 }, blackHole: { x: 300, y: 0 } };
 
-const settled = (file: object, before: LevelFile | null = null): LevelFile => {
-  const result = settle(file as LevelFile, before);
+const normalized = (file: object, before: LevelFile | null = null): LevelFile => {
+  const result = normalize(file as LevelFile, before);
   if (!result.ok) throw new Error(result.refusal.message);
   return result.file;
 };
 const refused = (file: object): string => {
-  const result = settle(file as LevelFile, null);
+  const result = normalize(file as LevelFile, null);
   if (result.ok) throw new Error('was not refused');
   return result.refusal.message;
 };
@@ -23,7 +23,7 @@ describe('the result of a recipe', () => {
     fc.assert(
       fc.property(arbitraryFile, (file) => {
         for (const before of [null, structuredClone(file), file]) {
-          const now = settled(file, before);
+          const now = normalized(file, before);
           expect(now).toStrictEqual(file);
           for (const list of OBJECT_LISTS)
             for (const [i, object] of (file[list] ?? []).entries()) expect(now[list]?.[i]).toBe(object);
@@ -41,7 +41,7 @@ describe('the result of a recipe', () => {
       novae: Object.freeze([Object.freeze({ x: 1, y: 2, radius: 0 }), Object.freeze({ x: 1, y: 2, radius: 0 })]),
       runs: Object.freeze([Object.freeze({ name: 'n', holds: Object.freeze([Object.freeze([2.5, 9])]) })]),
     });
-    expect(settled(file)).toMatchObject({
+    expect(normalized(file)).toMatchObject({
       range: LIMITS.radius,
       astronaut: { x: LIMITS.coordinate },
       runs: [{ holds: [[3, 9]] }],
@@ -69,7 +69,7 @@ describe('the result of a recipe', () => {
           astronaut: { x: a, y: b, vx: b, vy: c },
           novae: [{ id: 'aa', x: a, y: b, radius: c }],
         };
-        const now = settled(file);
+        const now = normalized(file);
         expect(now).toStrictEqual({
           ...PLAIN,
           range: within(c, size),
@@ -77,7 +77,7 @@ describe('the result of a recipe', () => {
           novae: [{ id: 'aa', x: within(a, place), y: within(b, place), radius: within(c, size) }],
         });
         // with or without the previous state
-        expect(settled(file, now)).toStrictEqual(now);
+        expect(normalized(file, now)).toStrictEqual(now);
       }),
     );
   });
@@ -89,10 +89,10 @@ describe('the result of a recipe', () => {
     ] as const;
     for (const [key, most] of cases) {
       const text = (length: number, end: string) => 'n'.repeat(length) + end;
-      expect(settled({ ...PLAIN, [key]: text(most, '') })[key]).toBe(text(most, ''));
-      expect(settled({ ...PLAIN, [key]: text(most, 'nn') })[key]).toBe(text(most, ''));
-      expect(settled({ ...PLAIN, [key]: text(most - 2, '🚀') })[key]).toBe(text(most - 2, '🚀'));
-      expect(settled({ ...PLAIN, [key]: text(most - 1, '🚀') })[key]).toBe(text(most - 1, ''));
+      expect(normalized({ ...PLAIN, [key]: text(most, '') })[key]).toBe(text(most, ''));
+      expect(normalized({ ...PLAIN, [key]: text(most, 'nn') })[key]).toBe(text(most, ''));
+      expect(normalized({ ...PLAIN, [key]: text(most - 2, '🚀') })[key]).toBe(text(most - 2, '🚀'));
+      expect(normalized({ ...PLAIN, [key]: text(most - 1, '🚀') })[key]).toBe(text(most - 1, ''));
       // the first and last high surrogates, and their neighbours
       for (const [unit, length] of [
         ['\ud800', most - 1],
@@ -100,16 +100,16 @@ describe('the result of a recipe', () => {
         ['\ud7ff', most],
         ['\udc00', most],
       ] as const)
-        expect(settled({ ...PLAIN, [key]: text(most - 1, `${unit}nn`) })[key]?.length).toBe(length);
+        expect(normalized({ ...PLAIN, [key]: text(most - 1, `${unit}nn`) })[key]?.length).toBe(length);
     }
     const run = { name: 'r'.repeat(90), holds: [] };
-    expect(settled({ ...PLAIN, runs: [run] }).runs?.[0].name).toBe('r'.repeat(80));
+    expect(normalized({ ...PLAIN, runs: [run] }).runs?.[0].name).toBe('r'.repeat(80));
   });
 
   it('has no keys with undefined, and unchanged keys of other programs', () => {
     const file = { ...PLAIN, range: undefined, 'x-own': [Number.NaN], astronaut: { x: 0, y: 0, vx: undefined, 'x-a': 'b' } };
-    expect(settled(file)).toStrictEqual({ ...PLAIN, 'x-own': [Number.NaN], astronaut: { x: 0, y: 0, 'x-a': 'b' } });
-    expect(Object.keys(settled({ ...PLAIN, novae: undefined, runs: undefined }))).toEqual(Object.keys(PLAIN));
+    expect(normalized(file)).toStrictEqual({ ...PLAIN, 'x-own': [Number.NaN], astronaut: { x: 0, y: 0, 'x-a': 'b' } });
+    expect(Object.keys(normalized({ ...PLAIN, novae: undefined, runs: undefined }))).toEqual(Object.keys(PLAIN));
   });
 
   it('has holds with whole ticks within the hour that end after they begin', () => {
@@ -129,7 +129,7 @@ describe('the result of a recipe', () => {
           const expected = holds
             .map(([press, release]) => [near(press), near(release)])
             .filter(([press, release]) => release > press);
-          expect(settled({ ...PLAIN, runs: [{ name: 'run', holds }] }).runs).toStrictEqual([{ name: 'run', holds: expected }]);
+          expect(normalized({ ...PLAIN, runs: [{ name: 'run', holds }] }).runs).toStrictEqual([{ name: 'run', holds: expected }]);
         },
       ),
     );
@@ -148,7 +148,7 @@ describe('the result of a recipe', () => {
       asteroids: [rock('aa', 1), rock('aa', 2), rock('B!', 3), rock(undefined, 4), rock(7, 5), { x: 6, y: 0, radius: 16 }],
       novae: [rock('aa', 7), rock('bb', 8)],
     };
-    const now = settled(file);
+    const now = normalized(file);
     expect(now.asteroids?.[0].id).toBe('aa');
     expect(now.novae?.[1].id).toBe('bb');
     expect(new Set(ids(now)).size).toBe(8);
@@ -211,25 +211,25 @@ describe('values without a close valid level are refused', () => {
         holds: i === 0 ? Array(LIMITS.holds).fill(hold) : [],
       })),
     };
-    expect(settled(full)).toStrictEqual(full);
+    expect(normalized(full)).toStrictEqual(full);
   });
 
   it('and not replaced by the previous valid value', () => {
-    const before = settled({ ...PLAIN, novae: [{ id: 'aa', x: 1, y: 2, radius: 3 }] });
+    const before = normalized({ ...PLAIN, novae: [{ id: 'aa', x: 1, y: 2, radius: 3 }] });
     for (const novae of [
       [{ id: 'aa', x: Number.NaN, y: 2, radius: 3 }],
       [{ id: 'aa', x: 1, y: 2 }],
       [{ id: 'aa', x: 1, y: 2, radius: undefined }],
       [...(before.novae ?? []), { id: 'bb', x: 1, y: 2 }],
     ])
-      expect(settle({ ...before, novae } as LevelFile, before).ok).toBe(false);
-    expect(settle({ ...before, runs: [{ name: '', holds: [] }] }, before).ok).toBe(false);
-    expect(settle({ ...before, astronaut: { x: 1 } } as LevelFile, before).ok).toBe(false);
-    expect(settle({ ...before, blackHole: { x: 1 } } as LevelFile, before).ok).toBe(false);
+      expect(normalize({ ...before, novae } as LevelFile, before).ok).toBe(false);
+    expect(normalize({ ...before, runs: [{ name: '', holds: [] }] }, before).ok).toBe(false);
+    expect(normalize({ ...before, astronaut: { x: 1 } } as LevelFile, before).ok).toBe(false);
+    expect(normalize({ ...before, blackHole: { x: 1 } } as LevelFile, before).ok).toBe(false);
   });
 
   it('an exception in a recipe is no refusal', () => {
-    expect(() => settle({ ...PLAIN, astronaut: null } as never, null)).toThrow(TypeError);
+    expect(() => normalize({ ...PLAIN, astronaut: null } as never, null)).toThrow(TypeError);
     expect(() => createEditedLevel({ ...PLAIN, name: '' })).toThrow(/not a valid level: a level needs a name/);
   });
 });

@@ -1,4 +1,4 @@
-import { createContext, useContext } from 'react';
+import { type ComponentType, createContext, Fragment, type ReactNode, useContext, useRef } from 'react';
 import { useStore } from 'zustand';
 import type { FolderTerms } from '../../../schema/index.ts';
 import { useAtRest, useInPace } from '../ask/index.ts';
@@ -58,10 +58,56 @@ export function useProof<T>(pick: (proof: LiveProof) => T): T {
  * A value derived from the live proof, updated at most once per `ms`: a panel need not render for every move of the pointer.
  * @param pick stable between renders (`useCallback`, or defined outside the component)
  */
-export const useProofInPace = <T>(pick: (proof: LiveProof) => T, ms = 100): T => useInPace(useLevel().proof.store, pick, ms);
+export const useProofInPace = <T,>(pick: (proof: LiveProof) => T, ms = 100): T => useInPace(useLevel().proof.store, pick, ms);
 
 /**
  * A value derived from the live proof once nothing has changed for `ms`, for values too costly during a drag.
  * @param pick stable between renders (defined outside the component)
  */
-export const useProofAtRest = <T>(pick: (proof: LiveProof) => T, ms: number): T => useAtRest(useLevel().proof.store, pick, ms);
+export const useProofAtRest = <T,>(pick: (proof: LiveProof) => T, ms: number): T => useAtRest(useLevel().proof.store, pick, ms);
+
+/**
+ * A number that changes whenever another level is opened, whatever its file is called: a React key for state that belongs to
+ * one level.
+ */
+export function useLevelKey(): number {
+  const level = useLevel();
+  const opening = useRef({ level, number: 0 });
+  if (opening.current.level !== level) opening.current = { level, number: opening.current.number + 1 };
+  return opening.current.number;
+}
+
+/** Resets its children with every level: scroll positions, folded parts, unfinished input. */
+export function PerLevel({ children }: { readonly children: ReactNode }) {
+  return <Fragment key={useLevelKey()}>{children}</Fragment>;
+}
+
+/** A component that is reset with every level. */
+export const perLevel = (Part: ComponentType) => () => (
+  <PerLevel>
+    <Part />
+  </PerLevel>
+);
+
+/**
+ * Something that belongs to an open level: made on first use, closed when another level is opened.
+ * @param make is called once for each opened level
+ */
+export function ofLevel<T extends { close(): void }>(
+  make: (editor: Editor, level: OpenLevel) => T,
+): (editor: Editor, level: OpenLevel) => T {
+  const known = new WeakMap<OpenLevel, T>();
+  return (editor, level) => {
+    const there = known.get(level);
+    if (there !== undefined) return there;
+    const made = make(editor, level);
+    known.set(level, made);
+    const stop = editor.open.subscribe((current) => {
+      if (current === level) return;
+      stop();
+      known.delete(level);
+      made.close();
+    });
+    return made;
+  };
+}

@@ -1,7 +1,6 @@
-import { joinHolds } from '../../../../engine/index.ts';
-import { type Hold, type LevelFile, LIMITS } from '../../../../schema/index.ts';
-import type { Recipe } from '../edited-level.ts';
-import { putNotes } from './put-notes.ts';
+import { joinHolds } from '../../../engine/index.ts';
+import { type Hold, type LevelFile, LIMITS, notesInOrder, type RunNote } from '../../../schema/index.ts';
+import type { Recipe } from './edited-level.ts';
 
 type Span = [press: number, release: number];
 
@@ -53,7 +52,7 @@ const shiftedFrom =
   (tick) =>
     tick >= from ? tick + by : tick;
 
-export interface RippleOption {
+interface RippleOption {
   /** Whether everything later moves as well (Alt); otherwise the hold stops a tick before its neighbours. */
   readonly ripple?: boolean;
 }
@@ -158,4 +157,12 @@ export function deleteHolds(run: string, indices: Iterable<number>, { ripple = f
     // holds that touch after that are joined
     return [joinHolds(left).map(([press, release]): Span => [press, release]), carry];
   });
+}
+
+type RunFile = NonNullable<LevelFile['runs']>[number];
+
+/** Gives a run of a draft its notes, sorted; without any, it has no list. */
+export function putNotes(run: RunFile, notes: readonly RunNote[]): void {
+  if (notes.length === 0) delete run.notes;
+  else run.notes = notesInOrder(notes);
 }

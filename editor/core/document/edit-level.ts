@@ -1,5 +1,16 @@
-import { type LevelFile, RULE_NAMES, type RuleName } from '../../../../schema/index.ts';
-import type { Recipe } from '../edited-level.ts';
+import { type LevelFile, RULE_NAMES, type RuleName } from '../../../schema/index.ts';
+import type { Recipe } from './edited-level.ts';
+
+/** Properties of the level itself that can be edited. */
+export type LevelProperty = 'name' | 'description' | 'range' | 'recoil';
+
+/** Sets a property of the level; undefined removes it, so that the default applies. */
+export function setLevelProperty<P extends LevelProperty>(property: P, value: LevelFile[P]): Recipe {
+  return (draft) => {
+    if (value === undefined) delete draft[property];
+    else draft[property] = value;
+  };
+}
 
 type RulesOfFile = NonNullable<LevelFile['rules']>;
 
