@@ -1,4 +1,4 @@
-import { boxCircleGap } from './contact/index.ts';
+import { boxCircleGap } from './contact.ts';
 import type { IndexedCircles } from './indexed-circles.ts';
 import type { Scene } from './scene.ts';
 import type { BodyKind } from './simulation.ts';

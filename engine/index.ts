@@ -11,10 +11,9 @@ export {
   type Setting,
 } from './accuracy.ts';
 export type { Clearance } from './clearance.ts';
-export { compile } from './compile.ts';
-export { atAccuracy } from './compile-with.ts';
+export { atAccuracy, compile } from './compile.ts';
 export * from './constants.ts';
-export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact/index.ts';
+export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
 export { Hash } from './hash.ts';
 export type { Circles, IndexedCircles, SpatialIndex } from './indexed-circles.ts';

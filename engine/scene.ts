@@ -1,6 +1,6 @@
 import type { Level, Rules } from '../schema/basics/index.ts';
 import type { Accuracy } from './accuracy.ts';
-import type { Box } from './contact/index.ts';
+import type { Box } from './contact.ts';
 import type { IndexedCircles } from './indexed-circles.ts';
 import type { Terms } from './terms.ts';
 
@@ -61,3 +61,10 @@ export interface Scene {
   /** What effects made of the level for their own use, by the effect's name. */
   readonly own: Readonly<Record<string, unknown>>;
 }
+
+/**
+ * The lists of objects of a level by name: all its lists but the runs. The table of kinds names them too, but a small game does
+ * not bundle it.
+ */
+export const objectLists = (level: Level): [name: string, objects: readonly unknown[]][] =>
+  Object.entries(level).filter(([name, value]) => Array.isArray(value) && name !== 'runs');

@@ -106,5 +106,5 @@ export const SHORTEST_BOUNCE = 1 / 2000;
  */
 export const SHORTEST_LAPSE = 1e-6;
 
-/** How much more the cubic of a Runge-Kutta step may bend than the strongest force alone; see `drag.ts` of the integrators. */
+/** How much more the cubic of a Runge-Kutta step may bend than the strongest force alone; see `fixed-step.ts` of the integrators. */
 export const CUBIC_BENDS = 5 / 3;

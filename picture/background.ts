@@ -1,8 +1,9 @@
-import type { Level } from '../schema/index.ts';
+import { type Level, LISTED_KINDS, SINGLE_KINDS } from '../schema/index.ts';
+import { IN_PICTURE } from './kinds/index.ts';
 import { randomFrom, seedOf } from './random.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
-import { num } from './xml.ts';
+import { num, radial } from './xml.ts';
 
 /** Draws space with specks of stars. They depend on the level only, so that all pictures of a level have the same ones. */
 export function drawBackground(view: View, theme: Theme, level: Level): string {
@@ -21,4 +22,35 @@ export function drawBackground(view: View, theme: Theme, level: Level): string {
     `<rect width="${num(view.width)}" height="${num(view.height)}" fill="url(#gq-space)"/>` +
     `<g data-kind="stars" stroke="${theme.star}" stroke-linecap="round">${stars}</g>`
   );
+}
+
+/** The gradients that all pictures of a theme share. */
+export function drawGradients(theme: Theme): string {
+  const own = [...LISTED_KINDS, ...SINGLE_KINDS].flatMap((kind) => IN_PICTURE[kind].gradients?.(theme) ?? []);
+  return `<defs>${[
+    radial(
+      'space',
+      [
+        [0, theme.space[0]],
+        [1, theme.space[1]],
+      ],
+      ' cx=".5" cy=".42" r=".8"',
+    ),
+    ...own,
+  ].join('')}</defs>`;
+}
+
+// More discs than this say nothing and hide everything else.
+const MOST = 200;
+
+/** Draws the ranges of the asteroids as faint discs, brighter where they overlap. */
+export function drawRanges(view: View, theme: Theme, level: Level): string {
+  if (level.asteroids.length > MOST) return '';
+  const discs = level.asteroids
+    .map(
+      ({ x, y }, i) =>
+        `<circle data-kind="range" data-index="${i}" cx="${num(view.x(x))}" cy="${num(view.y(y))}" r="${num(level.range * view.scale)}"/>`,
+    )
+    .join('');
+  return `<g fill="${theme.range}" fill-opacity=".035" stroke="${theme.range}" stroke-opacity=".22" stroke-dasharray="1.5 7" stroke-linecap="round">${discs}</g>`;
 }

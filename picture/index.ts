@@ -5,23 +5,28 @@
  */
 import type { Run } from '../engine/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
-import { drawBackground } from './background.ts';
+import { drawBackground, drawGradients, drawRanges } from './background.ts';
 import { drawCaption, outcomeText } from './caption.ts';
-import { drawContact } from './contact.ts';
+import { drawContact, drawGap } from './contact.ts';
 import { drawFailureRings, drawFailures, type Failures, failureSigns } from './failures.ts';
-import { drawFan, drawFanSign } from './fan.ts';
-import { drawGap } from './gap.ts';
-import { drawGradients } from './gradients.ts';
 import { drawHeat, type Explored, heatSigns } from './heat.ts';
 import type { LegendEntry } from './legend.ts';
 import { drawLost, type Lost, lostSigns } from './lost.ts';
 import { drawObjects } from './objects.ts';
 import { drawProof, type ProofOverlay, proofSigns } from './proof.ts';
-import { drawRanges } from './range.ts';
-import { drawAlienWays, drawCollected, drawEnd, drawPresses, drawSeconds, drawTethers, drawWay } from './run.ts';
-import { drawSeveral, type NamedRun } from './several.ts';
-import type { Point } from './simplify.ts';
-import { drawStart, drawStartFigure } from './start.ts';
+import {
+  drawAlienWays,
+  drawCollected,
+  drawEnd,
+  drawPresses,
+  drawSeconds,
+  drawStart,
+  drawStartFigure,
+  drawTethers,
+  drawWay,
+} from './run.ts';
+import { drawFan, drawFanSign, drawSeveral, type NamedRun } from './several.ts';
+import type { PathPoint } from './simplify.ts';
 import { THEMES, type Theme } from './theme.ts';
 import { frame } from './view.ts';
 import { stretchesOf } from './way.ts';
@@ -146,11 +151,11 @@ export function renderSvg(level: Level, options: RenderOptions = {}): string {
 }
 
 /** Places that the picture has to contain besides the level's objects. */
-function cornersOf({ explored, failures, lost, proof }: RenderOptions): Point[] {
-  const cells = (explored?.cells ?? []).map(({ x, y }): Point => [x, y]);
-  const lines = (proof?.lines ?? []).flatMap(({ points }) => points.map(({ x, y }): Point => [x, y]));
-  const clusters = (failures?.clusters ?? []).map(({ x, y }): Point => [x, y]);
-  const states = (lost?.states ?? []).map(({ x, y }): Point => [x, y]);
+function cornersOf({ explored, failures, lost, proof }: RenderOptions): PathPoint[] {
+  const cells = (explored?.cells ?? []).map(({ x, y }): PathPoint => [x, y]);
+  const lines = (proof?.lines ?? []).flatMap(({ points }) => points.map(({ x, y }): PathPoint => [x, y]));
+  const clusters = (failures?.clusters ?? []).map(({ x, y }): PathPoint => [x, y]);
+  const states = (lost?.states ?? []).map(({ x, y }): PathPoint => [x, y]);
   return [...cells, ...lines, ...clusters, ...states];
 }
 

@@ -10,7 +10,7 @@ import {
 import { IN_PICTURE } from './kinds/index.ts';
 import { drawText, textWidth } from './text.ts';
 import type { Theme } from './theme.ts';
-import { thingsOf } from './things.ts';
+import { thingsOf } from './view.ts';
 import { num } from './xml.ts';
 
 const ICON = 9;

@@ -10,10 +10,8 @@ import {
   rulesOf,
 } from '../schema/index.ts';
 import { IN_PICTURE, type Look } from './kinds/index.ts';
-import { place } from './place.ts';
 import type { Theme } from './theme.ts';
-import { type Thing, thingsOf } from './things.ts';
-import type { View } from './view.ts';
+import { place, type Thing, thingsOf, type View } from './view.ts';
 import { num } from './xml.ts';
 
 /**

@@ -2,12 +2,10 @@ import { boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
 import { type Level, rulesOf } from '../schema/index.ts';
 import { drawContact } from './contact.ts';
 import { ALIEN_INK, drawAstronaut } from './kinds/index.ts';
-import { place } from './place.ts';
-import type { Point } from './simplify.ts';
-import { startLabelAt } from './start.ts';
+import type { PathPoint } from './simplify.ts';
 import { drawText } from './text.ts';
 import type { Theme } from './theme.ts';
-import type { View } from './view.ts';
+import { place, type View } from './view.ts';
 import { alienWay, heldTimes, positionAt, type Stretch } from './way.ts';
 import { num } from './xml.ts';
 
@@ -71,10 +69,10 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
   const presses = heldTimes(run);
   if (presses.length > MOST_NUMBERS) return '';
   const state = new Float64Array(STATE_SIZE);
-  const numbersAt: Point[] = [];
-  const start: Point = [view.x(level.astronaut.x), view.y(level.astronaut.y)];
-  const apart = ([ax, ay]: Point, [bx, by]: Point, distance: number): boolean => Math.hypot(ax - bx, ay - by) >= distance;
-  const isFree = (p: Point): boolean =>
+  const numbersAt: PathPoint[] = [];
+  const start: PathPoint = [view.x(level.astronaut.x), view.y(level.astronaut.y)];
+  const apart = ([ax, ay]: PathPoint, [bx, by]: PathPoint, distance: number): boolean => Math.hypot(ax - bx, ay - by) >= distance;
+  const isFree = (p: PathPoint): boolean =>
     apart(p, start, 18 * view.scale + 7) &&
     apart(p, startLabelAt(view, level, run), 24) &&
     numbersAt.every((n) => apart(p, n, 17));
@@ -85,7 +83,7 @@ export function drawPresses(view: View, theme: Theme, level: Level, run: Run): s
     const speed = Math.hypot(vx, vy);
     const [nx, ny] = speed < 1 ? [-sin, cos] : [-vy / speed, vx / speed];
     const side = nx * cos + ny * sin > 1e-6 ? -1 : 1;
-    const at = (distance: number): Point => [view.x(x) + side * distance * nx, view.y(y) + side * distance * ny];
+    const at = (distance: number): PathPoint => [view.x(x) + side * distance * nx, view.y(y) + side * distance * ny];
     const [px, py] = [16, -16, 34, -34, 52, -52].map(at).find(isFree) ?? at(16);
     numbersAt.push([px, py]);
     return (
@@ -161,4 +159,26 @@ const drawTick = (theme: Theme): string =>
 export function drawCollected(view: View, theme: Theme, level: Level, run: Run): string {
   const indices = [...new Set(run.minerals.map(({ index }) => index))];
   return indices.map((i) => place(view, 'collected', i, level.minerals[i], drawTick(theme))).join('');
+}
+
+// She has left the place of her box after this time, s.
+const SOON = 3;
+
+/** The centre of the label beside the start, on the side towards which she does not move. */
+function startLabelAt(view: View, level: Level, run: Run | undefined): PathPoint {
+  const { x, y } = level.astronaut;
+  const leavesDown = run !== undefined && positionAt(run, SOON)[1] > y;
+  const off = boxOf(rulesOf(level)).halfHeight * view.scale + 9;
+  return [view.x(x), view.y(y) + (leavesDown ? -off : off)];
+}
+
+/** Draws the astronaut at the start, upright in her box. */
+export const drawStartFigure = (view: View, theme: Theme, level: Level): string =>
+  place(view, 'astronaut', 0, level.astronaut, drawAstronaut(theme, theme.muted, boxOf(rulesOf(level))));
+
+/** Draws the astronaut at the start, with a label. */
+export function drawStart(view: View, theme: Theme, level: Level, run: Run | undefined): string {
+  const [x, y] = startLabelAt(view, level, run);
+  const label = drawText('start', x, y + 3.3, { size: 6.5, color: theme.muted, anchor: 'middle' });
+  return drawStartFigure(view, theme, level) + label;
 }

@@ -1,9 +1,9 @@
 import type { Run } from '../engine/index.ts';
-import type { Point } from './simplify.ts';
+import type { PathPoint } from './simplify.ts';
 import { drawText, wrapText } from './text.ts';
 import type { Theme } from './theme.ts';
 import type { View } from './view.ts';
-import { heldTimes, positionAt, type Stretch } from './way.ts';
+import { heldTimes, positionAt, type Stretch, stretchesOf } from './way.ts';
 import { num } from './xml.ts';
 
 /** One of several runs in a picture. */
@@ -42,19 +42,20 @@ function drawBadge(theme: Theme, index: number, x: number, y: number): string {
 }
 
 /** Finds a place on each path for its number, as far as possible from its ends, from other numbers and from other paths. */
-function placeBadges(view: View, runs: readonly NamedRun[]): Point[] {
+function placeBadges(view: View, runs: readonly NamedRun[]): PathPoint[] {
   const tracks = runs.map(({ run }) => {
     const count = 60;
-    return Array.from({ length: count + 1 }, (_, k): Point => {
+    return Array.from({ length: count + 1 }, (_, k): PathPoint => {
       const [x, y] = positionAt(run, (run.trajectory.duration * k) / count);
       return [view.x(x), view.y(y)];
     });
   });
-  const placed: Point[] = [];
+  const placed: PathPoint[] = [];
   for (const [i, track] of tracks.entries()) {
     const others = tracks.flatMap((other, k) => (k === i ? [] : other));
-    const room = ([x, y]: Point): number => {
-      const near = (points: readonly Point[]): number => Math.min(120, ...points.map(([px, py]) => Math.hypot(px - x, py - y)));
+    const room = ([x, y]: PathPoint): number => {
+      const near = (points: readonly PathPoint[]): number =>
+        Math.min(120, ...points.map(([px, py]) => Math.hypot(px - x, py - y)));
       return near(others) + 2 * near([track[0], track[track.length - 1], ...placed]);
     };
     // Not at the ends, where all paths meet.
@@ -108,3 +109,33 @@ export function drawSeveralTimelines(
   });
   return { svg: rows.join(''), height: end - y + 8 };
 }
+
+const CROSS = 'm-3-3l6 6m0-6l-6 6';
+
+/** Draws her paths for shifted presses and releases: those that still reach the black hole, and those that fail. */
+export function drawFan(view: View, theme: Theme, runs: readonly Run[]): string {
+  const draw = (completes: boolean): string => {
+    let d = '';
+    let ends = '';
+    for (const run of runs) {
+      if ((run.outcome === 'completed') !== completes) continue;
+      for (const { points } of stretchesOf(run)) {
+        d += `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
+      }
+      if (!completes) ends += `M${num(view.x(run.final.x))} ${num(view.y(run.final.y))}${CROSS}`;
+    }
+    if (d === '') return '';
+    // Dashes distinguish them without colour.
+    const dash = completes ? '' : ' stroke-dasharray="5 3"';
+    const crosses = ends === '' ? '' : `<path d="${ends}" stroke-width="1.6" stroke-opacity=".9"/>`;
+    return (
+      `<g data-kind="fan-${completes ? 'completed' : 'failed'}" stroke="${completes ? theme.good : theme.bad}">` +
+      `<path d="${d}" stroke-width="1" stroke-opacity="${completes ? 0.35 : 0.5}"${dash}/>${crosses}</g>`
+    );
+  };
+  return `<g data-kind="fan" fill="none" stroke-linecap="round" stroke-linejoin="round">${draw(true)}${draw(false)}</g>`;
+}
+
+/** The icons of both kinds of paths, for the legend. */
+export const drawFanSign = (theme: Theme, completes: boolean): string =>
+  `<path d="M-10 4C-4-5 4-5 10 0" fill="none" stroke="${completes ? theme.good : theme.bad}" stroke-width="1.6" stroke-linecap="round"${completes ? '' : ' stroke-dasharray="5 3"'}/>`;

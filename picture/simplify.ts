@@ -1,11 +1,11 @@
 /** A point, px of the level or units of the picture. */
-export type Point = readonly [x: number, y: number];
+export type PathPoint = readonly [x: number, y: number];
 
 /**
  * Removes points of a line that are less than `tolerance` away from the simplified line (Ramer 1972, Douglas and Peucker 1973).
  * The first and the last point stay. It is iterative, because recursion on a long run would overflow the stack.
  */
-export function simplify(points: readonly Point[], tolerance: number): Point[] {
+export function simplify(points: readonly PathPoint[], tolerance: number): PathPoint[] {
   if (points.length < 3) return [...points];
   const keep = new Uint8Array(points.length);
   keep[0] = 1;
@@ -29,7 +29,7 @@ export function simplify(points: readonly Point[], tolerance: number): Point[] {
 }
 
 /** Squared distance of a point from the segment a b. */
-function squaredDistance([x, y]: Point, [ax, ay]: Point, [bx, by]: Point): number {
+function squaredDistance([x, y]: PathPoint, [ax, ay]: PathPoint, [bx, by]: PathPoint): number {
   const dx = bx - ax;
   const dy = by - ay;
   const length = dx * dx + dy * dy;

@@ -1,7 +1,17 @@
 import { boxOf } from '../engine/index.ts';
-import { type Level, OBJECT_KINDS, placesIn, rulesOf } from '../schema/index.ts';
+import {
+  KINDS,
+  type Level,
+  type ListedKind,
+  listOf,
+  OBJECT_KINDS,
+  type ObjectKind,
+  placesIn,
+  rulesOf,
+  type SingleKind,
+} from '../schema/index.ts';
 import { IN_PICTURE } from './kinds/index.ts';
-import { thingsOf } from './things.ts';
+import { num } from './xml.ts';
 
 /**
  * The part of the level that the picture shows, and the conversion of level px into units of the picture, with one scale for
@@ -71,4 +81,30 @@ export function frame(level: Level, way: readonly (readonly [number, number])[],
     x: (x) => (x - centreX + spanX / 2) * scale,
     y: (y) => (y - centreY + spanY / 2) * scale,
   };
+}
+
+/** An object of a level; the astronaut has no radius. */
+export interface Thing {
+  readonly x: number;
+  readonly y: number;
+  readonly radius?: number;
+}
+
+/** The level's objects of one kind. */
+export const thingsOf = (level: Level, kind: ObjectKind): readonly Thing[] =>
+  KINDS[kind].list === null ? [level[kind as SingleKind]] : level[listOf(kind as ListedKind)];
+
+/** Moves a drawing, which is centred on the origin in px of the level, to its place in the level. */
+export function place(
+  view: View,
+  kind: string,
+  index: number,
+  at: { readonly x: number; readonly y: number },
+  drawing: string,
+): string {
+  const scale = Number(view.scale.toFixed(6));
+  return (
+    `<g data-kind="${kind}" data-index="${index}" transform="translate(${num(view.x(at.x))} ${num(view.y(at.y))}) ` +
+    `scale(${scale})">${drawing}</g>`
+  );
 }

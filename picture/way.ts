@@ -1,19 +1,19 @@
 import { isJump, type Run, STATE_SIZE, TICK, TICK_RATE } from '../engine/index.ts';
-import { type Point, simplify } from './simplify.ts';
+import { type PathPoint, simplify } from './simplify.ts';
 
 /** A stretch of a run with the gun held or not, as points in px of the level. */
 export interface Stretch {
   readonly from: number;
   readonly to: number;
   readonly held: boolean;
-  readonly points: readonly Point[];
+  readonly points: readonly PathPoint[];
 }
 
 /** The simplified path may be off by this much, px of the level. */
 const TOLERANCE = 0.2;
 
 /** Where she was at a time in s. */
-export function positionAt(run: Run, time: number): Point {
+export function positionAt(run: Run, time: number): PathPoint {
   const state = new Float64Array(STATE_SIZE);
   run.trajectory.at(time, state);
   return [state[0], state[1]];
@@ -57,14 +57,14 @@ export function stretchesOf(run: Run): Stretch[] {
   return stretches;
 }
 
-type Flight = Pick<Stretch, 'from' | 'to'> & { readonly points: Point[] };
+type Flight = Pick<Stretch, 'from' | 'to'> & { readonly points: PathPoint[] };
 
 function sample(run: Run, start: number, to: number): Flight[] {
   const flights: Flight[] = [];
   const states = new Float64Array(2 * STATE_SIZE);
   let from = start;
   let before = start;
-  let points: Point[] = [];
+  let points: PathPoint[] = [];
   const look = (time: number): void => {
     run.trajectory.at(time, states.subarray(STATE_SIZE));
     if (points.length > 0 && isJump(states, 0, STATE_SIZE, time - before)) {
@@ -92,9 +92,9 @@ export function alienWay(
   run: Run,
   alien: number,
   count: number,
-): { readonly points: readonly Point[]; readonly exploded: boolean } | null {
+): { readonly points: readonly PathPoint[]; readonly exploded: boolean } | null {
   const state = new Float64Array(3 * count);
-  const points: Point[] = [];
+  const points: PathPoint[] = [];
   const end = run.trajectory.duration;
   const look = (time: number): void => {
     run.trajectory.aliensAt(time, state);

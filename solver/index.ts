@@ -11,16 +11,49 @@
  *
  * @module
  */
+
+export { type Goal, mineralsNeeded } from './goal.ts';
 export {
-  type AnytimeOptions,
-  type AnytimeProof,
-  createAnytimeProof,
-  createDecider,
-  type Decider,
-  type DeciderOptions,
-  proofShare,
-} from './anytime/index.ts';
-export { type Cleaned, type CleanOptions, cleanRun } from './clean-run.ts';
+  createGenerator,
+  createPackJudge,
+  type Generated,
+  type GeneratorOptions,
+  INGREDIENTS,
+  type Ingredient,
+  type LevelGenerator,
+  nearestDistances,
+  type PackJudge,
+  type PackOptions,
+  type PackTheme,
+  packLevel,
+  type Rejection,
+  SYMMETRIES,
+  type SymmetryKind,
+  type SymmetryMeasure,
+  THEME_NAMES,
+  type ThemeMeasure,
+  type ThemeName,
+  USUAL_INGREDIENTS,
+  type Variety,
+  varietyOf,
+  type WantedDifficulty,
+  type WantedSize,
+} from './make/generate/index.ts';
+export {
+  applyChange,
+  type Change,
+  changeEdits,
+  changeSize,
+  createRepair,
+  type LevelEdit,
+  type ObjectRef,
+  type Proposal,
+  type Repair,
+  type RepairOptions,
+  type RunOrigin,
+  type Vector,
+} from './make/repair/index.ts';
+export { createRetime, type Retime, type Retimed, type RetimeOptions } from './make/retime/index.ts';
 export {
   type AsteroidUse,
   type ComparedRun,
@@ -56,34 +89,34 @@ export {
   type SigmaAtHalf,
   UNCALIBRATED,
   type WithoutAsteroid,
-} from './difficulty/index.ts';
+} from './measure/difficulty/index.ts';
 export {
-  createGenerator,
-  createPackJudge,
-  type Generated,
-  type GeneratorOptions,
-  INGREDIENTS,
-  type Ingredient,
-  type LevelGenerator,
-  nearestDistances,
-  type PackJudge,
-  type PackOptions,
-  type PackTheme,
-  packLevel,
-  type Rejection,
-  SYMMETRIES,
-  type SymmetryKind,
-  type SymmetryMeasure,
-  THEME_NAMES,
-  type ThemeMeasure,
-  type ThemeName,
-  USUAL_INGREDIENTS,
-  type Variety,
-  varietyOf,
-  type WantedDifficulty,
-  type WantedSize,
-} from './generate/index.ts';
-export { type Goal, mineralsNeeded } from './goal.ts';
+  BRIEF_CERTIFY_RUNS,
+  type Certification,
+  type CertifyOptions,
+  certify,
+  type EdgeSlack,
+  findSlack,
+  findSlackInSteps,
+  measureRobustness,
+  measureRobustnessInSteps,
+  type Robustness,
+  type RobustnessOptions,
+  type SampleOptions,
+  type Success,
+  successInSteps,
+  successProbability,
+} from './measure/robustness/index.ts';
+export {
+  createSoftlockSurvey,
+  LIVES_ON,
+  type LostPlace,
+  type RunLoss,
+  type SoftlockSurvey,
+  type Standing,
+  type SurveyedState,
+  type SurveyOptions,
+} from './measure/softlock/index.ts';
 export {
   type About,
   type BarrierEdge,
@@ -117,40 +150,17 @@ export {
   proveMineralsUnreachable,
   type Strip,
   type ThingRef,
-} from './proofs/index.ts';
+} from './prove/index.ts';
 export { createRandom, type Random } from './random.ts';
 export {
-  applyChange,
-  type Change,
-  changeEdits,
-  changeSize,
-  createRepair,
-  type LevelEdit,
-  type ObjectRef,
-  type Proposal,
-  type Repair,
-  type RepairOptions,
-  type RunOrigin,
-  type Vector,
-} from './repair/index.ts';
-export { createRetime, type Retime, type Retimed, type RetimeOptions } from './retime/index.ts';
-export {
-  BRIEF_CERTIFY_RUNS,
-  type Certification,
-  type CertifyOptions,
-  certify,
-  type EdgeSlack,
-  findSlack,
-  findSlackInSteps,
-  measureRobustness,
-  measureRobustnessInSteps,
-  type Robustness,
-  type RobustnessOptions,
-  type SampleOptions,
-  type Success,
-  successInSteps,
-  successProbability,
-} from './robustness/index.ts';
+  type AnytimeOptions,
+  type AnytimeProof,
+  createAnytimeProof,
+  createDecider,
+  type Decider,
+  type DeciderOptions,
+  proofShare,
+} from './search/anytime/index.ts';
 export {
   type Closest,
   createSearch,
@@ -159,18 +169,18 @@ export {
   type Moment,
   type Search,
   type SearchOptions,
-} from './search/index.ts';
+} from './search/explore/index.ts';
 export {
-  createSoftlockSurvey,
-  LIVES_ON,
-  type LostPlace,
-  type RunLoss,
-  type SoftlockSurvey,
-  type Standing,
-  type SurveyedState,
-  type SurveyOptions,
-} from './softlock/index.ts';
-export { createSolver, mergeSolutions, type Objective, type Solution, type SolveOptions, type Solver } from './solve/index.ts';
+  type Cleaned,
+  type CleanOptions,
+  cleanRun,
+  createSolver,
+  mergeSolutions,
+  type Objective,
+  type Solution,
+  type SolveOptions,
+  type Solver,
+} from './search/solve/index.ts';
 export type { Steps } from './steps.ts';
 export { type Candidate, createReplay, cutHolds, type Replay, verifyRun } from './verified-run.ts';
 export { type Verification, verifyProof } from './verify/index.ts';

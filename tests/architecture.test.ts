@@ -92,8 +92,7 @@ describe('rules are read from the level', () => {
 
   it('the rules of the original game are only used where there is no level', () => {
     const allowed = {
-      'engine/contact/box.ts': 'defines the box of the game’s own rules',
-      'engine/contact/index.ts': 'passes it on',
+      'engine/contact.ts': 'defines the box of the game’s own rules',
       'engine/index.ts': 'passes it on',
       'engine/work-precision/tunnelling.ts': 'a scene of its own, not of a level',
       'game/play/level-hash.ts': 'leaves out the rules of a level that are the game’s own',
@@ -113,13 +112,13 @@ describe('terms are a value', () => {
     'cli/options/terms.ts': 'makes the terms of every command',
     'cli/verify/play-options.ts': 'says in its help what holds',
     'editor/core/files/folder-terms.ts': 'a page without a server has no configuration',
-    'game/light/compose-player.ts': 'a published entry that says its default',
+    'game/light/index.ts': 'a published entry that says its default',
     'game/play/verify.ts': 'a published entry that says its default',
     'game/player/create-player.ts': 'a published entry that says its default',
-    'solver/anytime/anytime-proof.ts': 'a published entry that says its default',
-    'solver/proofs/setting.ts': 'a published entry that says its default',
+    'solver/search/anytime/anytime-proof.ts': 'a published entry that says its default',
+    'solver/prove/setting.ts': 'a published entry that says its default',
     'solver/verify/claim.ts': 'reads what a proof of that entry claims',
-    'solver/generate/generator-spec.ts': 'a published entry that says its default',
+    'solver/make/generate/generator-spec.ts': 'a published entry that says its default',
   };
 
   it('what holds where nothing is said is named where terms are made, and nowhere else', () => {

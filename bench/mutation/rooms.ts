@@ -21,18 +21,18 @@ export const ROOMS: Readonly<Record<string, Room>> = {
       ...['verify', 'proofs', 'lemmas', 'lemmas-of-ways', 'orbits'].map((name) => `tests/solver/${name}.test.ts`),
     ],
   },
-  'solver/anytime': {
-    sources: ['solver/anytime'],
+  'solver/search/anytime': {
+    sources: ['solver/search/anytime'],
     tests: ['tests/solver/anytime-schedule.test.ts', 'tests/solver/anytime.test.ts'],
   },
-  'solver/softlock': { sources: ['solver/softlock'], tests: ['tests/solver/softlock.test.ts'] },
-  'engine/contact': { sources: ['engine/contact'], tests: engine('contact', 'near-misses') },
+  'solver/measure/softlock': { sources: ['solver/measure/softlock'], tests: ['tests/solver/softlock.test.ts'] },
+  'engine/contact': { sources: ['engine/contact.ts'], tests: engine('contact', 'near-misses') },
   'engine/continuous': {
     sources: ['motion', 'integrators', 'events', 'effects', 'continuous'].map((folder) => `engine/${folder}`),
     tests: ['tests/browsers/node.test.ts', ...engine('near-misses'), 'tests/engine', 'tests/hard-cases'],
   },
-  'solver/robustness': {
-    sources: ['solver/robustness'],
+  'solver/measure/robustness': {
+    sources: ['solver/measure/robustness'],
     tests: [...robustness('noise', 'any-game', 'measured', 'in-steps'), 'tests/solver/robustness'],
   },
   schema: { sources: ['schema'], tests: ['tests/schema'] },

@@ -1,4 +1,4 @@
-import { wilsonInterval } from '../../solver/robustness/index.ts';
+import { wilsonInterval } from '../../solver/measure/robustness/index.ts';
 import type { Attempt } from './attempt.ts';
 
 /** Who made a play, and when. */

@@ -7,7 +7,7 @@ import { plural } from '../core/figures/index.ts';
 import { endInWords } from '../core/proof/index.ts';
 import { isOtherAccuracy, termsInWords } from '../core/terms/index.ts';
 import { Button, Hint } from '../core/ui/index.ts';
-import { useVerdict } from '../features/index.ts';
+import { useVerdict } from '../core/verdict/index.ts';
 
 const LOOKS = {
   completable: { Icon: CircleCheck, text: 'completable' },

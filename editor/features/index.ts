@@ -28,7 +28,6 @@ export type { Feature, Panel } from './feature.ts';
 // what the frame of the page says of a level
 export { ruleLabel } from './inspector/index.ts';
 export { useProblemCount } from './problems/index.ts';
-export { useVerdict } from './solver/index.ts';
 
 /**
  * All features of the page, in the order in which their tabs, legends and commands stand. Where two draw at the same depth of the

@@ -42,7 +42,7 @@ export interface Played {
   readonly terms: Terms;
 }
 
-/** The name of an accuracy: the page knows no custom settings. */
+/** The name of the accuracy: the page knows no custom settings. */
 export function accuracyNameOf({ accuracy: { name } }: Pick<Terms, 'accuracy'>): AccuracyName {
   if (!isAccuracyName(name)) throw new Error(`expected a named accuracy, found ${name}`);
   return name;

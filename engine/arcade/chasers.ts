@@ -1,16 +1,15 @@
 import { EXPLOSION_FRAMES, TICK, TICK_RATE } from '../constants.ts';
-import { type Box, boxOverlapsCircle, circlesOverlap } from '../contact/index.ts';
+import { type Box, boxOverlapsCircle, circlesOverlap } from '../contact.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
 import type { ChaserCircles } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { COS, FRAME, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
-import { limitSpeed } from './limit-speed.ts';
+import { COS, FRAME, limitSpeed, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
 import { liesWithin, type Neighbourhood } from './neighbourhoods.ts';
 import type { FrameRecorder } from './recording.ts';
 
 /** Doubles per chaser: place, velocity, acceleration, and what it is doing. */
-const CHASER = 7;
+const CHASER_SIZE = 7;
 const ASLEEP = 0;
 const AWAKE = 1;
 // the last double of an exploded chaser is FUSE + the frame in which it stops chasing
@@ -37,7 +36,7 @@ const DT = TICK; // V8 folds constants of the same module
 export class Chasers {
   /** Doubles of state for this many chasers. */
   static length(count: number): number {
-    return CHASER * count;
+    return CHASER_SIZE * count;
   }
 
   readonly end: number;
@@ -95,7 +94,7 @@ export class Chasers {
     this.haste = ((this.pull + hers + 1) * (AHEAD + 1) * TICK) / 2;
     this.apartHaste = ((2 * this.pull + 1) * (APART_FRAMES + 1) * TICK) / 2;
     this.fast = speedLimit - (Math.max(hers, this.pull) * AHEAD + 1) * TICK;
-    this.end = offset + CHASER * this.count;
+    this.end = offset + CHASER_SIZE * this.count;
     this.mobile = new Int32Array(this.count);
     this.isRestless = new Uint8Array(this.count);
   }
@@ -103,7 +102,7 @@ export class Chasers {
   layOut(s: Float64Array): void {
     const { circles } = this;
     for (let i = 0; i < this.count; i++) {
-      const o = this.offset + CHASER * i;
+      const o = this.offset + CHASER_SIZE * i;
       // adding 0 turns -0 into 0, as moving by 0 would
       s[o] = circles.x[i] + 0;
       s[o + 1] = circles.y[i] + 0;
@@ -119,10 +118,10 @@ export class Chasers {
   forget(): void {
     const { s, count, circles } = this;
     this.calm = -1;
-    this.settle();
+    this.forgetRestless();
     if (s[ROUSED] === 0) return;
     for (let i = 0; i < count; i++) {
-      const o = this.offset + CHASER * i;
+      const o = this.offset + CHASER_SIZE * i;
       const rests = s[o + 6] === ASLEEP && s[o + 2] === 0 && s[o + 3] === 0;
       if (!rests || s[o] !== circles.x[i] || s[o + 1] !== circles.y[i]) this.disturb(i);
     }
@@ -137,7 +136,7 @@ export class Chasers {
   }
 
   /** No two of them touch now. */
-  private settle(): void {
+  private forgetRestless(): void {
     for (const i of this.restless) this.isRestless[i] = 0;
     this.restless.length = 0;
     this.apartUntil = -1;
@@ -180,7 +179,7 @@ export class Chasers {
     let room = Number.POSITIVE_INFINITY;
     let time = AHEAD * DT;
     for (let i = 0; i < count; i++) {
-      const o = this.offset + CHASER * i;
+      const o = this.offset + CHASER_SIZE * i;
       const dx = s[o] - x;
       const dy = s[o + 1] - y;
       const d = Math.sqrt(dx * dx + dy * dy);
@@ -226,10 +225,10 @@ export class Chasers {
     let time = APART_FRAMES * DT;
     this.budget.look((restless.length * count) >> 3);
     for (const i of restless) {
-      const a = this.offset + CHASER * i;
+      const a = this.offset + CHASER_SIZE * i;
       if (s[a + 6] >= FUSE) continue;
       for (let j = 0; j < count; j++) {
-        const b = this.offset + CHASER * j;
+        const b = this.offset + CHASER_SIZE * j;
         if (s[b + 6] >= FUSE || j === i) continue;
         const dx = s[b] - s[a];
         const dy = s[b + 1] - s[a + 1];
@@ -249,7 +248,7 @@ export class Chasers {
     if (frame === 0) {
       const { explosions } = this.circles;
       for (let k = 0; k < explosions.length; k += 2) this.ignite(frame, explosions[k], explosions[k + 1], recorder);
-      this.settle();
+      this.forgetRestless();
       return;
     }
     if (frame < this.apart(frame)) return;
@@ -257,10 +256,10 @@ export class Chasers {
     const touching: [number, number][] = [];
     this.budget.look((restless.length * count) >> 3);
     for (const i of restless) {
-      const a = this.offset + CHASER * i;
+      const a = this.offset + CHASER_SIZE * i;
       if (s[a + 6] >= FUSE) continue;
       for (let j = 0; j < count; j++) {
-        const b = this.offset + CHASER * j;
+        const b = this.offset + CHASER_SIZE * j;
         // a pair of restless ones is reported once
         if (s[b + 6] >= FUSE || j === i || (j < i && this.isRestless[j] === 1)) continue;
         if (circlesOverlap(s[a] - s[b], s[a + 1] - s[b + 1], r[i] + r[j])) touching.push(i < j ? [i, j] : [j, i]);
@@ -269,15 +268,16 @@ export class Chasers {
     // in the order of the list: an exploded one does not explode again
     touching.sort((one, other) => one[0] - other[0] || one[1] - other[1]);
     for (const [i, j] of touching) {
-      if (s[this.offset + CHASER * i + 6] < FUSE && s[this.offset + CHASER * j + 6] < FUSE) this.ignite(frame, i, j, recorder);
+      if (s[this.offset + CHASER_SIZE * i + 6] < FUSE && s[this.offset + CHASER_SIZE * j + 6] < FUSE)
+        this.ignite(frame, i, j, recorder);
     }
-    this.settle();
+    this.forgetRestless();
   }
 
   private ignite(frame: number, i: number, j: number, recorder: FrameRecorder | null): void {
     const { s } = this;
-    s[this.offset + CHASER * i + 6] = FUSE + frame + EXPLOSION_FRAMES;
-    s[this.offset + CHASER * j + 6] = FUSE + frame + EXPLOSION_FRAMES;
+    s[this.offset + CHASER_SIZE * i + 6] = FUSE + frame + EXPLOSION_FRAMES;
+    s[this.offset + CHASER_SIZE * j + 6] = FUSE + frame + EXPLOSION_FRAMES;
     if (recorder !== null) recorder.explosion(frame, i, j);
   }
 
@@ -288,7 +288,7 @@ export class Chasers {
   follow(path: Float64Array, from: number, frames: number): void {
     const { s, mobile, moving, pull, sight, speedLimit } = this;
     for (let k = 0; k < moving; k++) {
-      const o = this.offset + CHASER * mobile[k];
+      const o = this.offset + CHASER_SIZE * mobile[k];
       let x = s[o];
       let y = s[o + 1];
       let vx = s[o + 2];
@@ -343,7 +343,7 @@ export class Chasers {
     const y = s[Y];
     let touching = -1;
     for (let i = 0; i < count; i++) {
-      const o = this.offset + CHASER * i;
+      const o = this.offset + CHASER_SIZE * i;
       const vx = limitSpeed(s[o + 2] + s[o + 4] * DT, speedLimit);
       const vy = limitSpeed(s[o + 3] + s[o + 5] * DT, speedLimit);
       const dx = x - s[o];
@@ -381,7 +381,7 @@ export class Chasers {
   read(out: Float64Array): void {
     const { s } = this;
     for (let i = 0; i < this.count; i++) {
-      const o = this.offset + CHASER * i;
+      const o = this.offset + CHASER_SIZE * i;
       out[3 * i] = s[o];
       out[3 * i + 1] = s[o + 1];
       out[3 * i + 2] = s[o + 6] < FUSE ? 1 : 0;

@@ -1,6 +1,6 @@
 import { TICK } from '../constants.ts';
-import { boxOverlapsCircle } from '../contact/index.ts';
-import type { Frame } from '../frames/index.ts';
+import { boxOverlapsCircle } from '../contact.ts';
+import type { Frame } from '../frames.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
 import {
   ASTEROID,
@@ -12,6 +12,7 @@ import {
   FRAME,
   HEAD,
   LOST,
+  limitSpeed,
   MINERALS,
   NOVA,
   OUTCOME,
@@ -23,7 +24,6 @@ import {
   X,
   Y,
 } from './layout.ts';
-import { limitSpeed } from './limit-speed.ts';
 import type { Neighbourhood } from './neighbourhoods.ts';
 import type { FrameRecorder } from './recording.ts';
 import { ROCK } from './rocks.ts';

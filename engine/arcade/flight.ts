@@ -1,7 +1,6 @@
 import { TICK } from '../constants.ts';
 import { AHEAD } from './chasers.ts';
-import { AX, AY, COS, FRAME, HEAD, MOVED, SIN, VX, VY, X, Y } from './layout.ts';
-import { limitSpeed } from './limit-speed.ts';
+import { AX, AY, COS, FRAME, HEAD, limitSpeed, MOVED, SIN, VX, VY, X, Y } from './layout.ts';
 import { ROCK, ROCK_FRAMES } from './rocks.ts';
 import type { Surroundings } from './surroundings.ts';
 import { NUMBERS, type World } from './world.ts';

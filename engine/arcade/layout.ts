@@ -37,3 +37,6 @@ export const CHASER = 5;
 
 /** The kind of object touched, by outcome. */
 export const TOUCH_KIND: readonly (BodyKind | null)[] = [null, null, 'blackHole', 'nova', 'asteroid', 'alien'];
+
+/** Limits one axis of a velocity to the speed limit, px/s. */
+export const limitSpeed = (v: number, limit: number): number => (v > limit ? limit : v < -limit ? -limit : v);

@@ -1,7 +1,6 @@
 import { TICK } from '../constants.ts';
 import type { Scene } from '../scene.ts';
-import { HEAD, MOVED, STRAYED } from './layout.ts';
-import { limitSpeed } from './limit-speed.ts';
+import { HEAD, limitSpeed, MOVED, STRAYED } from './layout.ts';
 import { DRIFT } from './neighbourhoods.ts';
 
 /** Doubles per asteroid: place, velocity in the next frame, acceleration. */

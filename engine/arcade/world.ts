@@ -1,6 +1,6 @@
-import type { Box } from '../contact/index.ts';
+import type { Box } from '../contact.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
-import type { FrameRule } from '../frames/index.ts';
+import type { FrameRule } from '../frames.ts';
 import type { Scene } from '../scene.ts';
 import { expectSnapshot } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';

@@ -1,3 +1,5 @@
+import type { Effect } from '../effects/index.ts';
+import { farthestRockTravel, ownTravel, refresh } from '../events/index.ts';
 import {
   actingForce,
   beginLine,
@@ -10,6 +12,9 @@ import {
   LINES,
   MEETINGS,
   type Motion,
+  ONSETS,
+  PIECE_END,
+  placeAt,
   SLIDE,
   SLOTS,
   STEADY,
@@ -19,10 +24,36 @@ import {
 } from '../motion/index.ts';
 import { SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
 import { closestPass, expand } from './expand.ts';
-import { locate } from './locate.ts';
 
-const { HELD, KIND, TURN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM, LINE, LINE_STEEP, LINE_SLOPE, MEETS, STEADY_X, STEADY_Y } =
-  SLOTS;
+const {
+  HELD,
+  KIND,
+  TURN,
+  SIDE,
+  LINE_X,
+  LINE_Y,
+  LIMIT_X,
+  LIMIT_Y,
+  RIM,
+  LINE,
+  LINE_STEEP,
+  LINE_SLOPE,
+  MEETS,
+  STEADY_X,
+  STEADY_Y,
+  TARGET,
+  FIELD,
+  COVER,
+  BASE,
+  COS,
+  FROM,
+  NEXT,
+  EVENT,
+  ONSET,
+  BASE_X,
+  BASE_Y,
+  LENGTH_H,
+} = SLOTS;
 const { NONE } = LINES;
 const { NOT } = MEETINGS;
 const { TURN_NOT, TURN_TO_TARGET } = TURNS;
@@ -121,4 +152,59 @@ function setCentralForce(m: Motion): void {
   flow.outX = s[SIDE] * s[LINE_X];
   flow.outY = s[SIDE] * s[LINE_Y];
   flow.moveTo(ux[0], uy[0]);
+}
+
+/** Places everything where the level has it. */
+export function layOut(m: Motion, effects: readonly Effect[]): void {
+  const { s } = m;
+  const { astronaut } = m.scene.level;
+  const { speedLimit } = m.rules;
+  s[TARGET] = -1;
+  s[FIELD] = -1;
+  s[COVER] = -1;
+  s[BASE] = -1;
+  s[RIM] = -1;
+  s[COS] = 1;
+  // first, since her direction decides on which side of a rim she starts
+  m.ux[1] = Math.min(speedLimit, Math.max(-speedLimit, astronaut.vx));
+  m.uy[1] = Math.min(speedLimit, Math.max(-speedLimit, astronaut.vy));
+  for (const effect of effects) effect.layOut?.(m);
+}
+
+/** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end if nothing happens before. */
+export function locate(m: Motion): void {
+  const { s, her, base, near, path, parts } = m;
+  s[NEXT] = s[LENGTH_H];
+  s[EVENT] = PIECE_END;
+  s[ONSET] = ONSETS.COMES;
+  const from = s[FROM];
+  // the path stays within `reach` of its start
+  placeAt(m, 0);
+  const x = s[BASE_X] + her[0];
+  const y = s[BASE_Y] + her[1];
+  const vx = her[2] + (m.recoil ? base[2] : 0);
+  const vy = her[3] + (m.recoil ? base[3] : 0);
+  const h = s[LENGTH_H];
+  const speed = Math.sqrt(vx * vx + vy * vy);
+  const travel = ownTravel(m, speed, h);
+  const rocks = m.recoil ? farthestRockTravel(m, h) : 0;
+  const reach = travel + rocks;
+
+  const { first, always, byKind } = parts;
+  for (let k = 0; k < first.length; k++) first[k].first?.(m, from);
+  if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
+  const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
+  m.budget.look((near.count + m.stirred.length) >> 4);
+  for (let i = 0; i < near.count; i++) {
+    if (near.slack[i] > gone) continue;
+    byKind[near.kind[i]].guard?.(m, near.index[i], from);
+  }
+  path.x = x;
+  path.y = y;
+  path.vx = vx;
+  path.vy = vy;
+  path.speed = speed;
+  path.travel = travel;
+  path.reach = reach;
+  for (let k = 0; k < always.length; k++) always[k].always?.(m, from);
 }

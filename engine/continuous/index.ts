@@ -1,4 +1,3 @@
-export type { Method } from './method.ts';
+export { type Method, WHOLE_METHOD } from './method.ts';
 export { EventRecorder, PieceRecorder } from './recording.ts';
 export { ContinuousSimulation } from './simulation.ts';
-export { WHOLE_METHOD } from './whole-method.ts';

@@ -1,5 +1,6 @@
 import type { Accuracy } from '../accuracy.ts';
-import type { EffectSet } from '../effects/index.ts';
+import { ALL_EFFECTS, type EffectSet } from '../effects/index.ts';
+import { integratorOf } from '../integrators/index.ts';
 import type { Integrator } from '../motion/index.ts';
 
 /** What a simulation in continuous time is made of. */
@@ -9,3 +10,6 @@ export interface Method {
   /** The integrator of an accuracy. */
   readonly integratorOf: (accuracy: Accuracy) => Integrator;
 }
+
+/** The method for every scene and accuracy. */
+export const WHOLE_METHOD: Method = { effects: ALL_EFFECTS, integratorOf };

@@ -5,8 +5,8 @@ import type { Scene } from '../scene.ts';
 import type { RunEvent, Trajectory } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
+import { WHOLE_METHOD } from './method.ts';
 import { ContinuousSimulation } from './simulation.ts';
-import { WHOLE_METHOD } from './whole-method.ts';
 
 const { START, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;

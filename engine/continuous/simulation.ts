@@ -2,6 +2,7 @@ import type { ChangeLog } from '../change-log.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import {
   ALERTNESS,
+  arriveAndTurnAt,
   chaserPlaceAt,
   MODES,
   Motion,
@@ -12,18 +13,13 @@ import {
   readRocks,
   rockAt,
   SLOTS,
-  settleAndTurnAt,
 } from '../motion/index.ts';
-import { objectLists } from '../object-lists.ts';
-import type { Scene } from '../scene.ts';
+import { objectLists, type Scene } from '../scene.ts';
 import { type Ending, expectSnapshot, type Mode, type Simulation, type Work } from '../simulation.ts';
 import { type WorkBudget, WorkLimitReached } from '../work-budget.ts';
-import { begin, setFlow } from './begin.ts';
-import { button } from './button.ts';
-import { endingOf } from './ending.ts';
+import { begin, layOut, setFlow } from './begin.ts';
 import { restoreChasers } from './expand.ts';
-import { fire } from './fire.ts';
-import { layOut } from './layout.ts';
+import { button, endingOf, fire } from './fire.ts';
 import type { Method } from './method.ts';
 
 const { START, NEXT, ONSET, TICK_NOW, HELD, TARGET, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
@@ -200,7 +196,7 @@ export class ContinuousSimulation implements Simulation {
   stateAt(t: number, out: Float64Array): void {
     const { motion } = this;
     const { s, her, base, facing, originX, originY } = motion;
-    settleAndTurnAt(motion, t);
+    arriveAndTurnAt(motion, t);
     out[0] = originX + (s[BASE_X] + base[0] + her[0]);
     out[1] = originY + (s[BASE_Y] + base[1] + her[1]);
     out[2] = her[2] + base[2];

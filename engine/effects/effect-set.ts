@@ -1,6 +1,6 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { layOutRules } from '../events/index.ts';
-import type { FrameRule } from '../frames/index.ts';
+import type { FrameRule } from '../frames.ts';
 import type { Indexing } from '../indexed-circles.ts';
 import type { Chase, EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice } from '../scene.ts';

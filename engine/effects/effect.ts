@@ -1,5 +1,5 @@
-import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
-import type { FrameRule } from '../frames/index.ts';
+import type { Level, ObjectList, RuleName, Rules } from '../../schema/basics/index.ts';
+import type { FrameRule } from '../frames.ts';
 import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
 import type { CentralForce, Chase, EventRule, Motion, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
@@ -127,3 +127,11 @@ export interface EngineEffect extends Effect {
    */
   circles?(scene: Scene): IndexedCircles;
 }
+
+/** Calls for an effect where the level has at least one object in `list`. */
+export const whereAny =
+  (list: ObjectList, one: string) =>
+  (level: Level): { called: boolean; because: string } => {
+    const n = level[list].length;
+    return n > 0 ? { called: true, because: `${n} ${n === 1 ? one : list}` } : { called: false, because: `no ${list}` };
+  };

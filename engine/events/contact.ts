@@ -1,11 +1,10 @@
-import { type Box, boxCircleGap } from '../contact/index.ts';
+import { type Box, boxCircleGap } from '../contact.ts';
 import { lookAt, type Motion, ONSETS, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
 import { CUBIC_BENDS, DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
-import { overlapBetween } from './bracket.ts';
-import { lookNext, PATIENCE, safeStep, smallestStride } from './conservative-advancement.ts';
 import { fineGap } from './fine-gap.ts';
-import { offerAs } from './first-event.ts';
 import { grazeStep } from './graze.ts';
+import { lookNext, overlapBetween, PATIENCE, safeStep, smallestStride } from './roots.ts';
+import { offerAs } from './rule.ts';
 
 const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;

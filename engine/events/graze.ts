@@ -1,6 +1,6 @@
 import { addProduct, LONGEST_SERIES, type Motion, relativeSeries, SLOTS, shift, TURNS } from '../motion/index.ts';
 import { FLOOR } from '../tolerances.ts';
-import { safeStretch } from './conservative-advancement.ts';
+import { safeStretch } from './roots.ts';
 
 const { TURN, DEGREE } = SLOTS;
 const { TURN_TO_BASE } = TURNS;

@@ -1,8 +1,4 @@
-export { crossing, overlapBetween } from './bracket.ts';
-export { isClear } from './clear.ts';
-export { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './conservative-advancement.ts';
 export { gapAt, offerContact, sweptTime } from './contact.ts';
-export { justFired, offer, offerAs } from './first-event.ts';
 export {
   chaserTravel,
   distanceToNear,
@@ -15,6 +11,7 @@ export {
   rockDistanceToNear,
   rockTravel,
 } from './neighbourhood.ts';
-export { quietAtRim, quietOutside, quietTime, quietWithin } from './quiet.ts';
+export { isClear, quietAtRim, quietOutside, quietTime, quietWithin } from './quiet.ts';
 export { rimTime } from './rim.ts';
-export { eventRule, layOutRules } from './rule.ts';
+export { crossing, lookNext, overlapBetween, PATIENCE, safeStep, safeStretch, smallestStride } from './roots.ts';
+export { eventRule, justFired, layOutRules, offer, offerAs } from './rule.ts';

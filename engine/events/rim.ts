@@ -1,7 +1,6 @@
 import { addProduct, LONGEST_SERIES, type Motion, relativeAt, relativeSeries, SLOTS, valueAt } from '../motion/index.ts';
 import { DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
-import { crossing } from './bracket.ts';
-import { lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './conservative-advancement.ts';
+import { crossing, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './roots.ts';
 
 const { LENGTH_H, ACCELERATION } = SLOTS;
 

@@ -1,4 +1,7 @@
-import type { EventRule, Parts } from '../motion/index.ts';
+import { type EventRule, type Motion, ONSETS, type Parts, SLOTS } from '../motion/index.ts';
+
+const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H, ONSET } = SLOTS;
+const { COMES, STANDS } = ONSETS;
 
 /**
  * Makes a kind of event: an {@link EventRule} in which what is left out has a default. A set of effects sets its place in the
@@ -44,4 +47,42 @@ export function layOutRules(
     always: used.filter((rule) => rule.always !== null),
     alwaysQuiet: used.filter((rule) => rule.alwaysQuiet !== null),
   };
+}
+
+/**
+ * Offers an event: it is kept if it is earlier than the best so far, or at the same instant and first in the order; of two
+ * events of one kind, that with the object that comes first in the list.
+ * @param time - s after the start of the piece; negative if there is no event
+ * @param kind - the kind of event; the smaller goes first
+ * @param a - index of the object concerned
+ * @param b - index of a second object
+ */
+export const offer = (m: Motion, time: number, kind: number, a: number, b: number): void => offerAs(m, time, kind, a, b, COMES);
+
+/**
+ * The same for an event that may stand already: what stands comes before everything that only begins at the same instant.
+ * @param onset - one of ONSETS
+ */
+export function offerAs(m: Motion, time: number, kind: number, a: number, b: number, onset: number): void {
+  if (time < 0) return;
+  const { s } = m;
+  const same = m.sameInstant;
+  if (time > s[LENGTH_H]) return;
+  const isFirst = kind < s[EVENT] || (kind === s[EVENT] && a < s[EVENT_A]);
+  if ((onset === STANDS) === (s[ONSET] === STANDS)) {
+    if (!(time < s[NEXT] - same) && !(time <= s[NEXT] + same && isFirst)) return;
+  } else if (onset !== STANDS) {
+    return;
+  }
+  s[NEXT] = Math.min(s[NEXT], time);
+  s[EVENT] = kind;
+  s[EVENT_A] = a;
+  s[EVENT_B] = b;
+  s[ONSET] = onset;
+}
+
+/** Whether this event has just happened to `a`, at the very start of the piece. Then its guard is 0 there. */
+export function justFired(m: Motion, event: number, a: number): boolean {
+  const { s } = m;
+  return s[FROM] === 0 && s[LAST_EVENT] === event && s[LAST_A] === a;
 }

@@ -1,7 +1,5 @@
 import { type Flow, LINEAR, pairAt } from '../motion/index.ts';
-import { dragQuadratic } from './drag.ts';
-import { fixedStep } from './fixed-step.ts';
-import { glideBy, type Whole } from './glide.ts';
+import { dragQuadratic, fixedStep, glideBy, type Whole } from './fixed-step.ts';
 
 // working memory: an acceleration
 const a = new Float64Array(2);

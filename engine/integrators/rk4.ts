@@ -1,9 +1,6 @@
 import { CENTRAL, type Flow, type Glide } from '../motion/index.ts';
 import { HEAD_ON } from '../tolerances.ts';
-import { cubicFrom } from './cubic.ts';
-import { dragRungeKutta } from './drag.ts';
-import { fixedStep, stepNear, untilGrid } from './fixed-step.ts';
-import { glideBy } from './glide.ts';
+import { cubicFrom, dragRungeKutta, fixedStep, glideBy, stepNear, untilGrid } from './fixed-step.ts';
 
 // working memory: accelerations at the stages, and what a step adds
 const a = new Float64Array(2);

@@ -56,7 +56,7 @@ function taylor(tolerance: number): Integrator {
       const d = Math.sqrt(x[0] * x[0] + y[0] * y[0]) + (Math.sqrt(x[1] * x[1] + y[1] * y[1]) + (alpha + steady) * h) * h;
       return Math.max(alpha, flow.beta * d) + steady;
     },
-    settle: null,
+    arrive: null,
     glide: null,
   };
 }

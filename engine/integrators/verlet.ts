@@ -1,8 +1,6 @@
 import { CENTRAL, type Flow, type Glide } from '../motion/index.ts';
 import { HEAD_ON } from '../tolerances.ts';
-import { dragQuadratic } from './drag.ts';
-import { fixedStep, stepNear, untilGrid } from './fixed-step.ts';
-import { glideBy } from './glide.ts';
+import { dragQuadratic, fixedStep, glideBy, stepNear, untilGrid } from './fixed-step.ts';
 
 // working memory: accelerations at both ends
 const a = new Float64Array(4);

@@ -86,7 +86,7 @@ function isAlong(steep: boolean, slope: number, vx: number, vy: number): boolean
 }
 
 /** The frame gets another base: she stays on her line if the base is on it. */
-export function keepLine(m: Motion, base: number, x: number, y: number): void {
+function keepLine(m: Motion, base: number, x: number, y: number): void {
   const { s } = m;
   if (s[LINE] === NONE) return;
   const stays = s[LINE] === FAST && (base >= 0 ? holdsTarget(m, base) : isNear(m, x, y, 0, 0));
@@ -153,4 +153,20 @@ export function sideOf(m: Motion): number {
   const along = steep ? m.uy : m.ux;
   const steady = steep ? m.flow.steadyY : m.flow.steadyX;
   return along[0] < 0 || (along[0] === 0 && (along[1] < 0 || (along[1] === 0 && steady < 0))) ? -1 : 1;
+}
+
+/** Moves the origin of the frame to a point, or to a target and its velocity. */
+export function rebase(m: Motion, base: number, x: number, y: number, vx: number, vy: number): void {
+  const { s, ux, uy, px, py } = m;
+  if (s[BASE] === base && s[BASE_X] === x && s[BASE_Y] === y) return;
+  keepLine(m, base, x, y);
+  ux[0] += s[BASE_X] - x;
+  uy[0] += s[BASE_Y] - y;
+  ux[1] += px[1] - vx;
+  uy[1] += py[1] - vy;
+  s[BASE] = base;
+  s[BASE_X] = x;
+  s[BASE_Y] = y;
+  px[1] = vx;
+  py[1] = vy;
 }

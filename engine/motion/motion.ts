@@ -1,13 +1,12 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
 import { TICK_RATE } from '../constants.ts';
-import type { Box } from '../contact/index.ts';
+import type { Box } from '../contact.ts';
 import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
 import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
-import { COAST, Flow, STEADY } from './flow.ts';
-import type { Integrator } from './integrator.ts';
+import { COAST, Flow, type Integrator, STEADY } from './flow.ts';
 import { NeighbourList } from './neighbour-list.ts';
 import { RimFlow } from './rim-flow.ts';
 import { HEAD, LINES, RECORDS, SLOTS } from './state.ts';

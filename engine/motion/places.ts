@@ -2,7 +2,7 @@ import { CENTRAL, COAST, SLIDE, STEADY } from './flow.ts';
 import { ontoLine } from './line.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
-import { settleSlide } from './rim-piece.ts';
+import { arriveOnRim } from './rim-piece.ts';
 import { ALERTNESS, LINES, RECORDS, SLOTS, TURNS } from './state.ts';
 
 const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE, LIMIT_X, LIMIT_Y, LINE, LINE_STEEP, LINE_SLOPE } = SLOTS;
@@ -12,24 +12,24 @@ const { AWAKE } = ALERTNESS;
 const { NONE, FAST } = LINES;
 
 /** Writes the states of her and the base after `t` to `m.her` and `m.base`. */
-function settleAt(m: Motion, t: number): void {
+function arriveAt(m: Motion, t: number): void {
   const { s, her } = m;
-  const { settle } = m.integrator;
-  if (settle === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
-  else if (s[KIND] === SLIDE) settleSlide(m, t, her);
-  else settle(m.flow, m.ux, m.uy, t, her);
+  const { arrive } = m.integrator;
+  if (arrive === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
+  else if (s[KIND] === SLIDE) arriveOnRim(m, t, her);
+  else arrive(m.flow, m.ux, m.uy, t, her);
   if (m.recoil) {
     pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);
-    if (settle !== null && s[KIND] === CENTRAL) holdLimits(m, t);
+    if (arrive !== null && s[KIND] === CENTRAL) holdLimits(m, t);
   }
   keepBounds(m);
 }
 
 /** Writes the states of her and the base after `t`, and her box's direction, to `m.her`, `m.base` and `m.facing`. */
-export function settleAndTurnAt(m: Motion, t: number): void {
+export function arriveAndTurnAt(m: Motion, t: number): void {
   directionAt(m, t);
-  if (m.integrator.settle === null && m.s[TURN] !== TURN_NOT) keepBounds(m);
-  else settleAt(m, t);
+  if (m.integrator.arrive === null && m.s[TURN] !== TURN_NOT) keepBounds(m);
+  else arriveAt(m, t);
 }
 
 /**
@@ -49,7 +49,7 @@ function holdLimits(m: Motion, t: number): void {
   }
 }
 
-/** Keeps what {@link settleAt} found within the speed limit and on her line. */
+/** Keeps what {@link arriveAt} found within the speed limit and on her line. */
 function keepBounds(m: Motion): void {
   const { s, her, base, recoil } = m;
   // four stores: `fill` would cost more than everything else here

@@ -94,7 +94,7 @@ function meet(c: Float64Array, series: Float64Array, degree: number, h: number):
 }
 
 /** Writes place and velocity after `t` of a piece along the rim to out[0..3]. */
-export function settleSlide(m: Motion, t: number, out: Float64Array): void {
+export function arriveOnRim(m: Motion, t: number, out: Float64Array): void {
   const { ux, uy } = m;
   if (m.integrator.degree === TAYLOR_DEGREE) {
     pairAt(ux, uy, TAYLOR_DEGREE, t, out, 0);

@@ -1,6 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { distance, px } from './bodies.ts';
-import { overlaps } from './pairs.ts';
+import { distance, overlaps, px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 
 /** Aliens that overlap at the start explode before anyone has seen them. */

@@ -1,5 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { boxCircleGap, boxOverlapsCircle } from '../contact/index.ts';
+import { boxCircleGap, boxOverlapsCircle } from '../contact.ts';
 import { distance, px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 

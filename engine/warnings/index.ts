@@ -1,23 +1,21 @@
 import { type Level, rulesOf } from '../../schema/basics/index.ts';
-import { boxOf } from '../contact/index.ts';
-import { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../more-warnings.ts';
+import { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../constants.ts';
+import { boxOf } from '../contact.ts';
 import type { Run } from '../simulate.ts';
 import { DEFAULT_TERMS, type Terms } from '../terms.ts';
 import { aliensExplodeAtStart } from './aliens-explode-at-start.ts';
 import { nothingInRangeAtStart, startsInHazard, touchesBlackHoleAtStart } from './at-start.ts';
-import { blackHoleCovered } from './black-hole-covered.ts';
-import { blackHoleOutOfReach } from './black-hole-out-of-reach.ts';
+import { blackHoleCovered, blackHoleOutOfReach } from './black-hole.ts';
 import { bodiesOf, copiesOf } from './bodies.ts';
 import { holdsOverlap, holdsUnsorted } from './holds.ts';
-import { mineralCovered } from './mineral-covered.ts';
-import { mineralOutOfReach } from './mineral-out-of-reach.ts';
+import { mineralCovered, mineralOutOfReach } from './minerals.ts';
 import { overlapping, samePlace } from './overlapping.ts';
 import { reachOf } from './reach.ts';
 import { repulsorNeverActs } from './repulsor-never-acts.ts';
 import { unusedAsteroid } from './unused-asteroid.ts';
 import type { Rule, Warning, WarningExplanation } from './warning.ts';
 
-export { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../more-warnings.ts';
+export { MAX_WARNINGS_PER_CODE, MORE_WARNINGS } from '../constants.ts';
 export type { Warning, WarningExplanation } from './warning.ts';
 
 // in the order in which they are reported: what ends the level, then what obstructs it, then what is untidy

@@ -1,7 +1,6 @@
 import { entryName, listOf, OBJECT_LISTS } from '../../schema/basics/index.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
-import { covers, distance, pointerOf, px } from './bodies.ts';
-import { overlaps } from './pairs.ts';
+import { covers, distance, overlaps, pointerOf, px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 
 /** Solid objects that overlap. What is not solid may lie anywhere; chasers that overlap each other explode. */

@@ -1,9 +1,9 @@
 import Flatbush from 'flatbush';
-import type { Asteroid, Level, Place, Rules } from '../../schema/basics/index.ts';
+import { type Asteroid, type Disc, type Level, objectName, type Place, type Rules } from '../../schema/basics/index.ts';
 import { TICK } from '../constants.ts';
-import { boxOf } from '../contact/index.ts';
+import { boxOf } from '../contact.ts';
 import { EFFECTS } from '../effects/index.ts';
-import { distance } from './bodies.ts';
+import { distance, px } from './bodies.ts';
 
 /** Where she can be at all: never farther than the range from an asteroid that she can reach. */
 export interface Reach {
@@ -13,6 +13,25 @@ export interface Reach {
   nearest(place: Place): { readonly distance: number; readonly index: number } | null;
   /** Whether some asteroids lie beyond a gap that she cannot cross. */
   readonly hasIslands: boolean;
+}
+
+/** What is said of both objects that nobody can touch. */
+export const RULE_OF_REACH =
+  'She is lost when she is farther than the range from the centre of every asteroid, and her collision box reaches at most 18.9 px beyond her centre. ' +
+  'Only asteroids that she can reach count, going from the range of one into the range of the next. In a level with recoil the warning allows for how far asteroids can drift within the longest run.';
+
+/** Why an object cannot be touched, and what to do; null if it can. */
+export function outOfReach(level: Level, reach: Reach, what: string, disc: Disc): { message: string; hint: string } | null {
+  const nearest = reach.nearest(disc);
+  const limit = reach.limit(disc.radius);
+  if (nearest === null || nearest.distance < limit) return null;
+  const whom = reach.hasIslands ? 'the nearest asteroid she can reach' : 'the nearest asteroid';
+  return {
+    message:
+      `${what} is out of reach: ${whom}, ${objectName('asteroid', nearest.index)}, is ${px(nearest.distance)} away, ` +
+      `and beyond ${px(limit)} she is lost before she touches it (range ${px(level.range)})`,
+    hint: `bring ${what} and an asteroid at least ${px(nearest.distance - limit)} nearer to each other (more gives the player room), or raise the range`,
+  };
 }
 
 // for fewer asteroids than this, a plain loop finds the nearest before an index would be built

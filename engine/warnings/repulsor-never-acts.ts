@@ -1,6 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import { covers, distance, px } from './bodies.ts';
-import { overlaps } from './pairs.ts';
+import { covers, distance, overlaps, px } from './bodies.ts';
 import type { Rule } from './warning.ts';
 
 /** A repulsor without effect, since an earlier one covers it. */
@@ -14,11 +13,11 @@ export const repulsorNeverActs: Rule = {
   },
   *find({ level }) {
     const fields = level.repulsors.map(({ x, y, radius }, i) => ({ x, y, radius, i }));
-    const told = new Set<number>();
+    const reported = new Set<number>();
     for (const [first, later] of overlaps(fields)) {
       // at the very same place, the warning `same-place` is enough
-      if (told.has(later.i) || distance(first, later) === 0 || !covers(first, later)) continue;
-      told.add(later.i);
+      if (reported.has(later.i) || distance(first, later) === 0 || !covers(first, later)) continue;
+      reported.add(later.i);
       const name = objectName('repulsor', later.i);
       const other = objectName('repulsor', first.i);
       yield {

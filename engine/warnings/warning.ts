@@ -1,5 +1,5 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
-import type { Box } from '../contact/index.ts';
+import type { Box } from '../contact.ts';
 import type { Run } from '../simulate.ts';
 import type { Body, Copies } from './bodies.ts';
 import type { Reach } from './reach.ts';
@@ -46,18 +46,12 @@ export interface Subject {
   readonly copies: Copies;
 }
 
-/** A warning without its code and severity, which the rule supplies. */
-export interface Finding {
-  readonly message: string;
-  readonly hint: string;
-  readonly pointer: string;
-}
-
 /**
  * One kind of warning. `find` is lazy, so a level with thousands of equal mistakes costs no more than the warnings that are
  * shown.
  */
 export interface Rule {
   readonly explanation: WarningExplanation;
-  find(subject: Subject): Iterable<Finding>;
+  /** Finds such warnings; their code and severity are the rule's. */
+  find(subject: Subject): Iterable<Pick<Warning, 'message' | 'hint' | 'pointer'>>;
 }

@@ -2,7 +2,7 @@ import { type Level, NO_OBJECTS } from '../../schema/basics/index.ts';
 import { ACCURACIES, type Accuracy } from '../accuracy.ts';
 import { compile } from '../compile.ts';
 import { TICK_RATE } from '../constants.ts';
-import { boxOverlapsCircle, DEFAULT_BOX } from '../contact/index.ts';
+import { boxOverlapsCircle, DEFAULT_BOX } from '../contact.ts';
 import { createSimulation } from '../simulate.ts';
 
 export interface TunnellingOptions {

@@ -1,10 +1,8 @@
+export { type DecodedPlay, decodePlay, encodePlay, type Unreadable } from './bytes.ts';
 export { type ChallengeState, challengeFor } from './challenge.ts';
-export { type DecodedPlay, decodePlay, type Unreadable } from './decode.ts';
-export { encodePlay } from './encode.ts';
 export { ENGINE_ID } from './engine-id.ts';
-export { PLAY_LIMITS } from './format.ts';
 export { levelHash } from './level-hash.ts';
-export type { Play, PlayClaim, PlayOutcome } from './play.ts';
+export { PLAY_LIMITS, type Play, type PlayClaim, type PlayOutcome } from './play.ts';
 export { playOf } from './record.ts';
 export type { PlaySigns } from './signs.ts';
 export { playFromText, playToText } from './text.ts';

@@ -1,9 +1,8 @@
 import { ACCURACIES, joinHolds } from '../../engine/index.ts';
 import type { Player } from '../player/index.ts';
 import { ENGINE_ID } from './engine-id.ts';
-import { ACCURACY_CODES } from './format.ts';
 import { levelHash } from './level-hash.ts';
-import type { Play } from './play.ts';
+import { ACCURACY_CODES, type Play } from './play.ts';
 
 /**
  * Takes the play of a player as it is now: to the end, or as far as it has come.

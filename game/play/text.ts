@@ -1,4 +1,4 @@
-import { PLAY_LIMITS } from './format.ts';
+import { PLAY_LIMITS } from './play.ts';
 
 const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
 const VALUES: ReadonlyMap<string, number> = new Map([...DIGITS].map((digit, i) => [digit, i]));

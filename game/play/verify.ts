@@ -13,11 +13,10 @@ import {
 } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { CHECKPOINT_TICKS, countCollected, PlayHash } from '../player/index.ts';
+import { decodePlay } from './bytes.ts';
 import { type ChallengeState, challengeState, expectSecret } from './challenge.ts';
-import { decodePlay } from './decode.ts';
-import { isOpen, PLAY_LIMITS } from './format.ts';
 import { levelHash } from './level-hash.ts';
-import type { Play, PlayClaim } from './play.ts';
+import { isOpen, PLAY_LIMITS, type Play, type PlayClaim } from './play.ts';
 import { type PlaySigns, signsOf } from './signs.ts';
 import { type AcceptedAccuracy, claimInWords, whyNotReplayed } from './why-not-replayed.ts';
 

@@ -1,5 +1,5 @@
 import { isJump, type RunEvent, type Simulation, STATE_SIZE, TICK, type Touched } from '../../engine/index.ts';
-import type { Level } from '../../schema/basics/index.ts';
+import type { Level, Place } from '../../schema/basics/index.ts';
 
 /** Places closer to each other than this have no direction between them. */
 const NO_DIRECTION = 1e-6;
@@ -120,11 +120,6 @@ export class Body {
   asteroidY(i: number): number {
     return this.asteroids[2 * i + 1];
   }
-}
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
 }
 
 const her = ({ state }: Body): Place => ({ x: state[0], y: state[1] });

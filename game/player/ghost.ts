@@ -1,7 +1,7 @@
 import type { Ending, Simulation } from '../../engine/index.ts';
 import { Body } from './body.ts';
+import { Script } from './gun.ts';
 import type { GhostSource } from './options.ts';
-import { Script } from './script.ts';
 
 /** A run that is shown beside the play, at the same tick. */
 export interface Ghost {

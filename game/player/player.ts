@@ -2,10 +2,9 @@ import { maxTicksOf, type RunEvent, type Scene, type Simulation, TICK, TICK_RATE
 import type { Hold, Level } from '../../schema/basics/index.ts';
 import { Body, countCollected, eventPlace } from './body.ts';
 import { type Ghost, GhostRun } from './ghost.ts';
-import { Gun, type GunCopy } from './gun.ts';
+import { Gun, type GunCopy, Script } from './gun.ts';
 import type { AttemptOptions, PlayEnding, PlayEvent, PlayerOptions } from './options.ts';
 import { CHECKPOINT_TICKS, PlayHash, type PlayHashMark } from './play-hash.ts';
-import { Script } from './script.ts';
 
 /** The longest frame that counts if the options name none, ms. */
 const MAX_FRAME = 100;

@@ -4,10 +4,9 @@ import { createPlayer, type Player } from '../../game/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { GunInput } from '../input/index.ts';
 import { DEFAULT_SKIN, type View } from '../skin/index.ts';
-import { Figures } from './figures.ts';
+import { Figures, Stage } from './figures.ts';
 import type { RunnerOptions } from './options.ts';
 import { requireLevel, requireScene } from './require.ts';
-import { Stage } from './stage.ts';
 import { LevelView } from './view.ts';
 
 /** ms from a death to the next attempt if the options name none */

@@ -1,5 +1,5 @@
-import type { Ink } from '../ink.ts';
 import { textWidth } from '../text.ts';
+import type { Ink } from '../theme.ts';
 import { num, polyline } from '../xml.ts';
 
 /** A logarithmic axis over whole decades. */
@@ -40,7 +40,7 @@ export function powerOfTen(power: number): string {
   return `1e${power}`;
 }
 
-interface Box {
+interface LabelBox {
   readonly left: number;
   readonly top: number;
   readonly right: number;
@@ -56,7 +56,7 @@ interface Label {
   readonly leader: boolean;
 }
 
-const overlap = (a: Box, b: Box): number =>
+const overlap = (a: LabelBox, b: LabelBox): number =>
   Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) *
   Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
 
@@ -69,17 +69,22 @@ const overlap = (a: Box, b: Box): number =>
 export function placeLabels(
   labels: readonly { readonly text: string; readonly size: number; readonly x: number; readonly y: number }[],
   points: readonly (readonly [x: number, y: number])[],
-  within: Box,
+  within: LabelBox,
 ): Label[] {
-  const taken: Box[] = points.map(([x, y]) => ({ left: x - 5, right: x + 5, top: y - 5, bottom: y + 5 }));
+  const taken: LabelBox[] = points.map(([x, y]) => ({ left: x - 5, right: x + 5, top: y - 5, bottom: y + 5 }));
   return labels.map(({ text, size, x, y }) => {
     const width = textWidth(text, size);
-    let best: { box: Box; cost: number; far: boolean } | null = null;
+    let best: { box: LabelBox; cost: number; far: boolean } | null = null;
     for (const reach of [11, 20, 32, 46, 62]) {
       for (const [dx, dy] of DIRECTIONS) {
         const left = dx > 0 ? x + dx * reach : dx < 0 ? x + dx * reach - width : x - width / 2;
         const middle = y + dy * reach;
-        const box: Box = { left: left - 3, right: left + width + 3, top: middle - size / 2 - 3, bottom: middle + size / 2 + 3 };
+        const box: LabelBox = {
+          left: left - 3,
+          right: left + width + 3,
+          top: middle - size / 2 - 3,
+          bottom: middle + size / 2 + 3,
+        };
         const outside = Math.max(
           0,
           within.left - box.left,

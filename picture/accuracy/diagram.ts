@@ -1,5 +1,5 @@
-import { type Ground, type Ink, inked, inkStyle } from '../ink.ts';
 import { drawText, type TextStyle, textWidth } from '../text.ts';
+import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
 import { decades, drawMark, type LineKind, logAxis, placeLabels, powerOfTen } from './axis.ts';
 

@@ -1,12 +1,12 @@
 import type { Accuracy } from '../../engine/index.ts';
 import { type Measured, RATES, TOLERANCES, type WorkPrecision } from '../../engine/work-precision/index.ts';
-import { type Ground, type Ink, inked, inkStyle } from '../ink.ts';
 import { drawText, type TextStyle } from '../text.ts';
+import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
 import type { LineKind } from './axis.ts';
 import type { Diagram, DiagramLine, DiagramPoint } from './diagram.ts';
 
-export type { Ground } from '../ink.ts';
+export type { Ground } from '../theme.ts';
 export { type Diagram, type DiagramPoint, drawDiagram } from './diagram.ts';
 
 /** The name of a line in a diagram: `rk4`, `rk4, frame tests`. */

@@ -1,20 +1,16 @@
 import type { Run } from '../../engine/index.ts';
 import { type Level, type ObjectKind, placesIn, rulesOf } from '../../schema/index.ts';
-import { drawBackground } from '../background.ts';
+import { drawBackground, drawGradients, drawRanges } from '../background.ts';
 import { drawCaption } from '../caption.ts';
 import { drawContact } from '../contact.ts';
-import { drawGradients } from '../gradients.ts';
 import { IN_PICTURE } from '../kinds/index.ts';
 import type { LegendEntry } from '../legend.ts';
 import { drawObjects } from '../objects.ts';
-import { place } from '../place.ts';
-import { drawRanges } from '../range.ts';
+import { drawStartFigure } from '../run.ts';
 import { drawSeveral, type NamedRun } from '../several.ts';
-import type { Point } from '../simplify.ts';
-import { drawStartFigure } from '../start.ts';
+import type { PathPoint } from '../simplify.ts';
 import { THEMES, type Theme } from '../theme.ts';
-import type { Thing } from '../things.ts';
-import { frame, type View } from '../view.ts';
+import { frame, place, type Thing, type View } from '../view.ts';
 import { stretchesOf } from '../way.ts';
 import { escapeXml, num } from '../xml.ts';
 
@@ -107,11 +103,11 @@ export function renderComparison(
 }
 
 /** Places of the earlier version that the picture has to contain. */
-function cornersOf(marks: readonly Mark[], { astronaut }: Level): Point[] {
-  const corners = marks.flatMap(({ kind, before }): Point[] => {
+function cornersOf(marks: readonly Mark[], { astronaut }: Level): PathPoint[] {
+  const corners = marks.flatMap(({ kind, before }): PathPoint[] => {
     if (before === null) return [];
     const radius = before.radius ?? FIGURE;
-    return placesIn(kind, before).flatMap(({ x, y }): Point[] => [
+    return placesIn(kind, before).flatMap(({ x, y }): PathPoint[] => [
       [x - radius, y - radius],
       [x + radius, y + radius],
     ]);

@@ -1,8 +1,8 @@
-import { type Ground, type Ink, inked, inkStyle } from '../ink.ts';
 import { drawText, type TextStyle, textWidth } from '../text.ts';
+import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
 
-export type { Ground } from '../ink.ts';
+export type { Ground } from '../theme.ts';
 
 /** What a picture of difficulty shows. */
 export interface DifficultyPicture {

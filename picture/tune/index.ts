@@ -1,8 +1,8 @@
-import { type Ground, type Ink, inked, inkStyle } from '../ink.ts';
 import { drawText, textWidth } from '../text.ts';
+import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num } from '../xml.ts';
 
-export type { Ground } from '../ink.ts';
+export type { Ground } from '../theme.ts';
 
 type State = 'kept' | 'other' | 'unproven' | 'impossible';
 

@@ -1,6 +1,5 @@
 import { type Finding, MAX_FINDINGS, OBJECT_LISTS, type Path, quote, toWords } from '../basics/index.ts';
-import { type Contradiction, contradictionsIn } from './contradictions.ts';
-import { type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
+import { type Contradiction, contradictionsIn, type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
 import { LEVEL_SHAPE, type Shape } from './shape.ts';
 import { found, named, tellFaults, wrongType } from './shape-findings.ts';
 

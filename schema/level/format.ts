@@ -1,6 +1,5 @@
 import { ALLOWABLE_CODES, OBJECT_LISTS, RULE_NAMES, SINGLE_KINDS } from '../basics/index.ts';
-import { notesInOrder } from './notes.ts';
-import { LEVEL_SHAPE, type LevelFile } from './shape.ts';
+import { LEVEL_SHAPE, type LevelFile, notesInOrder } from './shape.ts';
 
 type Json = { readonly [key: string]: unknown };
 

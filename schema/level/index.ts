@@ -1,13 +1,11 @@
 // A level file: its shape, what contradicts itself in it, its defaults, its words and its layout. No zod.
 
 export { checkMeaning, checkShape } from './check-shape.ts';
-export { contradictionsIn } from './contradictions.ts';
-export { type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
+export { contradictionsIn, type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { conflictProblems } from './merge-conflicts.ts';
 export { type JsonObject, MIGRATIONS, type Migration, migrate, readVersion } from './migrate.ts';
-export { LINE_BREAK, NOTE_TEXT, notesInOrder } from './notes.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readContent, readLevel } from './read-level.ts';
 export { enteringFolder, leavingFolder, resolveLevel } from './resolve.ts';
 export { type GameRule, RULES } from './rules.ts';
@@ -20,5 +18,15 @@ export {
   type RunTextRemark,
   readRunText,
 } from './run-text/index.ts';
-export { type FileConflict, formatLevelShape, LEVEL_SHAPE, type LevelFile, RULES_SHAPE, type Shape } from './shape.ts';
+export {
+  type FileConflict,
+  formatLevelShape,
+  LEVEL_SHAPE,
+  type LevelFile,
+  LINE_BREAK,
+  NOTE_TEXT,
+  notesInOrder,
+  RULES_SHAPE,
+  type Shape,
+} from './shape.ts';
 export { codeFinding, found, tellFaults, unknownKey, unknownValue, wrongType } from './shape-findings.ts';

@@ -228,9 +228,9 @@ export function tellFaults(faults: readonly Fault[], level: unknown, into: Findi
   for (const { path, shape } of unknown) {
     if (into.length >= MAX_FINDINGS) return;
     const object = path.slice(0, -1);
-    const told = unknownKey(object, String(path[path.length - 1]), level, Object.keys(shape.keys ?? {}));
-    into.push(told.finding);
-    if (told.meant !== null) meant.add(toPointer([...object, told.meant]));
+    const unknownOne = unknownKey(object, String(path[path.length - 1]), level, Object.keys(shape.keys ?? {}));
+    into.push(unknownOne.finding);
+    if (unknownOne.meant !== null) meant.add(toPointer([...object, unknownOne.meant]));
   }
   for (const fault of others) {
     if (into.length >= MAX_FINDINGS) return;

@@ -1,9 +1,9 @@
 import { EFFECTS, TICK } from '../../engine/index.ts';
 import type { Level, RuleName, Rules } from '../../schema/basics/index.ts';
-import type { ProofCode } from '../proofs/index.ts';
+import type { ProofCode } from '../prove/index.ts';
 
 // What the checker assumes about the game, apart from the lemmas of docs/proofs.md. It is declared here again and not read from
-// solver/proofs: a new effect must be added here as well, or the checker refuses every proof for a level that calls for it.
+// solver/prove: a new effect must be added here as well, or the checker refuses every proof for a level that calls for it.
 
 /** Effects that move her and the asteroids. */
 const MOVED_BY = ['gun', 'recoil', 'repulsor', 'winds', 'wormholes', 'speed-limit'] as const;

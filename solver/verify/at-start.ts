@@ -1,5 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import type { ThingRef } from '../proofs/index.ts';
+import type { ThingRef } from '../prove/index.ts';
 import type { Claim } from './claim.ts';
 import { apart, isIndex, less } from './rounded.ts';
 

@@ -1,6 +1,6 @@
 import { type Box, boxOf, DEFAULT_MAX_TIME, TICK } from '../../engine/index.ts';
 import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
-import type { About } from '../proofs/index.ts';
+import type { About } from '../prove/index.ts';
 import { driftIn, longestFrame, mostPush, stepBlur } from './assumptions.ts';
 
 /**

@@ -1,5 +1,5 @@
 import type { Box } from '../../engine/index.ts';
-import type { DeadEnd } from '../proofs/index.ts';
+import type { DeadEnd } from '../prove/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
 import { boxGap, type Circle, unit } from './box-gap.ts';
 import type { Claim } from './claim.ts';

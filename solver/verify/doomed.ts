@@ -1,5 +1,5 @@
 import { TICK } from '../../engine/index.ts';
-import type { BoxNumbers, Doomed, FanGrid, ThingRef } from '../proofs/index.ts';
+import type { BoxNumbers, Doomed, FanGrid, ThingRef } from '../prove/index.ts';
 import { farFromLimit } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';

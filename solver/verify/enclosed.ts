@@ -1,5 +1,5 @@
 import { objectName } from '../../schema/basics/index.ts';
-import type { BarrierEdge, Blocker } from '../proofs/index.ts';
+import type { BarrierEdge, Blocker } from '../prove/index.ts';
 import type { Claim } from './claim.ts';
 import { standingHazard } from './hazards.ts';
 import { mouthsOf } from './mouths.ts';

@@ -1,5 +1,5 @@
 import { TICK } from '../../engine/index.ts';
-import type { Flowpipe, PipeGrid, PipePart, PipeStep, Strip } from '../proofs/index.ts';
+import type { Flowpipe, PipeGrid, PipePart, PipeStep, Strip } from '../prove/index.ts';
 import { farFromLimit } from './assumptions.ts';
 import { afterChase, type Chaser, eitherChaser } from './chasers.ts';
 import type { Claim } from './claim.ts';

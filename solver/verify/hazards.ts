@@ -1,4 +1,4 @@
-import type { Blocker } from '../proofs/index.ts';
+import type { Blocker } from '../prove/index.ts';
 import type { Claim } from './claim.ts';
 import { isIndex, type Point } from './rounded.ts';
 

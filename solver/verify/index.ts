@@ -1,6 +1,6 @@
 import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
-import type { Certificate, Proof } from '../proofs/index.ts';
+import type { Certificate, Proof } from '../prove/index.ts';
 import { whyNotKnown } from './assumptions.ts';
 import { checkNothingInRange, checkStartsInHazard } from './at-start.ts';
 import { type Claim, claimOf, type Play } from './claim.ts';

@@ -1,6 +1,6 @@
 import { TICK } from '../../engine/index.ts';
 import { objectName } from '../../schema/basics/index.ts';
-import type { Drift, LineEnd, LineTrap } from '../proofs/index.ts';
+import type { Drift, LineEnd, LineTrap } from '../prove/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';

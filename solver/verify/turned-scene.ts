@@ -1,5 +1,5 @@
 import { TICK } from '../../engine/index.ts';
-import type { Direction } from '../proofs/index.ts';
+import type { Direction } from '../prove/index.ts';
 import { driftIn } from './assumptions.ts';
 import type { Claim } from './claim.ts';
 import { mouthsOf } from './mouths.ts';

@@ -20,9 +20,6 @@ const sources = readdirSync(join(root, 'editor'), { recursive: true, withFileTyp
 /** What stands on what: a folder knows those before its own row, and of its row itself alone. */
 const ROWS: readonly (readonly string[])[] = [['workers'], ['core'], ['canvas', 'timeline'], ['features'], ['app'], ['main.tsx']];
 
-/** Imports that run up, and why; the list may only become shorter. */
-const UP: Readonly<Record<string, string>> = {};
-
 describe('arrows inside the editor', () => {
   const folderOf = (path: string) => path.split('/')[1];
   const rowOf = (path: string) => ROWS.findIndex((row) => row.includes(folderOf(path)));
@@ -39,7 +36,7 @@ describe('arrows inside the editor', () => {
         .filter((target) => folderOf(target) !== folderOf(path) && rowOf(target) >= rowOf(path))
         .map((target) => `${path} -> ${target}`),
     );
-    expect(wrong.sort()).toEqual(Object.keys(UP).sort());
+    expect(wrong.sort()).toEqual([]);
   });
 });
 
@@ -57,16 +54,6 @@ const knowing = (name: string): string[] => {
   return [...new Set(others.map(({ path }) => dirname(path)))];
 };
 
-/** Features that more than one folder outside their own knows; the list may only become shorter. */
-const WIDELY_KNOWN: Readonly<Record<string, readonly string[]>> = {
-  // the text of a level, and what a merge left in it
-  levels: ['editor/features/conflicts', 'editor/features/pack'],
-  // plays stand in the list of attempts, and are dropped on the page
-  plays: ['editor/features/attempts', 'editor/features/share'],
-  // what is proved and measured of the level is kept where it is asked for
-  solver: ['editor/features/levels', 'editor/features/onion', 'editor/features/problems'],
-};
-
 describe.each(folders)('the feature %s', (name) => {
   it('has a record of its name, which is on the list', () => {
     const record = sources.find(({ path }) => path === `editor/features/${name}/feature.tsx`);
@@ -76,8 +63,7 @@ describe.each(folders)('the feature %s', (name) => {
 
   it('is known in three places at most: its folder, the list, one more', () => {
     const others = knowing(name);
-    if (name in WIDELY_KNOWN) expect(others).toEqual(WIDELY_KNOWN[name]);
-    else expect(others.length, others.join(', ')).toBeLessThanOrEqual(1);
+    expect(others.length, others.join(', ')).toBeLessThanOrEqual(1);
   });
 });
 

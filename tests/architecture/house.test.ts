@@ -11,17 +11,17 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-  files: { goal: 1150, now: 1562 },
+  files: { goal: 1150, now: 1495 },
   /** their lines */
-  lines: { goal: 121_000, now: 132_000 },
+  lines: { goal: 121_000, now: 131_690 },
   /** lines of a file in the median, at least */
-  median: { goal: 80, now: 64 },
+  median: { goal: 80, now: 68 },
   /** % of files under 30 lines */
-  short: { goal: 20, now: 24 },
+  short: { goal: 20, now: 22.2 },
   /** faces that forward one file */
   faces: { goal: 0, now: 12 },
   /** lines of bench/ */
-  bench: { goal: 9500, now: 9300 },
+  bench: { goal: 9500, now: 9290 },
 } as const;
 
 const sources = execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })

@@ -14,7 +14,7 @@ const graph = importGraph(sources);
 const isIn = (folder: string) => (path: string) => path.startsWith(`solver/${folder}/`);
 
 it('no prover knows a checker', () => {
-  const wrong = [...graph].filter(([path, targets]) => isIn('proofs')(path) && targets.some(isIn('verify')));
+  const wrong = [...graph].filter(([path, targets]) => isIn('prove')(path) && targets.some(isIn('verify')));
   expect(wrong.map(([path]) => path)).toEqual([]);
 });
 
@@ -24,7 +24,7 @@ it('a checker knows of the provers only the types of what they claim, and nothin
   const outside = checkers.flatMap(({ path }) =>
     (graph.get(path) ?? []).filter((target) => !isIn('verify')(target)).map((target) => `${path} -> ${target}`),
   );
-  expect(outside.filter((arrow) => !arrow.endsWith('-> solver/proofs/index.ts'))).toEqual([]);
-  const values = checkers.filter(({ text }) => /^(?:import|export) (?!type )[^;]*from '[./]*proofs\/index\.ts';/m.test(text));
+  expect(outside.filter((arrow) => !arrow.endsWith('-> solver/prove/index.ts'))).toEqual([]);
+  const values = checkers.filter(({ text }) => /^(?:import|export) (?!type )[^;]*from '[./]*prove\/index\.ts';/m.test(text));
   expect(values.map(({ path }) => path)).toEqual([]);
 });

@@ -3,7 +3,7 @@ import { type AccuracyName, compile } from '../../engine/index.ts';
 import { createPlayer, type Play, playOf } from '../../game/index.ts';
 import { type Hold, type Level, readLevel } from '../../schema/index.ts';
 import { createRandom } from '../../solver/index.ts';
-import { drawShift, shiftHolds, tickNoise } from '../../solver/robustness/index.ts';
+import { drawShift, shiftHolds, tickNoise } from '../../solver/measure/robustness/index.ts';
 
 /** A shipped level. */
 export function shippedLevel(slug: string): Level {

@@ -5,7 +5,7 @@ import { decreasing, explainingNoise } from '../../check/plays/model.ts';
 import { chooseReference } from '../../check/plays/reference.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
-import { wilsonInterval } from '../../solver/robustness/index.ts';
+import { wilsonInterval } from '../../solver/measure/robustness/index.ts';
 import { isHunt, itDeep } from '../depth.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
 

@@ -8,9 +8,9 @@ import { addRun, createEditedLevel, setLevelProperty } from '../../editor/core/d
 import { extraInWords } from '../../editor/core/figures/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
+import { watchProofs } from '../../editor/core/verdict/evidence.ts';
 import { createDifficultySession } from '../../editor/features/solver/difficulty-session.ts';
 import { createOverlay } from '../../editor/features/solver/overlay.ts';
-import { watchProofs } from '../../editor/features/solver/proof-watch.ts';
 import { watchRobustness } from '../../editor/features/solver/robustness-watch.ts';
 import { createSearchSession } from '../../editor/features/solver/search-session.ts';
 import { aimOf, createSearchSettings, goalOf } from '../../editor/features/solver/search-settings.ts';

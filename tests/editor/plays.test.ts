@@ -2,6 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../../editor/core/attempts/attempts.ts';
 import { causeInWords } from '../../editor/core/attempts/index.ts';
+import { groupPlays, refusedInWords } from '../../editor/core/plays/open-plays.ts';
+import { playFileName } from '../../editor/core/plays/play-files.ts';
 import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/core/shelf/given.ts';
 import { createShelf, deathMapOf, deathsNear, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
 import {
@@ -12,8 +14,6 @@ import {
   SHOWN,
   SORTS,
 } from '../../editor/features/attempts/attempt-rows.ts';
-import { groupPlays, refusedInWords } from '../../editor/features/plays/group-plays.ts';
-import { playFileName } from '../../editor/features/plays/share-play.ts';
 import { playsWork } from '../../editor/workers/jobs/plays.ts';
 import { pathWork } from '../../editor/workers/jobs/trajectory.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';

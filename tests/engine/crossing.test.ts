@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { crossing } from '../../engine/events/bracket.ts';
+import { crossing } from '../../engine/events/roots.ts';
 
 /** Guards that fall below 0 only at `root`. */
 const SHAPES: Record<string, (root: number, scale: number) => (t: number) => number> = {

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { safeStep, safeStretch } from '../../engine/events/conservative-advancement.ts';
+import { safeStep, safeStretch } from '../../engine/events/roots.ts';
 import { compile, simulate, WorkBudget } from '../../engine/index.ts';
 import { expectDeep } from '../depth.ts';
 import { randomScene } from '../scenes/random-scene.ts';

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { TICK, unlimited, WorkLimitReached } from '../../engine/index.ts';
-import { anytimeProofBy, type ProofParts } from '../../solver/anytime/anytime-proof.ts';
-import { sideBySide } from '../../solver/anytime/decider.ts';
 import { type About, type AnytimeOptions, type Proof, proofShare, type Solution } from '../../solver/index.ts';
+import { anytimeProofBy, type ProofParts } from '../../solver/search/anytime/anytime-proof.ts';
+import { sideBySide } from '../../solver/search/anytime/decider.ts';
 import { at, level } from './impossible-levels.ts';
 
 const minerals = (count: number) => Array.from({ length: count }, (_, i) => ({ x: 10 * i, y: 90 }));

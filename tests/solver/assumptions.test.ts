@@ -3,9 +3,9 @@ import { EffectSet } from '../../engine/effects/index.ts';
 import { compile, EFFECTS, type Effect } from '../../engine/index.ts';
 import { type Level, type OwnRules, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { PROVERS, type Proof, proveBy, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
-import { effectsOf, whyNotTried } from '../../solver/proofs/assumptions.ts';
-import { mayProve } from '../../solver/proofs/index.ts';
-import type { Prover } from '../../solver/proofs/proof.ts';
+import { effectsOf, whyNotTried } from '../../solver/prove/assumptions.ts';
+import { mayProve } from '../../solver/prove/index.ts';
+import type { Prover } from '../../solver/prove/proof.ts';
 import { isDeep } from '../depth.ts';
 import { ALSO, LEVELS } from './impossible-levels.ts';
 

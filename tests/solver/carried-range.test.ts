@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { compile, simulate, TICK } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
 import { proveImpossible } from '../../solver/index.ts';
-import { proveBy } from '../../solver/proofs/prove.ts';
+import { proveBy } from '../../solver/prove/prove.ts';
 import { expectDeep } from '../depth.ts';
 import { real } from '../real.ts';
 import { type Look, lingering, type Player, watch } from './watched-play.ts';

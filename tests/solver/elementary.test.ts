@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { normalQuantile } from '../../solver/difficulty/player/normal-quantile.ts';
-import { exponential, logarithm } from '../../solver/elementary.ts';
-import { normalBeyondHalf } from '../../solver/robustness/index.ts';
+import { exponential, logarithm } from '../../solver/measure/difficulty/player/elementary.ts';
+import { normalQuantile } from '../../solver/measure/difficulty/player/normal-quantile.ts';
+import { normalBeyondHalf } from '../../solver/measure/robustness/index.ts';
 
 describe('the portable exponential and logarithm', () => {
   it('agree with those of the machine', () => {

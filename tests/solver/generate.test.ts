@@ -11,8 +11,6 @@ import {
   OBJECT_LISTS,
   readLevel,
 } from '../../schema/index.ts';
-import { specOf } from '../../solver/generate/generator-spec.ts';
-import { layOut } from '../../solver/generate/layout.ts';
 import {
   certify,
   createGenerator,
@@ -22,6 +20,8 @@ import {
   varietyOf,
   verifyRun,
 } from '../../solver/index.ts';
+import { specOf } from '../../solver/make/generate/generator-spec.ts';
+import { layOut } from '../../solver/make/generate/layout.ts';
 import { createRandom } from '../../solver/random.ts';
 import { expectDeep, isDeep, isHunt, itDeep } from '../depth.ts';
 import { once } from '../once.ts';

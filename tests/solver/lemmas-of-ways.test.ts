@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { TICK } from '../../engine/index.ts';
 import { type Level, NO_OBJECTS, rulesOf } from '../../schema/index.ts';
-import { swingDrift } from '../../solver/proofs/swing-drift.ts';
+import { swingDrift } from '../../solver/prove/swing-drift.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
 import { expectDeep } from '../depth.ts';
 import { continuousNames } from '../engine/accuracies.ts';

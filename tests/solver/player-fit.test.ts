@@ -2,8 +2,6 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { observe } from '../../check/plays/index.ts';
 import { compile, joinHolds } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
-import { Evidence } from '../../solver/difficulty/player/evidence.ts';
-import { practiceTable, timeRun } from '../../solver/difficulty/player/timing.ts';
 import {
   fitPlayers,
   type ObservedAttempt,
@@ -13,6 +11,8 @@ import {
   UNCALIBRATED,
   verifyRun,
 } from '../../solver/index.ts';
+import { Evidence } from '../../solver/measure/difficulty/player/evidence.ts';
+import { practiceTable, timeRun } from '../../solver/measure/difficulty/player/timing.ts';
 import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;

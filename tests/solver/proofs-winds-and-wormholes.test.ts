@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { ACCURACIES, type AccuracyName, compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type About, type Proof, proveBy, proveImpossible, verifyProof } from '../../solver/index.ts';
-import type { Prover } from '../../solver/proofs/proof.ts';
+import type { Prover } from '../../solver/prove/proof.ts';
 import { isDeep } from '../depth.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 

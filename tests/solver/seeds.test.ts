@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
-import { createSolverSession } from '../../solver/solve/solver-session.ts';
+import { createSolverSession } from '../../solver/search/solve/solver-session.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 
 const scene = compile(plainLevel());

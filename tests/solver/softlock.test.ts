@@ -14,7 +14,7 @@ import {
 } from '../../engine/index.ts';
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
-import { createLongProof, levelFrom, proveLost } from '../../solver/softlock/prove-lost.ts';
+import { createLongProof, levelFrom, proveLost } from '../../solver/measure/softlock/prove-lost.ts';
 import { describeDeep, itDeep } from '../depth.ts';
 import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { DEFAULT_RULES } from '../../schema/index.ts';
-import { type SwingStretch, swingDrift } from '../../solver/proofs/swing-drift.ts';
+import { type SwingStretch, swingDrift } from '../../solver/prove/swing-drift.ts';
 import { expectDeep } from '../depth.ts';
 
 const RANGE = 250;

@@ -1,3 +1,3 @@
 export { type Command, type Commands, createCommands, type Destination, findDestinations, needsOf } from './commands.ts';
 export { followGamepads, listenToPads } from './gamepads.ts';
-export { keyLabel, keyLabels, listenToKeys } from './keyboard.ts';
+export { isModKey, keyLabel, keyLabels, listenToKeys } from './keyboard.ts';

@@ -13,6 +13,15 @@ function takesText(target: EventTarget | null): boolean {
 /** Whether a modifier that makes commands is held. Shift does not count: it types capitals and moves the focus backwards. */
 const isChord = (event: KeyboardEvent): boolean => event.ctrlKey || event.metaKey || event.altKey;
 
+/**
+ * Whether a key is pressed with Ctrl or ⌘ and no other modifier: with Shift it may be the key of a command.
+ * @param key as in `key` of the event, in lower case
+ */
+export const isModKey = (
+  event: Pick<KeyboardEvent, 'ctrlKey' | 'metaKey' | 'shiftKey' | 'altKey' | 'key'>,
+  key: string,
+): boolean => (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && event.key.toLowerCase() === key;
+
 /** Text fields use Ctrl or ⌘ with keys for editing; a select does not. */
 function belongsToText(event: KeyboardEvent): boolean {
   if (!takesText(event.target)) return false;

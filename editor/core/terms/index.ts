@@ -21,8 +21,6 @@ export const termsInWords = (terms: PageTerms): string =>
     ? `at ${terms.shown.accuracy.name}; gq check here: ${terms.folder.accuracy.name}`
     : terms.folder.accuracy.name;
 
-export { accuracyNameOf } from '../../workers/index.ts';
-
 /** The terms of the page. */
 export interface PageTerms {
   /** Those of the folder, under which `gq check` judges its levels. */

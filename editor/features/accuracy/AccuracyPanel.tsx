@@ -6,8 +6,8 @@ import { useEditor, usePageTerms, usePageTheme, useProof } from '../../core/cont
 import { pixels } from '../../core/figures/index.ts';
 import { Progress, Section } from '../../core/panel/index.ts';
 import { playsAlike } from '../../core/proof/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import './accuracy.css';
 import { drawSettings } from './diagram.ts';
 import { NAMES, type NamedResult } from './named-results.ts';

@@ -1,9 +1,9 @@
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { folderTermsIn } from '../../core/files/index.ts';
 import { keepAsRun, keepHolds, makeProof } from '../../core/levels/index.ts';
+import { copyPlay, copyPlayLink, type SharedPlay, savePlay } from '../../core/plays/index.ts';
 import { hashNow } from '../../core/shelf/index.ts';
 import type { MenuEntry } from '../../core/tree/index.ts';
-import { copyPlay, copyPlayLink, type SharedPlay, savePlay } from '../plays/index.ts';
 import { type AttemptRow, replayOf } from './attempt-rows.ts';
 
 /** Shows a replay of a row over the canvas. */

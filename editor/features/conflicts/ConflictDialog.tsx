@@ -5,8 +5,8 @@ import { formatLevel, type LevelFile, type Problem } from '../../../schema/index
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../../core/context/index.ts';
 import { folderOf, readStored } from '../../core/files/index.ts';
 import { addLevels, openListed, stemOf } from '../../core/levels/index.ts';
+import { TextDialog } from '../../core/panel/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
-import { TextDialog } from '../levels/index.ts';
 import { diffLines } from './line-diff.ts';
 import { valueInWords } from './value-in-words.ts';
 

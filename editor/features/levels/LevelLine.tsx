@@ -15,7 +15,7 @@ import {
 } from '../../core/levels/index.ts';
 import { isOtherAccuracy } from '../../core/terms/index.ts';
 import { MoreButton } from '../../core/tree/index.ts';
-import { useVerdict } from '../solver/index.ts';
+import { useVerdict } from '../../core/verdict/index.ts';
 
 /** The thumbnail and the verdict of a listed level, made while its row is visible. */
 function useThumbnail(entry: LevelEntry): { readonly url: string | null; readonly verdict: ListedVerdict } {

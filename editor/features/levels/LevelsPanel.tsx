@@ -2,9 +2,11 @@ import { FilePlus2, LayoutGrid, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
+import { isModKey } from '../../core/commands/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { errorInWords } from '../../core/files/index.ts';
 import { deleteLevel, duplicateLevel, followSaves, openListed } from '../../core/levels/index.ts';
+import { TextDialog } from '../../core/panel/index.ts';
 import { Tree } from '../../core/tree/index.ts';
 import { Button, focusHome } from '../../core/ui/index.ts';
 import { FolderLine } from './FolderLine.tsx';
@@ -15,7 +17,6 @@ import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
 import { NoLevels } from './NoLevels.tsx';
 import { RenameDialog } from './RenameDialog.tsx';
-import { TextDialog } from './TextDialog.tsx';
 
 /** px */
 const rowHeight = ({ entry }: LevelRow) => (entry === null ? 28 : 54);
@@ -58,11 +59,10 @@ export function LevelsPanel() {
   };
   const onKey = (event: KeyboardEvent, { entry }: LevelRow): boolean => {
     if (entry === null) return false;
-    const mod = event.ctrlKey || event.metaKey;
     if (event.key === 'F2') setRenamed(entry.id);
     else if (event.key === 'Delete' || event.key === 'Backspace') void deleteLevel(editor, entry);
-    else if (mod && event.key.toLowerCase() === 'd') void duplicateLevel(editor, entry);
-    else if (mod && event.key.toLowerCase() === 'c') void copyPath(editor, entry.file);
+    else if (isModKey(event, 'd')) void duplicateLevel(editor, entry);
+    else if (isModKey(event, 'c')) void copyPath(editor, entry.file);
     else return false;
     return true;
   };

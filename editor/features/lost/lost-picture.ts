@@ -1,8 +1,8 @@
 import { STATE_SIZE } from '../../../engine/index.ts';
 import type { Ghost } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
 import type { Loss, LostKnown, LostMoment } from '../../workers/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import { type LostFindings, lossKey } from './lost-store.ts';
 import { type LostSquare, squaresOf } from './squares.ts';
 

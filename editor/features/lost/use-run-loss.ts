@@ -1,7 +1,7 @@
 import { useStore } from 'zustand';
 import { useLevel, useProof } from '../../core/context/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
 import type { Loss } from '../../workers/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import { lossKey, lostOf } from './lost-store.ts';
 
 /** Since when the shown run is lost; null if it completes the level or nothing is known. */

@@ -6,8 +6,7 @@ import type { OpenLevel } from '../../core/context/index.ts';
 import { isWhole } from '../../core/proof/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import { hashNow, shelfOf } from '../../core/shelf/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
-import { jobs } from '../../workers/index.ts';
+import { accuracyNameOf, jobs } from '../../workers/index.ts';
 import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
 
 /** Shows or hides the shade. */

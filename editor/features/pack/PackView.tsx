@@ -4,8 +4,8 @@ import { addChapter, moveEntries, removeEntries, setChapter } from '../../../che
 import type { LevelEntry, PackFile, Problem } from '../../../schema/index.ts';
 import { useEditor, useSession, useTouch } from '../../core/context/index.ts';
 import { editPack, listHistoryOf, openListed } from '../../core/levels/index.ts';
+import { TextDialog } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { TextDialog } from '../levels/index.ts';
 import { countOf, type Move, moveByKey, moveInWords, placesOf } from './card-order.ts';
 import { type Filter, isFiltered, NO_FILTER, passes } from './filter.ts';
 import './pack.css';

@@ -2,7 +2,7 @@ import { type RefObject, useCallback, useEffect, useRef, useState } from 'react'
 import { encodePlay, playOf } from '../../../game/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
 import { type OpenLevel, useEditor, useLevel, useSession } from '../../core/context/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import { type PlayFrames, playFrames } from './play-frames.ts';
 import { createPlaytest, type Playtest } from './playtest.ts';
 

@@ -1,10 +1,10 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import { conflictProblems, type LevelFile, type Problem } from '../../../schema/index.ts';
-import { useDocument, useLevel, useProofAtRest } from '../../core/context/index.ts';
+import { useDocument, useEditor, useLevel, useProofAtRest } from '../../core/context/index.ts';
 import { problemsInWords, type SaveState } from '../../core/files/index.ts';
-import { type LiveProof, toldProblems } from '../../core/proof/index.ts';
-import { checkedOf, useSolverSession } from '../solver/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
+import { evidenceOf, problemsKnown } from '../../core/verdict/index.ts';
 import { keepSame } from './kept.ts';
 
 /**
@@ -37,7 +37,7 @@ const problemsOfMerge = (file: LevelFile): Problem[] =>
 /** The errors and warnings of the level, including what a worker has proved about it; updated once the level rests. */
 export function useProblems(): readonly Problem[] {
   const known = useProofAtRest(knownOf, REST);
-  const { proofs, checks } = useSolverSession();
+  const { proofs, checks } = evidenceOf(useEditor(), useLevel());
   const proved = useStore(proofs.store);
   const checked = useStore(checks.store);
   const { opened, document } = useLevel();
@@ -46,7 +46,7 @@ export function useProblems(): readonly Problem[] {
   const last = useRef<readonly Problem[]>([]);
   return useMemo(() => {
     const ofMerge = conflicts === undefined ? [] : problemsOfMerge({ ...document.file(), conflicts });
-    const all = [...problemsOfFile(opened.id(), state), ...ofMerge, ...toldProblems(known, checkedOf(known, checked), proved)];
+    const all = [...problemsOfFile(opened.id(), state), ...ofMerge, ...problemsKnown(known, checked, proved)];
     last.current = keepSame(last.current, all);
     return last.current;
   }, [known, proved, checked, opened, document, conflicts, state]);

@@ -1,6 +1,7 @@
 import { Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
+import { isModKey } from '../../core/commands/index.ts';
 import { useDocument, useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { PlayButton } from '../../core/panel/index.ts';
 import { type MenuEntry, Tree } from '../../core/tree/index.ts';
@@ -53,7 +54,7 @@ export function RunsPanel() {
     if (event.key === 'F2') setRenamed(row.key);
     else if (event.key === 'Delete' || event.key === 'Backspace') goOn(changes.remove(row));
     else if (event.key === 'c' && !event.ctrlKey && !event.metaKey) compare(row.key);
-    else if (event.key.toLowerCase() === 'd' && (event.ctrlKey || event.metaKey)) goOn(changes.duplicate(row.key));
+    else if (isModKey(event, 'd')) goOn(changes.duplicate(row.key));
     else return false;
     return true;
   };

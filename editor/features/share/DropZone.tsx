@@ -2,8 +2,8 @@ import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useEditor } from '../../core/context/index.ts';
 import { folderOf } from '../../core/files/index.ts';
+import { droppedFiles, openPlayFiles } from '../../core/plays/index.ts';
 import { isPlayFile } from '../../core/shelf/index.ts';
-import { droppedFiles, openPlayFiles } from '../plays/index.ts';
 import { IMPORT_TOPIC, importFiles } from './import-files.ts';
 
 const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') === true;

@@ -4,7 +4,7 @@ import { levelsOfPack, type RefusedLevel } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
 import { downloadFile, fetchGame, singlePage, slugOf } from '../../core/exchange/index.ts';
 import { errorInWords, folderPackIn, problemInWords } from '../../core/files/index.ts';
-import { accuracyNameOf } from '../../core/terms/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import { collectLevels } from './collect-levels.ts';
 
 /** What is published, and as what. */

@@ -1,9 +1,7 @@
-import type { Editor, OpenLevel } from '../../core/context/index.ts';
-import { type CheckWatch, watchChecks } from './check-watch.ts';
+import { ofLevel } from '../../core/context/index.ts';
 import { createDifficultySession, type DifficultySession } from './difficulty-session.ts';
 import { createFixSession, type FixSession } from './fix-session.ts';
 import { createOverlay, type OverlayStore } from './overlay.ts';
-import { type ProofWatch, watchProofs } from './proof-watch.ts';
 import { type RobustnessWatch, watchRobustness } from './robustness-watch.ts';
 import { createSearchSession, type SearchSession } from './search-session.ts';
 import { createSearchSettings, type SearchSettingsStore } from './search-settings.ts';
@@ -15,38 +13,25 @@ export interface SolverSession {
   readonly robustness: RobustnessWatch;
   readonly difficulty: DifficultySession;
   readonly fixes: FixSession;
-  readonly proofs: ProofWatch;
-  readonly checks: CheckWatch;
   readonly overlay: OverlayStore;
+  close(): void;
 }
 
-const sessions = new WeakMap<OpenLevel, SolverSession>();
-
-/** The solver session of an open level, created on first use; it ends when another level is opened. */
-export function solverSessionOf({ desk, session, open }: Editor, level: OpenLevel): SolverSession {
-  const known = sessions.get(level);
-  if (known !== undefined) return known;
-  const { proof } = level;
+/** The searches and measurements of an open level. */
+export const solverSessionOf = ofLevel<SolverSession>(({ desk, session }, level) => {
   const settings = createSearchSettings();
   const overlay = createOverlay();
   const search = createSearchSession({ level, session, desk, settings, overlay, now: () => performance.now() });
   const robustness = watchRobustness({ level, desk });
-  const proofs = watchProofs({ proof, desk });
-  const checks = watchChecks({ proof, desk });
   const difficulty = createDifficultySession({ level, desk, settings });
   const fixes = createFixSession({ level, session, desk, settings });
-  const solver: SolverSession = { settings, search, robustness, difficulty, fixes, proofs, checks, overlay };
-  sessions.set(level, solver);
-  const stop = open.subscribe((current) => {
-    if (current === level) return;
-    stop();
-    sessions.delete(level);
-    search.close();
-    robustness.close();
-    difficulty.close();
-    fixes.close();
-    proofs.close();
-    checks.close();
-  });
-  return solver;
-}
+  return {
+    ...{ settings, search, robustness, difficulty, fixes, overlay },
+    close() {
+      search.close();
+      robustness.close();
+      difficulty.close();
+      fixes.close();
+    },
+  };
+});

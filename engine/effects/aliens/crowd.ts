@@ -1,7 +1,6 @@
 import type { SpatialIndex } from '../../indexed-circles.ts';
 import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
-import { ascending } from './ascending.ts';
-import { MANY_AWAKE, MARGIN, MeetingsOfMany, NOBODY } from './meetings-of-many.ts';
+import { ascending, MANY_AWAKE, MARGIN, MeetingsOfMany, NOBODY } from './meetings-of-many.ts';
 
 const { AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;

@@ -1,5 +1,4 @@
 import { ALERTNESS, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
-import { ascending } from './ascending.ts';
 
 const { AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
@@ -194,3 +193,10 @@ export class MeetingsOfMany {
     return (k) => partners(k).map((other) => awake[other]);
   }
 }
+
+/** Above this length, a typed array is sorted sooner. */
+const SHORT = 64;
+
+/** Indices, ascending. The list may be changed. */
+export const ascending = (found: number[]): ArrayLike<number> =>
+  found.length > SHORT ? Int32Array.from(found).sort() : found.sort((a, b) => a - b);

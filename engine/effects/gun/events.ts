@@ -1,11 +1,9 @@
 import { eachTargetNear, eventRule, justFired, offer, quietWithin, rockDistanceToNear } from '../../events/index.ts';
 import { distanceSquared, GOES_ON, LINEAR, MEETINGS, type Motion, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
-import { centreTime, meetingTime } from './centre.ts';
-import { putInCentre } from './meeting.ts';
-import { skipPeriods } from './periods.ts';
-import { recordTarget } from './target.ts';
-import { countSwitch, quietUntilSwitch, switchTime } from './target-switch.ts';
+import { centreTime, meetingTime, putInCentre } from './line.ts';
+import { skipPeriods } from './orbits.ts';
+import { countSwitch, quietUntilSwitch, recordTarget, switchTime } from './target.ts';
 
 const { TARGET, COVER, KIND, MEETS, LAST_EVENT, LAST_A } = SLOTS;
 const { NOT, AHEAD, BEHIND } = MEETINGS;

@@ -13,7 +13,24 @@ import {
   taylorStep,
 } from '../../motion/index.ts';
 
-const { START, FIELD, BASE, BASE_X, BASE_Y, KIND, TURN, DEGREE, LIMIT_X, LIMIT_Y, NEXT, LENGTH_H, ACCELERATION } = SLOTS;
+const {
+  START,
+  FIELD,
+  BASE,
+  BASE_X,
+  BASE_Y,
+  KIND,
+  TURN,
+  DEGREE,
+  LIMIT_X,
+  LIMIT_Y,
+  NEXT,
+  LENGTH_H,
+  ACCELERATION,
+  AWAKE_COUNT,
+  CROSSED,
+  CROSSED_BEFORE,
+} = SLOTS;
 const { TURN_NOT } = TURNS;
 const { ROCK } = RECORDS;
 
@@ -52,7 +69,7 @@ export function isTiny(m: Motion, room = 1): boolean {
 }
 
 /** Time to the next tick, s; at a tick 0, since the button may still change at it. */
-export function untilTick(time: number): number {
+function untilTick(time: number): number {
   const n = Math.floor(time * TICK_RATE + 1e-9);
   return (time > n / TICK_RATE ? n + 1 : n) / TICK_RATE - time;
 }
@@ -123,7 +140,7 @@ function power(c: number, q: number, n: number): [number, number] {
  * `period` s, unless something could happen meanwhile.
  * @returns whether it did
  */
-export function driftsBy(m: Motion, time: number, period: number): boolean {
+function driftsBy(m: Motion, time: number, period: number): boolean {
   const { ux, uy, px, py, kappa } = m;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]);
   // pulled to one side for half a period and to the other for the next half
@@ -269,4 +286,23 @@ function orbitPeriod(m: Motion, a: number, strength: number): number {
     y[1] = e[3];
   }
   return 0;
+}
+
+/**
+ * She swings on a line through the centre, faster than the ticks. After two crossings everything but the time is as before, so
+ * whole periods are skipped up to the next tick.
+ */
+export function skipPeriods(m: Motion): void {
+  const { s } = m;
+  const period = s[CROSSED] > 0 ? s[START] - s[CROSSED_BEFORE] : 0;
+  if (s[CROSSED_BEFORE] > 0 && period > 0 && s[AWAKE_COUNT] === 0) {
+    const skipped = Math.floor(untilTick(s[START]) / period) - 1;
+    if (skipped > 0 && (!m.recoil || driftsBy(m, skipped * period, period))) {
+      s[START] += skipped * period;
+      m.modeSeconds[m.mode] += skipped * period;
+      s[CROSSED] += skipped * period;
+    }
+  }
+  s[CROSSED_BEFORE] = s[CROSSED];
+  s[CROSSED] = s[START];
 }

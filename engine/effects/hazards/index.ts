@@ -1,7 +1,6 @@
 import { eachTargetNear, eventRule, listTouching, offerContact, quietOutside, rockDistanceToNear } from '../../events/index.ts';
 import { placeCircle, placeRock } from '../../motion/index.ts';
-import { whereAny } from '../count.ts';
-import type { Effect, EngineEffect } from '../effect.ts';
+import { type Effect, type EngineEffect, whereAny } from '../effect.ts';
 
 const touchNova = eventRule({
   name: 'nova',

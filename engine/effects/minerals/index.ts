@@ -1,7 +1,6 @@
 import { eventRule, listTouching, offerContact, quietOutside } from '../../events/index.ts';
 import { GOES_ON, type Motion, placeCircle, SLOTS } from '../../motion/index.ts';
-import { whereAny } from '../count.ts';
-import type { EngineEffect } from '../effect.ts';
+import { type EngineEffect, whereAny } from '../effect.ts';
 
 const { MINERALS } = SLOTS;
 

@@ -1,3 +1,4 @@
 // apart, so that a game without repulsors need not load what they do
-export { letGoTime } from './let-go.ts';
+
 export { repulsor } from './repulsor.ts';
+export { letGoTime } from './slide-ends.ts';

@@ -1,12 +1,9 @@
 import { TICK } from '../../constants.ts';
-import { circlesOverlap } from '../../contact/index.ts';
-import type { FrameRule } from '../../frames/index.ts';
+import { circlesOverlap } from '../../contact.ts';
+import type { FrameRule } from '../../frames.ts';
 import { type CentralForce, rebase, SLOTS } from '../../motion/index.ts';
-import { whereAny } from '../count.ts';
-import type { EngineEffect } from '../effect.ts';
-import { changeFields, enterFields } from './fields.ts';
-import { comeOffRim, enterField, followRim, leaveField } from './rims.ts';
-import { setRim } from './slide.ts';
+import { type EngineEffect, whereAny } from '../effect.ts';
+import { changeFields, comeOffRim, enterField, enterFields, followRim, leaveField, setRim } from './fields.ts';
 
 const { FIELD } = SLOTS;
 

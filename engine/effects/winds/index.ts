@@ -1,13 +1,12 @@
 import type { Level } from '../../../schema/basics/index.ts';
 import { TICK } from '../../constants.ts';
 import { eventRule, listRims, quietAtRim } from '../../events/index.ts';
-import type { Frame, FrameRule } from '../../frames/index.ts';
+import type { Frame, FrameRule } from '../../frames.ts';
 import { circlesOf, type IndexedCircles, type Indexing, indexed } from '../../indexed-circles.ts';
 import { GOES_ON, type Motion, SLOTS, type SteadyForce } from '../../motion/index.ts';
 import type { Scene } from '../../scene.ts';
-import { whereAny } from '../count.ts';
-import type { EngineEffect } from '../effect.ts';
-import { countCrossing, ENTERING, OUTSIDE, offerCrossing, placeInCircle } from '../rims/index.ts';
+import { type EngineEffect, whereAny } from '../effect.ts';
+import { countCrossing, ENTERING, OUTSIDE, offerCrossing, placeInCircle } from '../rims.ts';
 
 /** The winds of a scene: discs, and the acceleration in each, px/s². */
 interface Winds extends IndexedCircles {

@@ -1,13 +1,12 @@
 import type { Level } from '../../../schema/basics/index.ts';
 import { TICK } from '../../constants.ts';
 import { eventRule, listRims, quietAtRim } from '../../events/index.ts';
-import type { FrameRule } from '../../frames/index.ts';
+import type { FrameRule } from '../../frames.ts';
 import { circlesOf, type IndexedCircles, type Indexing, indexed } from '../../indexed-circles.ts';
 import { GOES_ON, type Motion, moveBy, SLOTS } from '../../motion/index.ts';
 import type { Scene } from '../../scene.ts';
-import { whereAny } from '../count.ts';
-import type { EngineEffect } from '../effect.ts';
-import { countCrossing, offerCrossing, roundingOnRim } from '../rims/index.ts';
+import { type EngineEffect, whereAny } from '../effect.ts';
+import { countCrossing, offerCrossing, roundingOnRim } from '../rims.ts';
 
 /** All mouths of a scene, as discs: the mouth of wormhole `w` at (x, y) is disc 2 w, the one at (toX, toY) is disc 2 w + 1. */
 function mouthsOf(level: Level, indexing: Indexing): IndexedCircles {

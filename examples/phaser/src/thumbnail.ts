@@ -14,7 +14,8 @@ const HER_RADIUS = 20;
 
 const COLOURS = GAME_COLOURS.dark;
 
-interface Circle {
+/** What an object covers, px of the level. */
+interface Rim {
   readonly x: number;
   readonly y: number;
   readonly radius: number;
@@ -26,7 +27,7 @@ type Drawing = KindDrawing<never>;
 /** The game draws her by her box; here she is as round as the others. */
 const HER: Drawing = { ...DRAWINGS.astronaut, parts: () => [{ texture: 'astronaut', depth: 9 }] };
 
-type Drawn = readonly [drawing: Drawing, circle: Circle, key?: string];
+type Drawn = readonly [drawing: Drawing, circle: Rim, key?: string];
 
 function drawnOf(level: Level): Drawn[] {
   const mouths = level.wormholes.flatMap((hole) => [hole, { ...hole, x: hole.toX, y: hole.toY }]);

@@ -1,5 +1,5 @@
 import type { GameObjects } from 'phaser';
-import { type ObjectKind, placesIn } from '../../../schema/basics/index.ts';
+import { type Disc, type ObjectKind, type Place, placesIn } from '../../../schema/basics/index.ts';
 import { DRAWINGS, type KindDrawing, type Part, TEXTURE_UNIT } from '../../drawing/index.ts';
 import type { Draw, SkinStage } from '../skin.ts';
 import { colouredTexture } from '../skin-texture.ts';
@@ -14,11 +14,6 @@ export function colouredImage(stage: SkinStage, texture: string, colour: string,
   return stage.scene.add.image(0, 0, colouredTexture(stage.scene, texture, colour)).setDepth(depth);
 }
 
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
 /** The images of the parts of an object at a place. */
 export function imagesOf(stage: SkinStage, parts: readonly Part[], { x, y }: Place, radius: number): GameObjects.Image[] {
   return parts.map(({ texture, depth, scale = 1, offset, rotation = 0 }) =>
@@ -30,7 +25,7 @@ export function imagesOf(stage: SkinStage, parts: readonly Part[], { x, y }: Pla
 }
 
 /** Draws objects of a kind that stay where they are; they may turn. */
-export function drawKind(kind: ObjectKind): Draw<Place & { readonly radius: number }> {
+export function drawKind(kind: ObjectKind): Draw<Disc> {
   const { parts, spin }: KindDrawing = DRAWINGS[kind] as KindDrawing;
   return (stage, object, index) => {
     const figures = placesIn(kind, object).map((place) => imagesOf(stage, parts(object), place, object.radius));

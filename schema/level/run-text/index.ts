@@ -1,3 +1,2 @@
-export { formatRunText } from './format-run-text.ts';
 export { type ReadRunTextOptions, readRunText } from './read-run-text.ts';
-export type { RunScript, RunTextPlace, RunTextReading, RunTextRemark } from './run-script.ts';
+export { formatRunText, type RunScript, type RunTextPlace, type RunTextReading, type RunTextRemark } from './run-script.ts';

@@ -1,4 +1,4 @@
-import { LINE_BREAK } from '../notes.ts';
+import { LINE_BREAK } from '../shape.ts';
 import type { RunTextPlace, RunTextReading } from './run-script.ts';
 
 type Mistake = Extract<RunTextReading, { readonly ok: false }>;

@@ -1,5 +1,5 @@
 import { TICK } from '../../../engine/index.ts';
-import type { OrbitGrid, Orbits } from '../../proofs/index.ts';
+import type { OrbitGrid, Orbits } from '../../prove/index.ts';
 import { farFromLimit } from '../assumptions.ts';
 import type { Claim } from '../claim.ts';
 import { isCount, isFrom } from '../turned-scene.ts';

@@ -1,4 +1,4 @@
-import type { OrbitGrid } from '../../proofs/index.ts';
+import type { OrbitGrid } from '../../prove/index.ts';
 import { Boxes, SIZE } from './boxes.ts';
 import type { Drifts } from './drifts.ts';
 import { leastProduct, mostProduct } from './intervals.ts';

@@ -1,4 +1,4 @@
-import type { OrbitGrid } from '../../proofs/index.ts';
+import type { OrbitGrid } from '../../prove/index.ts';
 import { cosineAndSine } from './angles.ts';
 import { SIZE } from './boxes.ts';
 import type { Drifts } from './drifts.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { LineTrap } from '../../../solver/proofs/index.ts';
+import type { LineTrap } from '../../../solver/prove/index.ts';
 import { at, levelWith, ORIGIN, spot, whyNot } from './near-miss.ts';
 
 // She falls to the right through an asteroid at 60 px. From 128 px on another one is equally near and pulls her down to the

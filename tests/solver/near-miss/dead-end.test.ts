@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { DeadEnd, LineTrap } from '../../../solver/proofs/index.ts';
+import type { DeadEnd, LineTrap } from '../../../solver/prove/index.ts';
 import { type Asked, at, FRAMES, levelWith, nearMisses, ORIGIN, RANGE, spot, whyNot as whyNotBy } from './near-miss.ts';
 
 // She falls to the right through an asteroid at 60 px. From 128 px on another one is equally near and pulls her down to the

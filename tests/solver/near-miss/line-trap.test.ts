@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../../engine/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { Drift, LineEnd } from '../../../solver/proofs/index.ts';
+import type { Drift, LineEnd } from '../../../solver/prove/index.ts';
 import { type Asked, at, BOX, FRAMES, hot, levelWith, nearMisses, ORIGIN, PULL, RANGE, spot, whyNot } from './near-miss.ts';
 
 // She falls along the line through the asteroid; lengths along it are from the start. All lines here are slanted unless it

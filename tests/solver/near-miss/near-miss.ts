@@ -11,9 +11,9 @@ import {
   type Proof,
   verifyProof,
 } from '../../../solver/index.ts';
-import { followFan } from '../../../solver/proofs/fan.ts';
-import { followPipes } from '../../../solver/proofs/pipe.ts';
-import { settingOf, thingOf } from '../../../solver/proofs/setting.ts';
+import { followFan } from '../../../solver/prove/fan.ts';
+import { followPipes } from '../../../solver/prove/pipe.ts';
+import { settingOf, thingOf } from '../../../solver/prove/setting.ts';
 import { isHunt } from '../../depth.ts';
 
 // The game's numbers from its description and not from the sources: the two must agree.

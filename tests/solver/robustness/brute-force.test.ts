@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, joinHolds, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { certify, findSlack, measureRobustness, successProbability } from '../../../solver/index.ts';
-import { createTrials, drawShift, judgeAll, shiftHolds, tickNoise, uniformOf } from '../../../solver/robustness/index.ts';
+import { createTrials, drawShift, judgeAll, shiftHolds, tickNoise, uniformOf } from '../../../solver/measure/robustness/index.ts';
 import { expectDeep } from '../../depth.ts';
 import { fallThrough } from '../search/solvable-levels.ts';
 import { ANY, arbitraryRun, type Found, succeeds } from './scenes.ts';

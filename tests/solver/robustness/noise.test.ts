@@ -1,8 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createRandom } from '../../../solver/index.ts';
-import { drawShift, extremeNoise, normalBeyondHalf, shiftHolds, tickNoise, uniformOf } from '../../../solver/robustness/index.ts';
-import { wilsonInterval } from '../../../solver/robustness/wilson.ts';
+import {
+  drawShift,
+  extremeNoise,
+  normalBeyondHalf,
+  shiftHolds,
+  tickNoise,
+  uniformOf,
+} from '../../../solver/measure/robustness/index.ts';
+import { wilsonInterval } from '../../../solver/measure/robustness/wilson.ts';
 import { arbitraryHolds } from '../../engine/arbitrary-level.ts';
 
 describe('the normal distribution', () => {

@@ -2,9 +2,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE } from '../../../engine/index.ts';
 import { createRandom, createSearch } from '../../../solver/index.ts';
-import { Frontier } from '../../../solver/search/frontier.ts';
-import { Guide, NO_WAY, WayMap } from '../../../solver/search/guide.ts';
-import { LineOfFlight } from '../../../solver/search/line-of-flight.ts';
+import { Frontier } from '../../../solver/search/explore/frontier.ts';
+import { Guide, NO_WAY, WayMap } from '../../../solver/search/explore/guide.ts';
+import { LineOfFlight } from '../../../solver/search/explore/line-of-flight.ts';
 import { plainLevel } from '../../engine/plain-level.ts';
 import { arbitraryOrdinaryLevel, fallThrough } from './solvable-levels.ts';
 

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { compile, DEFAULT_MAX_TICKS, simulate } from '../../../engine/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../../schema/index.ts';
 import { createSearch, proveImpossible } from '../../../solver/index.ts';
-import { Lingering } from '../../../solver/search/lingering.ts';
-import { Reports } from '../../../solver/search/reports.ts';
+import { Lingering } from '../../../solver/search/explore/lingering.ts';
+import { Reports } from '../../../solver/search/explore/reports.ts';
 import { type Candidate, createReplay } from '../../../solver/verified-run.ts';
 import { real } from '../../real.ts';
 

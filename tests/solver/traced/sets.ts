@@ -1,14 +1,14 @@
 import { TICK } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import { type FanGrid, type OrbitGrid, type PipeGrid, type Proof, proofPicture } from '../../../solver/index.ts';
-import { isEasyFor, recoilBlur } from '../../../solver/proofs/assumptions.ts';
-import { startAxis } from '../../../solver/proofs/doomed.ts';
-import { followFan } from '../../../solver/proofs/fan.ts';
-import { mayFlow } from '../../../solver/proofs/flowpipe.ts';
-import { followOrbits } from '../../../solver/proofs/orbits/index.ts';
-import { NUMBERS } from '../../../solver/proofs/orbits/layer.ts';
-import { DIRECTIONS, followPipes, type Pipe } from '../../../solver/proofs/pipe.ts';
-import { settingOf, thingOf } from '../../../solver/proofs/setting.ts';
+import { isEasyFor, recoilBlur } from '../../../solver/prove/assumptions.ts';
+import { startAxis } from '../../../solver/prove/doomed.ts';
+import { followFan } from '../../../solver/prove/fan.ts';
+import { mayFlow } from '../../../solver/prove/flowpipe.ts';
+import { followOrbits } from '../../../solver/prove/orbits/index.ts';
+import { NUMBERS } from '../../../solver/prove/orbits/layer.ts';
+import { DIRECTIONS, followPipes, type Pipe } from '../../../solver/prove/pipe.ts';
+import { settingOf, thingOf } from '../../../solver/prove/setting.ts';
 import type { Moment } from './moments.ts';
 
 /** Sets that a prover computed, one after the other, each of which is to contain every state of play at its tick. */

@@ -1,3 +1,0 @@
-export { countCrossing, roundingOnRim } from './chatter.ts';
-export { offerCrossing } from './cross.ts';
-export { ENTERING, OUTSIDE, placeInCircle } from './inside.ts';

@@ -1,3 +1,0 @@
-export { mergeSolutions } from './merge-solutions.ts';
-export type { Objective, Solution } from './solution.ts';
-export { createSolver, type SolveOptions, type Solver } from './solver.ts';
