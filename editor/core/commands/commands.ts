@@ -1,4 +1,5 @@
-import type { PadButton } from './gamepads.ts';
+/** A button of a gamepad with a name; the stick counts as the directions. */
+export type PadButton = 'A' | 'Select' | 'Start' | 'Up' | 'Down' | 'Left' | 'Right';
 
 /** An action that can be started from the palette, with its keys, or with a button of a gamepad. */
 export interface Command {

@@ -1,11 +1,8 @@
-import { type Commands, needsOf } from './commands.ts';
+import { type Commands, needsOf, type PadButton } from './commands.ts';
 import { MODAL } from './keyboard.ts';
 
 /** Buttons of the standard gamepad layout that start commands, by index: https://www.w3.org/TR/gamepad/#remapping */
-const INDICES = { A: 0, Select: 8, Start: 9, Up: 12, Down: 13, Left: 14, Right: 15 } as const;
-
-/** A button of a gamepad with a name; the stick counts as the directions. */
-export type PadButton = keyof typeof INDICES;
+const INDICES: Readonly<Record<PadButton, number>> = { A: 0, Select: 8, Start: 9, Up: 12, Down: 13, Left: 14, Right: 15 };
 
 /** The face buttons, shoulders and triggers hold the gun, as in the game; the others are for menus. */
 const LAST_GUN_BUTTON = 7;

@@ -1,7 +1,14 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type LevelFile, readLevel } from '../../../schema/index.ts';
 import { applyPatches, type EditedLevel, normalize } from '../document/index.ts';
-import { createMemoryStore, type JournalEntry, type JournalStore, type Kept } from './journal-store.ts';
+import {
+  createMemoryStore,
+  failureOf,
+  type JournalEntry,
+  type JournalState,
+  type JournalStore,
+  type Kept,
+} from './journal-store.ts';
 import { type DiskState, keepLevel, type LevelJournal } from './level-journal.ts';
 
 export interface Journal {
@@ -144,32 +151,4 @@ function recoveryOf(found: Kept): Recovery | null {
   const isFile = (read: LevelFile | null) => read !== null;
   const sent = [...(found.base.sent ?? []).map(fileOf), found.tip === null ? null : start, ...files].filter(isFile);
   return { base: { file: base, etag: found.base.etag, sent }, file, labels, time: found.time, lost };
-}
-
-/** Whether work is kept, as the user sees it. */
-export type JournalState =
-  | { readonly kind: 'working' }
-  /** nothing outlives this page */
-  | { readonly kind: 'missing'; readonly message: string; readonly hint: string }
-  /** the last changes could not be kept; retried with every change */
-  | { readonly kind: 'failing'; readonly message: string; readonly hint: string };
-
-/** Whether the database is full. */
-export const isQuota = (error: unknown): boolean => error instanceof Error && error.name === 'QuotaExceededError';
-
-/** The state of the journal after a failure of its database. */
-export function failureOf(error: unknown): JournalState {
-  if (isQuota(error)) {
-    return {
-      kind: 'failing',
-      message: 'the browser has no room left to keep your changes until they are saved',
-      hint: 'save the level, free some space on the disk, or clear the data of other sites',
-    };
-  }
-  const why = error instanceof Error ? error.message : String(error);
-  return {
-    kind: 'failing',
-    message: `the browser could not keep your changes until they are saved: ${why}`,
-    hint: 'save the level now',
-  };
 }
