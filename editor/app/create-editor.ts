@@ -3,7 +3,7 @@ import type { LevelFile } from '../../schema/index.ts';
 import { after, afterRest } from '../core/ask/index.ts';
 import { attemptsAt } from '../core/attempts/index.ts';
 import { createCommands } from '../core/commands/index.ts';
-import { type Analysis, attemptGhosts, type Editor, type OpenLevel } from '../core/context/index.ts';
+import { type Analysis, attemptGhosts, type Editor, type OpenLevel, putGhosts } from '../core/context/index.ts';
 import { createSelection, type ObjectKey } from '../core/document/index.ts';
 import { createOpeningMarks, createWorkspace, type OpenedLevel, pageSurroundings, tabName } from '../core/files/index.ts';
 import { openFirst, openHeldBack } from '../core/levels/index.ts';
@@ -44,10 +44,7 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
     terms.subscribe((now, before) => {
       if (now.shown !== before.shown) proof.setTerms(now.shown);
     }),
-    attempts.store.subscribe((all) => {
-      const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
-      ghosts.setState([...others, ...attemptGhosts(all)], true);
-    }),
+    attempts.store.subscribe((all) => putGhosts(ghosts, 'attempt', attemptGhosts(all))),
   ];
   session.setState({
     run: null,

@@ -3,7 +3,7 @@ import { createEditedLevel, setLevelProperty } from '../../editor/core/document/
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { createFixSession } from '../../editor/features/solver/fix-session.ts';
-import { createSearchSettings } from '../../editor/features/solver/search-settings.ts';
+import { createSearchSettings } from '../../editor/features/solver/search-task.ts';
 import type { Fixing, JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/runner.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { moveObjects, type ObjectKey, objectsOf, replaceHolds, setLevelProperty } from '../../editor/core/document/index.ts';
-import { aliveInWords } from '../../editor/features/alive/alive-words.ts';
+import { aliveInWords } from '../../editor/features/alive/index.ts';
 import { formatLevel, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
 import '../fast-check.ts';
 import { aliveStage, outcomeOf } from './alive-stage.ts';

@@ -31,7 +31,7 @@ import {
   setRadius,
 } from '../../editor/core/document/index.ts';
 import { TOOLS } from '../../editor/core/session/index.ts';
-import { withoutEffect } from '../../editor/features/effects/without.ts';
+import { withoutEffect } from '../../editor/features/effects/survey.ts';
 import { fieldsOf } from '../../editor/features/inspector/fields.ts';
 import { objectRows } from '../../editor/features/outliner/object-rows.ts';
 import { boxOf, EFFECTS } from '../../engine/index.ts';

@@ -4,7 +4,7 @@ import { createEditedLevel, moveObjects, setLevelProperty } from '../../editor/c
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
-import type { AliveState } from '../../editor/features/alive/alive-state.ts';
+import type { AliveState } from '../../editor/features/alive/index.ts';
 import { type MendSession, mendSessionOf, watchMend } from '../../editor/features/mend/watch-mend.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/runner.ts';

@@ -5,8 +5,15 @@ import { describe, expect, it } from 'vitest';
 import { createEditedLevel, resetRules, setRule } from '../../editor/core/document/index.ts';
 import { NO_FOLDER_TERMS, withKeptTerms } from '../../editor/core/files/folder-terms.ts';
 import { createProofStore, createProver } from '../../editor/core/proof/index.ts';
-import { positionOf, SLIDER_END, stepOf, valueAt } from '../../editor/features/inspector/rule-scale.ts';
-import { originOf, ruleLabel, ruleValues } from '../../editor/features/inspector/rule-values.ts';
+import {
+  originOf,
+  positionOf,
+  ruleLabel,
+  ruleValues,
+  SLIDER_END,
+  stepOf,
+  valueAt,
+} from '../../editor/features/inspector/index.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {

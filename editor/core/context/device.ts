@@ -39,7 +39,7 @@ export const useCoarse = (): boolean => useMedia(COARSE);
 export const FINGER = 44;
 
 /** Whether keys are written as on a Mac. */
-export const IS_MAC = /Mac|iP(hone|ad|od)/.test(navigator.userAgent);
+export const IS_MAC = /Mac|iP(hone|ad|od)/.test(globalThis.navigator?.userAgent ?? '');
 
 function followTheme(listener: () => void): () => void {
   const observer = new MutationObserver(listener);

@@ -113,3 +113,10 @@ export function attemptGhosts(attempts: readonly Attempt[]): Ghost[] {
     .slice(-SHOWN)
     .map(({ number, points }) => ({ id: `attempt-${number}`, label: `attempt ${number}`, points, look: 'attempt' }));
 }
+
+/** Replaces the ghosts of one look; those of other looks stay. */
+export function putGhosts(ghosts: StoreApi<readonly Ghost[]>, look: Ghost['look'], wanted: readonly Ghost[]): void {
+  const now = ghosts.getState();
+  const others = now.filter((ghost) => ghost.look !== look);
+  if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
+}

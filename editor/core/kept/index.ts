@@ -7,3 +7,9 @@ export function keptWith<K extends object, V>(make: (owner: K) => V): (owner: K)
     return known;
   };
 }
+
+/** What stays with an open level as long as its document is in use, also while another level is open: made when first asked for. */
+export function ofDocument<V>(make: () => V): (level: { readonly document: object }) => V {
+  const at = keptWith<object, V>(make);
+  return ({ document }) => at(document);
+}

@@ -30,6 +30,14 @@ export interface Way {
   readonly last: Float64Array;
 }
 
+/** Her path, copied: x, y in px at every tick and at the end. The arrays of a way are overwritten by the next one. */
+export function pathOf({ states, count, last }: Way): Float32Array {
+  const points = new Float32Array(2 * count + 2);
+  for (let k = 0; k < count; k++) points.set(states.subarray(STATE_SIZE * k, STATE_SIZE * k + 2), 2 * k);
+  points.set(last.subarray(0, 2), 2 * count);
+  return points;
+}
+
 /** The result of a run. */
 export interface Marched {
   readonly way: Way;

@@ -4,7 +4,7 @@ import { levelHash, type Play, type PlayVerdict, playToText } from '../../../gam
 import type { Level } from '../../../schema/index.ts';
 import { causeInWords } from '../attempts/index.ts';
 import type { OpenLevel } from '../context/index.ts';
-import { keptWith } from '../kept/index.ts';
+import { keptWith, ofDocument } from '../kept/index.ts';
 
 /** A play that was opened from outside, and what it turned out to be. */
 export interface OpenedPlay {
@@ -82,10 +82,8 @@ export function createShelf(): Shelf {
   };
 }
 
-const shelfAt = keptWith<object, Shelf>(createShelf);
-
 /** The opened plays of a level; they stay while the page lives, also when another level is opened in the meantime. */
-export const shelfOf = ({ document }: Pick<OpenLevel, 'document'>): Shelf => shelfAt(document);
+export const shelfOf = ofDocument(createShelf);
 
 /** Side of a square of the map, px: about the width of the astronaut. */
 const SIDE = 24;

@@ -7,8 +7,7 @@ import { plural } from '../../core/figures/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { type OnTimeline, toX } from '../../timeline/index.ts';
 import { comparedOf } from './compared.ts';
-import { compareOrTell, showCompared } from './show-compared.ts';
-import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
+import { type ComparedRow, compareOrTell, showCompared, useComparedRows } from './compared-rows.ts';
 import './compare.css';
 
 /** px of a button, and a gap */

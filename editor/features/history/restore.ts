@@ -1,8 +1,10 @@
 import { takeBack } from '../../../review/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { OpenLevel } from '../../core/context/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { nameOf, objectsOf } from '../../core/document/index.ts';
-import type { DifferencePart } from './differences.ts';
+import { folderOf } from '../../core/files/index.ts';
+import { addLevels, copyOf } from '../../core/levels/index.ts';
+import type { DifferencePart } from './use-comparison.ts';
 
 /** What was done; or why not, and nothing has changed. */
 export type Restored = { readonly ok: true } | { readonly ok: false; readonly why: string };
@@ -64,4 +66,11 @@ export function takeBackParts(level: OpenLevel, before: LevelFile, after: LevelF
     throw error;
   }
   return replaced(level, parts.length === 1 ? `Take back: ${parts[0].words}` : `Take back ${parts.length} changes`, file);
+}
+
+/** Makes a new level file of a version and opens it. @returns whether it was made; a refusal is shown as a notice */
+export async function openAsCopy(editor: Editor, id: string, file: LevelFile): Promise<boolean> {
+  const levels = editor.workspace.store.getState().list?.levels ?? [];
+  const { stem, name } = copyOf(levels, id, file.name);
+  return (await addLevels(editor, folderOf(id), [{ stem, file: { ...file, name } }])).length > 0;
 }
