@@ -327,7 +327,7 @@ describe('whatever is done, in any order', () => {
           else document.change('Rename', setLevelProperty('name', `${document.labels().length}`));
           const { start } = last;
           if (start === null) continue;
-          const now = document.settledFile();
+          const now = document.committedFile();
           for (const run of now.runs ?? []) {
             const former = start.runs?.find(({ name }) => name === run.name);
             if (JSON.stringify(run) !== JSON.stringify(former)) expect(outcomeOf(now, run.name)).toBe('completed');

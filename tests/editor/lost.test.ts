@@ -16,7 +16,7 @@ import {
 import { LOST_SQUARE, lostPictureOf, squaresOf } from '../../editor/features/lost/lost-picture.ts';
 import { watchLost } from '../../editor/features/lost/watch-lost.ts';
 import type { JobKind, Losing, Loss, Losses, LostMoment, Requests } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';

@@ -46,7 +46,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
   const store = onionOf(level);
   const former = createFormerSlack(desk, robustness);
   const isOn = () => session.getState().layers.onion;
-  const isInHand = () => document.settledFile() !== document.file();
+  const isInHand = () => document.committedFile() !== document.file();
   /** The shown run of the level at rest, and what it was before the last step. */
   let settled: FormerRun | null = null;
   let last: FormerRun | null = null;
@@ -108,7 +108,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
     if (!isOn()) return;
     const now = proof.proof();
     if (isInHand()) {
-      if (settled !== null && settled.file === document.settledFile() && !playsLike(settled, now)) show(settled, 'held');
+      if (settled !== null && settled.file === document.committedFile() && !playsLike(settled, now)) show(settled, 'held');
       return;
     }
     const before = settled;
