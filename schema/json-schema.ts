@@ -95,6 +95,8 @@ export const formatLockJsonSchema = (): string => text(lockJsonSchema());
  * @param name the name of the command
  * @returns the JSON Schema, indented by two spaces
  */
-export const formatReportJsonSchema = (name: ReportName): string => text(reportJsonSchema(name));
+export function formatReportJsonSchema(name: ReportName): string {
+  return text(reportJsonSchema(name));
+}
 
 const text = (schema: object): string => `${JSON.stringify(schema, null, 2)}\n`;
