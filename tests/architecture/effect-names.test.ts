@@ -23,8 +23,7 @@ function filesThatName(kind: string, many = `${kind}s`): string[] {
 
 /** Where a kind of object and its effect may be named: its own files, and a line or two in the tables. */
 const mayName = (kind: string): string[] => [
-  `editor/canvas/kinds/${kind}.ts`,
-  'editor/canvas/kinds/index.ts',
+  'editor/canvas/kinds.ts',
   'engine/effects/index.ts',
   'engine/effects/order.ts',
   'engine/effects/parts.ts',

@@ -11,15 +11,15 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-  files: { goal: 1150, now: 1495 },
+  files: { goal: 1150, now: 1204 },
   /** their lines */
-  lines: { goal: 121_000, now: 131_690 },
+  lines: { goal: 121_000, now: 130_960 },
   /** lines of a file in the median, at least */
-  median: { goal: 80, now: 68 },
+  median: { goal: 80, now: 91 },
   /** % of files under 30 lines */
-  short: { goal: 20, now: 22.2 },
+  short: { goal: 20, now: 14.1 },
   /** faces that forward one file */
-  faces: { goal: 0, now: 12 },
+  faces: { goal: 0, now: 0 },
   /** lines of bench/ */
   bench: { goal: 9500, now: 9290 },
 } as const;

@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { LOOKS } from '../../editor/features/compare/looks.ts';
+import { LOOKS } from '../../editor/features/compare/racers.ts';
 import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { complaintsAbout } from './axe.ts';

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
-import { poseAt } from '../../editor/canvas/run-pose.ts';
+import { linesOf } from '../../editor/canvas/layers/way-layer.ts';
+import { poseAt } from '../../editor/canvas/picture.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { everyTick, wayOf } from '../../editor/features/solver/ways.ts';
+import { pathOfHolds } from '../../editor/features/solver/ghosts.ts';
+import { everyTick } from '../../editor/features/solver/robustness-watch.ts';
 import { compile, DEFAULT_TERMS, TICK } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
@@ -28,7 +29,7 @@ const longest = (lines: ReturnType<typeof linesOf>): number =>
 describe.each(accuracyNames)('the lines of a ghost at %s', (accuracy) => {
   it.each([20, 60, 300, 900])('are interrupted where a wormhole moves her at %d px/s', (vx) => {
     const scene = compile(through(vx), accuracy);
-    const points = wayOf(scene, [], Math.round((200 / vx) * 60));
+    const points = pathOfHolds(scene, [], Math.round((200 / vx) * 60));
     const lines = linesOf(points);
     expect(lines).toHaveLength(2);
     // a segment has three ticks
@@ -41,7 +42,7 @@ describe.each(accuracyNames)('the lines of a ghost at %s', (accuracy) => {
   it('are one line without jumps, however she flies', () => {
     for (let seed = 0; seed < 150; seed++) {
       const { level, holds } = randomScene(seed);
-      const points = wayOf(compile(level, accuracy), holds, 300);
+      const points = pathOfHolds(compile(level, accuracy), holds, 300);
       const lines = linesOf(points);
       expect({ seed, lines: lines.length }).toEqual({ seed, lines: 1 });
       // all of it is drawn, except the rest of the last segment

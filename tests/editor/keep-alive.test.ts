@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { moveObjects, type ObjectKey, objectsOf, replaceHolds, setLevelProperty } from '../../editor/core/document/index.ts';
-import { aliveInWords } from '../../editor/features/alive/alive-words.ts';
+import { aliveInWords } from '../../editor/features/alive/index.ts';
 import { formatLevel, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
 import '../fast-check.ts';
 import { itQuick } from '../depth.ts';
@@ -328,7 +328,7 @@ describe('whatever is done, in any order', () => {
           else document.change('Rename', setLevelProperty('name', `${document.labels().length}`));
           const { start } = last;
           if (start === null) continue;
-          const now = document.settledFile();
+          const now = document.committedFile();
           for (const run of now.runs ?? []) {
             const former = start.runs?.find(({ name }) => name === run.name);
             if (JSON.stringify(run) !== JSON.stringify(former)) expect(outcomeOf(now, run.name)).toBe('completed');

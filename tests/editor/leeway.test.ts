@@ -11,7 +11,6 @@ import {
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
-import { leewayOf } from '../../editor/features/leeway/leeway-store.ts';
 import {
   meaningInWords,
   movedInWords,
@@ -20,7 +19,7 @@ import {
   samplingInWords,
 } from '../../editor/features/leeway/leeway-words.ts';
 import { isOnlyMoved, type Question, type Seen } from '../../editor/features/leeway/question.ts';
-import { watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
+import { leewayOf, watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
 import { type Leeway, MOST_REACH, type Reach, type Requests } from '../../editor/workers/index.ts';
 import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';

@@ -4,14 +4,19 @@ import { createAttempts } from '../../editor/core/attempts/attempts.ts';
 import { createEditedLevel, setLevelProperty } from '../../editor/core/document/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
-import { briefLossInWords, lossInWords, lostFromInWords, sinceInWords } from '../../editor/features/lost/loss-words.ts';
-import { lostPictureOf } from '../../editor/features/lost/lost-picture.ts';
-import { lossKey, lostOf } from '../../editor/features/lost/lost-store.ts';
-import { lostInWords } from '../../editor/features/lost/lost-words.ts';
-import { LOST_SQUARE, squaresOf } from '../../editor/features/lost/squares.ts';
+import {
+  briefLossInWords,
+  lossInWords,
+  lossKey,
+  lostFromInWords,
+  lostInWords,
+  lostOf,
+  sinceInWords,
+} from '../../editor/features/lost/index.ts';
+import { LOST_SQUARE, lostPictureOf, squaresOf } from '../../editor/features/lost/lost-picture.ts';
 import { watchLost } from '../../editor/features/lost/watch-lost.ts';
 import type { JobKind, Losing, Loss, Losses, LostMoment, Requests } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';

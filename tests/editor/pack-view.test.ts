@@ -9,11 +9,17 @@ import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { findLevelFiles } from '../../cli/find/index.ts';
 import { checkPackFile } from '../../cli/pack-file/index.ts';
 import { folderPackIn, inOrderOfPack } from '../../editor/core/files/folder-pack.ts';
-import { moveByKey } from '../../editor/features/pack/card-order.ts';
-import { curveOf, heightOf } from '../../editor/features/pack/curve.ts';
-import { effectsOf, isFiltered, NO_FILTER, passes } from '../../editor/features/pack/filter.ts';
-import { spotAfter } from '../../editor/features/pack/focus-step.ts';
-import { type Card, modelOf, type ShownGrade } from '../../editor/features/pack/pack-model.ts';
+import { moveByKey, spotAfter } from '../../editor/features/pack/card-order.ts';
+import { curveOf, heightOf } from '../../editor/features/pack/PackCurve.tsx';
+import {
+  type Card,
+  effectsOf,
+  isFiltered,
+  modelOf,
+  NO_FILTER,
+  passes,
+  type ShownGrade,
+} from '../../editor/features/pack/pack-model.ts';
 import type { LevelFacts } from '../../editor/workers/index.ts';
 import { thumbnailWork } from '../../editor/workers/jobs/thumbnail.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';

@@ -1,11 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { timeInTurns } from '../../editor/core/figures/index.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { drawSettings } from '../../editor/features/accuracy/diagram.ts';
+import { drawSettings } from '../../editor/features/accuracy/measured-settings.ts';
 import { compareNamed, NAMES, type NamedResult } from '../../editor/features/accuracy/named-results.ts';
-import { otherEndOf } from '../../editor/features/accuracy/other-accuracy.ts';
-import { savingOf } from '../../editor/features/effects/time-effects.ts';
-import { costOf, withoutEffect } from '../../editor/features/effects/without.ts';
+import { otherEndOf } from '../../editor/features/accuracy/OtherAccuracy.tsx';
+import { costOf, savingOf, withoutEffect } from '../../editor/features/effects/survey.ts';
 import { compile, DEFAULT_TERMS, EFFECTS, simulate, termsOf } from '../../engine/index.ts';
 import { METHODS } from '../../engine/work-precision/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';

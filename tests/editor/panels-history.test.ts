@@ -3,12 +3,17 @@ import { describe, expect, it } from 'vitest';
 import type { OpenLevel } from '../../editor/core/context/index.ts';
 import { createEditedLevel, moveObjects } from '../../editor/core/document/index.ts';
 import type { Version } from '../../editor/core/versions/index.ts';
-import { type Difference, differencesBetween } from '../../editor/features/history/differences.ts';
-import { historyRows } from '../../editor/features/history/history-rows.ts';
-import { formatHistory, readHistory } from '../../editor/features/history/history-text.ts';
+import { formatHistory, readHistory } from '../../editor/features/history/history-file.ts';
 import { restoreVersion, takeBackParts } from '../../editor/features/history/restore.ts';
-import { stepsInWords } from '../../editor/features/history/version-words.ts';
-import { agoInWords, clockTime, dayInWords, momentInWords } from '../../editor/features/history/when.ts';
+import { type Difference, differencesBetween } from '../../editor/features/history/use-comparison.ts';
+import {
+  agoInWords,
+  clockTime,
+  dayInWords,
+  historyRows,
+  momentInWords,
+  stepsInWords,
+} from '../../editor/features/history/version-rows.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';
 import { arbitraryFile } from './arbitrary-file.ts';

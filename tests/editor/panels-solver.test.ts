@@ -10,11 +10,10 @@ import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { watchProofs } from '../../editor/core/verdict/evidence.ts';
 import { createDifficultySession } from '../../editor/features/solver/difficulty-session.ts';
-import { createOverlay } from '../../editor/features/solver/overlay.ts';
-import { watchRobustness } from '../../editor/features/solver/robustness-watch.ts';
-import { createSearchSession } from '../../editor/features/solver/search-session.ts';
-import { aimOf, createSearchSettings, goalOf } from '../../editor/features/solver/search-settings.ts';
-import { everyTick, wayOf } from '../../editor/features/solver/ways.ts';
+import { pathOfHolds } from '../../editor/features/solver/ghosts.ts';
+import { everyTick, watchRobustness } from '../../editor/features/solver/robustness-watch.ts';
+import { createOverlay, createSearchSession } from '../../editor/features/solver/search-session.ts';
+import { aimOf, createSearchSettings, goalOf } from '../../editor/features/solver/search-task.ts';
 import type { JobEnd, Solving } from '../../editor/workers/index.ts';
 import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
@@ -297,14 +296,14 @@ describe('paths of ghosts', () => {
   it('are her positions at every tick', () => {
     const { scene, holds } = stage();
     const run = simulate(scene, holds);
-    const points = wayOf(scene, holds);
+    const points = pathOfHolds(scene, holds);
     const state = new Float64Array(STATE_SIZE);
     for (let tick = 0; tick <= run.tick; tick += 7) {
       run.trajectory.at(tick * TICK, state);
       expect(Math.hypot(points[2 * tick] - state[0], points[2 * tick + 1] - state[1])).toBeLessThan(1e-3);
     }
     expect(points.at(-2)).toBeCloseTo(run.final.x, 2);
-    expect(wayOf(scene, holds, 10)).toEqual(points.slice(0, 22));
+    expect(pathOfHolds(scene, holds, 10)).toEqual(points.slice(0, 22));
   });
 
   it('are interpolated along straight lines between sparse points', () => {

@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { createPlaytest, type Playtest } from '../../editor/features/play/playtest.ts';
-import { createReplay } from '../../editor/features/play/replay.ts';
+import { createPlaytest, createReplay, type Playtest } from '../../editor/features/play/playtest.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK_RATE } from '../../engine/index.ts';
 import { type Hold, type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
 

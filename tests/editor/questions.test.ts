@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
 import type { Asked, Desk, Question } from '../../editor/core/ask/index.ts';
 import { createAttempts } from '../../editor/core/attempts/attempts.ts';
@@ -14,11 +14,10 @@ import { createProofStore, type LiveProof, slackQuestion } from '../../editor/co
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
 import { checkQuestion, proofQuestion } from '../../editor/core/verdict/evidence.ts';
-import { accuracyQuestion } from '../../editor/features/accuracy/use-measured.ts';
+import { accuracyQuestion } from '../../editor/features/accuracy/measured-settings.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';
-import { comparedOf } from '../../editor/features/compare/compared.ts';
-import { trajectoryQuestion } from '../../editor/features/compare/watch-compared.ts';
+import { comparedOf, trajectoryQuestion } from '../../editor/features/compare/compared.ts';
 import { comparisonQuestion } from '../../editor/features/history/use-comparison.ts';
 import { leewayQuestion } from '../../editor/features/leeway/watch-leeway.ts';
 import { lossesQuestion, lostQuestion } from '../../editor/features/lost/watch-lost.ts';
@@ -27,19 +26,13 @@ import { gradeQuestion } from '../../editor/features/pack/grades.ts';
 import { difficultyQuestion } from '../../editor/features/solver/difficulty-session.ts';
 import { fixQuestion } from '../../editor/features/solver/fix-session.ts';
 import { fanQuestion, robustnessQuestion } from '../../editor/features/solver/robustness-watch.ts';
-import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-jobs.ts';
+import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-task.ts';
 import { createWorkers, type WorkerPort } from '../../editor/workers/index.ts';
-import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
+import type { FromWorker, ToWorker } from '../../editor/workers/workers.ts';
 import { ACCURACIES, DEFAULT_TERMS, type Terms } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';
 import { SWING } from './swing-level.ts';
-
-// what modules of the page look at when they are loaded
-vi.hoisted(() => {
-  vi.stubGlobal('navigator', { userAgent: '' });
-  vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => {}, removeEventListener: () => {} }));
-});
 
 const OTHER_TERMS: Terms = { ...DEFAULT_TERMS, accuracy: ACCURACIES.arcade };
 

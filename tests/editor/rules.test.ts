@@ -5,8 +5,15 @@ import { describe, expect, it } from 'vitest';
 import { createEditedLevel, resetRules, setRule } from '../../editor/core/document/index.ts';
 import { NO_FOLDER_TERMS, withKeptTerms } from '../../editor/core/files/folder-terms.ts';
 import { createProofStore, createProver } from '../../editor/core/proof/index.ts';
-import { positionOf, SLIDER_END, stepOf, valueAt } from '../../editor/features/inspector/rule-scale.ts';
-import { originOf, ruleLabel, ruleValues } from '../../editor/features/inspector/rule-values.ts';
+import {
+  originOf,
+  positionOf,
+  ruleLabel,
+  ruleValues,
+  SLIDER_END,
+  stepOf,
+  valueAt,
+} from '../../editor/features/inspector/index.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
@@ -99,7 +106,7 @@ describe('the proof', () => {
       expect(shown(proof)).toEqual(end({ ...SWING, rules: { pull } }));
     }
     expect(proof.proof().verdict).toBe('broken');
-    expect(level.settledFile().rules).toBeUndefined();
+    expect(level.committedFile().rules).toBeUndefined();
     gesture.commit();
     expect([level.labels(), level.file().rules]).toEqual([['Set pull'], { pull: 46 }]);
     level.undo();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { createSearchSettings } from '../../editor/features/solver/search-settings.ts';
-import type { SearchState } from '../../editor/features/solver/search-state.ts';
-import { askedInWords, standingOf } from '../../editor/features/solver/standing.ts';
+import type { SearchState } from '../../editor/features/solver/search-session.ts';
+import { createSearchSettings } from '../../editor/features/solver/search-task.ts';
+import { askedInWords, standingOf } from '../../editor/features/solver/search-words.ts';
 
 const settings = createSearchSettings().getState();
 const NOBODY = { meets: null, completes: null };

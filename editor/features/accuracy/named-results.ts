@@ -1,8 +1,11 @@
+import { useEffect, useState } from 'react';
 import type { RunEnd } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName, compile, createSimulation, maxTicksOf, type Terms } from '../../../engine/index.ts';
 import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
-import { type TurnsOptions, timeInTurns } from '../../core/figures/index.ts';
+import { useLevel } from '../../core/context/index.ts';
+import { nextTurn, type TurnsOptions, timeInTurns } from '../../core/figures/index.ts';
+import { type PlayedFile, playsAlike } from '../../core/proof/index.ts';
 import { termsAt } from '../../core/terms/index.ts';
 
 /** The result of a run at a named setting. */
@@ -32,16 +35,78 @@ export function* compareNamed(level: Level, terms: Terms, holds: readonly Hold[]
 }
 
 /** Microseconds per simulated second, by the name of the setting. */
-export type Costs = ReadonlyMap<AccuracyName, number>;
+type Costs = ReadonlyMap<AccuracyName, number>;
 
 /** The cost of the named settings on a run, timed in turns; the minimum of the rounds counts. @returns null if aborted */
-export async function costsOfNamed(
-  level: Level,
-  terms: Terms,
-  holds: readonly Hold[],
-  options: TurnsOptions,
-): Promise<Costs | null> {
+async function costsOfNamed(level: Level, terms: Terms, holds: readonly Hold[], options: TurnsOptions): Promise<Costs | null> {
   const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], maxTicksOf(terms)));
   const samples = await timeInTurns(players, options);
   return samples && new Map(NAMES.map((name, i) => [name, Math.min(...samples[i])]));
+}
+
+/** ms without a change before a run is compared again */
+const SETTLE = 200;
+/** ms after the comparison before the costs are measured */
+const CALM = 300;
+
+interface NamedResults {
+  readonly results: readonly NamedResult[];
+  /** null until they are measured */
+  readonly costs: Costs | null;
+  /** Whether all results belong to the current run. */
+  readonly isFresh: boolean;
+}
+
+/** Compares the named settings on the shown run, in small steps so that the page stays responsive. */
+export function useNamedResults(): NamedResults {
+  const { proof } = useLevel();
+  const [state, setState] = useState<NamedResults>({ results: [], costs: null, isFresh: false });
+  useEffect(() => {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    let last: (PlayedFile & { readonly holds: string; readonly maxTime: number }) | null = null;
+    let abort = new AbortController();
+    const measure = async () => {
+      const { level, terms, run } = proof.proof();
+      const { signal } = abort;
+      const costs = await costsOfNamed(level, terms, run.holds, { now: () => performance.now(), pause: nextTurn, signal });
+      if (costs !== null) setState((state) => ({ ...state, costs }));
+    };
+    const compare = () => {
+      const { level, terms, run, limit } = proof.proof();
+      if (limit !== null) return;
+      const steps = compareNamed(level, terms, run.holds);
+      const results: NamedResult[] = [];
+      const step = () => {
+        const next = steps.next();
+        if (next.done === true) {
+          setState({ results, costs: null, isFresh: true });
+          timer = setTimeout(() => void measure(), CALM);
+          return;
+        }
+        results.push(next.value);
+        timer = setTimeout(step, 0);
+      };
+      step();
+    };
+    const look = () => {
+      const { file, level, terms, run } = proof.proof();
+      const holds = run.holds.join();
+      if (last !== null && last.holds === holds && last.maxTime === terms.maxTime && playsAlike(last, { file, level })) return;
+      const wait = last === null ? 0 : SETTLE;
+      last = { file, level, holds, maxTime: terms.maxTime };
+      clearTimeout(timer);
+      abort.abort();
+      abort = new AbortController();
+      setState(({ results }) => ({ results, costs: null, isFresh: false }));
+      timer = setTimeout(compare, wait);
+    };
+    look();
+    const stop = proof.store.subscribe(look);
+    return () => {
+      stop();
+      abort.abort();
+      clearTimeout(timer);
+    };
+  }, [proof]);
+  return state;
 }

@@ -1,7 +1,16 @@
-import { compile, joinHolds } from '../../../engine/index.ts';
+import {
+  compile,
+  createSimulation,
+  joinHolds,
+  maxTicksOf,
+  playScript,
+  type Scene,
+  WorkBudget,
+  WorkLimitReached,
+} from '../../../engine/index.ts';
 import { type Hold, isSame, type LevelFile, OBJECT_LISTS, resolveLevel, SINGLE_KINDS } from '../../../schema/index.ts';
-import { isWhole, type LiveProof } from '../../core/proof/index.ts';
-import { replayed } from './replayed.ts';
+import type { EditedLevel, StepMark } from '../../core/document/index.ts';
+import { isWhole, type LiveProof, MOST_WORK, type ProofStore } from '../../core/proof/index.ts';
 
 /** A run that completed the level, as it was before a change. */
 export interface Former {
@@ -55,3 +64,75 @@ export const isSameGame = (a: LevelFile, b: LevelFile): boolean =>
   isAlike(a.rules, b.rules) &&
   SINGLE_KINDS.every((kind) => isAlike(a[kind], b[kind])) &&
   OBJECT_LISTS.every((list) => isAlike(a[list], b[list]));
+
+/** How a run that completes a level does so. */
+interface Completion {
+  readonly tick: number;
+  /** Indices of the collected minerals. */
+  readonly minerals: readonly number[];
+}
+
+/**
+ * Plays a run from the start, with no more work than a frame has room for.
+ * @param holds sorted and disjoint
+ * @returns null if it does not complete the level, or takes too much work
+ */
+export function replayed(scene: Scene, holds: readonly Hold[]): Completion | null {
+  try {
+    const simulation = createSimulation(scene, new WorkBudget(MOST_WORK));
+    playScript(simulation, holds, maxTicksOf(scene.terms));
+    const { ending } = simulation;
+    if (ending?.outcome !== 'completed') return null;
+    const minerals = Array.from({ length: scene.minerals.count }, (_, i) => i).filter((i) => simulation.isCollected(i));
+    return { tick: ending.tick, minerals };
+  } catch (error) {
+    if (error instanceof WorkLimitReached) return null;
+    throw error;
+  }
+}
+
+/** The holds that were put in place of the author's within one step, by run. */
+export interface ReplacedHolds {
+  /** @param start the level before the step */
+  note(start: LevelFile, run: string, holds: readonly Hold[]): void;
+  /**
+   * Puts back the runs of the author whose new holds do not complete the level any more: a step leaves a run as it was, or
+   * completes the level with it. Runs that something else has changed since are left alone.
+   * @returns the names of these runs
+   */
+  putBack(start: LevelFile, step: StepMark): string[];
+}
+
+const runIn = ({ runs }: LevelFile, name: string) => runs?.find((run) => run.name === name);
+
+const inShort = (holds: readonly Hold[] = []): string => joinHolds(holds).join();
+
+export function createReplacedHolds(document: EditedLevel, proof: ProofStore): ReplacedHolds {
+  let of: LevelFile | null = null;
+  const replaced = new Map<string, string>();
+  const follow = (start: LevelFile) => {
+    if (of !== start) replaced.clear();
+    of = start;
+  };
+  const isLost = (name: string): boolean =>
+    inShort(runIn(document.file(), name)?.holds) === replaced.get(name) && !completesNow(proof.proof(), name);
+  return {
+    note(start, run, holds) {
+      follow(start);
+      replaced.set(run, inShort(holds));
+    },
+    putBack(start, step) {
+      follow(start);
+      const lost = [...replaced.keys()].filter(isLost);
+      for (const name of lost) {
+        replaced.delete(name);
+        // with its notes, which had followed the holds
+        document.amend(step, (draft) => {
+          const [own, i] = [runIn(start, name), draft.runs?.findIndex((run) => run.name === name) ?? -1];
+          if (own !== undefined && draft.runs !== undefined && i >= 0) draft.runs[i] = own;
+        });
+      }
+      return lost;
+    },
+  };
+}

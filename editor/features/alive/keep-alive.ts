@@ -3,15 +3,21 @@ import type { Hold, LevelFile } from '../../../schema/index.ts';
 import type { Retimed } from '../../../solver/index.ts';
 import type { Desk } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
-import { type DocumentEvent, replaceHolds, type StepMark } from '../../core/document/index.ts';
-import { isWhole, type LiveProof } from '../../core/proof/index.ts';
+import { type DocumentEvent, type EditedLevel, replaceHolds, type StepMark } from '../../core/document/index.ts';
+import { isWhole, type LiveProof, type ProofStore } from '../../core/proof/index.ts';
 import type { SettingsStore } from '../../core/settings/index.ts';
-import { type AliveState, aliveOf } from './alive-state.ts';
-import { type Former, formerOf, isSameGame } from './former.ts';
-import { createReplacedHolds } from './replaced-holds.ts';
-import { replayed } from './replayed.ts';
-import { rescueOthers } from './rescue-others.ts';
-import { type Answer, createHoldSeeker, WITHIN } from './seek-holds.ts';
+import {
+  completesNow,
+  createReplacedHolds,
+  type Former,
+  formerOf,
+  isSameGame,
+  othersOf,
+  type ReplacedHolds,
+  replayed,
+} from './former.ts';
+import { type AliveState, aliveOf, type Surviving } from './index.ts';
+import { type Answer, createHoldSeeker, type HoldSeeker, WITHIN } from './seek-holds.ts';
 
 /** Turns it on or off. */
 export const ALIVE_KEY = 'Shift+k';
@@ -213,4 +219,51 @@ export function keepAlive({ level, settings, desk }: AliveParts): () => void {
     stop();
     if (isBroken()) document.gesture()?.also(null);
   };
+}
+
+/** Ticks that are simulated for each run. */
+const EFFORT_OF_OTHERS = 1_000_000;
+
+/** So many runs are kept alive at most. */
+const MOST_OTHERS = 4;
+
+interface RescueParts {
+  readonly document: EditedLevel;
+  readonly proof: ProofStore;
+  readonly seeker: HoldSeeker;
+  readonly replaced: ReplacedHolds;
+}
+
+/**
+ * Keeps runs besides the shown one alive that a step has broken, one after the other, and extends the step.
+ * @param start the level before the step
+ * @param shown the name of the shown run; null if it did not complete the level before
+ * @param hear called at the end, unless something else was done since; null: no other run was broken
+ */
+function rescueOthers(
+  { document, proof, seeker, replaced }: RescueParts,
+  { start, shown, step }: { readonly start: LevelFile; readonly shown: string | null; readonly step: StepMark },
+  hear: (surviving: Surviving | null) => void,
+): void {
+  const all = othersOf(start, shown, proof.proof());
+  const broken = all.filter(({ name }) => !completesNow(proof.proof(), name));
+  const names = [...all.map(({ name }) => name), ...(shown === null ? [] : [shown])];
+  const next = (i: number) => {
+    const former = broken[i];
+    if (former === undefined || i === MOST_OTHERS) {
+      const complete = names.filter((name) => completesNow(proof.proof(), name)).length;
+      hear(broken.length === 0 ? null : { complete, of: names.length });
+      return;
+    }
+    seeker.ask({ former, warm: null, effort: EFFORT_OF_OTHERS, certifies: false }, ({ best, isLast }) => {
+      if (!isLast || document.lastStep() !== step) return;
+      const holds = best?.holds ?? null;
+      if (holds !== null && replayed(proof.proof().scene, joinHolds(holds)) !== null) {
+        const { ok } = document.amend(step, replaceHolds(former.name, holds));
+        if (ok) replaced.note(start, former.name, holds);
+      }
+      next(i + 1);
+    });
+  };
+  next(0);
 }

@@ -1,9 +1,11 @@
+import { useEffect, useMemo } from 'react';
+import { useStore } from 'zustand';
 import type { StoreApi } from 'zustand/vanilla';
 import { type Desk, keepAnswers, question } from '../../core/ask/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
-import { attemptGhosts, type Ghost } from '../../core/context/index.ts';
+import { attemptGhosts, type Ghost, putGhosts, useEditor, useLevel } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
-import type { OpenedPlay } from '../../core/shelf/index.ts';
+import { type OpenedPlay, shelfOf } from '../../core/shelf/index.ts';
 import { termsAt } from '../../core/terms/index.ts';
 import { type AskedOf, jobs } from '../../workers/index.ts';
 
@@ -16,7 +18,7 @@ const KEPT = 200;
 /** Her path in a play. */
 export const pathQuestion = question({ job: jobs.path, request: (of: AskedOf<typeof jobs.path>) => of });
 
-export interface SelectedGhosts {
+interface SelectedGhosts {
   /** Shows the paths of these attempts and plays. Those of plays are computed by a worker. @param played the level that was played */
   show(played: Pick<LiveProof, 'level' | 'terms'>, attempts: readonly Attempt[], plays: readonly OpenedPlay[]): void;
   close(): void;
@@ -27,7 +29,7 @@ interface Parts {
   readonly desk: Desk;
 }
 
-export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
+function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
   const paths = keepAnswers(desk, {
     ask: pathQuestion,
     of: (wanted: AskedOf<typeof jobs.path>) => wanted,
@@ -35,11 +37,6 @@ export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
     first: 'earliest',
     most: KEPT,
   });
-  const put = (wanted: readonly Ghost[]) => {
-    const now = ghosts.getState();
-    const others = now.filter(({ look }) => look !== 'selected');
-    if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
-  };
   let draw = () => {};
   paths.store.subscribe(({ byKey }, before) => byKey !== before.byKey && draw());
   return {
@@ -53,7 +50,7 @@ export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
           const points = byKey.get(key);
           return points === undefined ? [] : [{ id: `selected-${key}`, label: source, points, look: 'selected' }];
         });
-        put([...own, ...others]);
+        putGhosts(ghosts, 'selected', [...own, ...others]);
       };
       draw();
       for (const { key, play } of shown) {
@@ -64,7 +61,30 @@ export function createSelectedGhosts({ ghosts, desk }: Parts): SelectedGhosts {
     close() {
       paths.stop();
       draw = () => {};
-      put([]);
+      putGhosts(ghosts, 'selected', []);
     },
   };
+}
+
+/** Shows what is selected in the list of attempts on the canvas, whichever panel is in front. */
+export function AttemptsWatch() {
+  const { desk } = useEditor();
+  const level = useLevel();
+  const { store } = shelfOf(level);
+  const attempts = useStore(level.attempts.store);
+  const plays = useStore(store, (state) => state.plays);
+  const selected = useStore(store, (state) => state.selected);
+  const of = useStore(store, (state) => state.of);
+  const ghosts = useMemo(() => createSelectedGhosts({ ghosts: level.ghosts, desk }), [level, desk]);
+  useEffect(() => {
+    const { level: now, terms } = level.proof.proof();
+    const own = attempts.filter(({ number }) => selected.has(`attempt-${number}`));
+    ghosts.show(
+      { level: of?.level ?? now, terms },
+      own,
+      plays.filter(({ key }) => selected.has(key)),
+    );
+  }, [ghosts, level, of, attempts, plays, selected]);
+  useEffect(() => () => ghosts.close(), [ghosts]);
+  return null;
 }

@@ -2,13 +2,12 @@ import { Diff, X } from 'lucide-react';
 import type { CSSProperties } from 'react';
 import { useStore } from 'zustand';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { useEditor, useLevel, useProof, useTouch } from '../../core/context/index.ts';
+import { useCoarse, useEditor, useLevel, useProof, useTouch } from '../../core/context/index.ts';
 import { plural } from '../../core/figures/index.ts';
-import { Button, useCoarse } from '../../core/ui/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { type OnTimeline, toX } from '../../timeline/index.ts';
 import { comparedOf } from './compared.ts';
-import { compareOrTell, showCompared } from './show-compared.ts';
-import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
+import { type ComparedRow, compareOrTell, showCompared, useComparedRows } from './compared-rows.ts';
 import './compare.css';
 
 /** px of a button, and a gap */

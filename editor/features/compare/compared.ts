@@ -1,10 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
+import { type Desk, question } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
-import type { LiveProof } from '../../core/proof/index.ts';
-import type { Results } from '../../workers/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
+import { type LiveProof, withoutRuns } from '../../core/proof/index.ts';
+import { jobs, type Results } from '../../workers/index.ts';
 
 /** So many runs can be compared with the shown one. */
 export const MOST_COMPARED = 4;
@@ -20,7 +21,7 @@ export interface ComparedRun {
 }
 
 /** What is known of a run in one scene. */
-export interface Trajectory {
+interface Trajectory {
   readonly scene: Scene;
   /** Its effective holds, joined by commas. */
   readonly holds: string;
@@ -37,14 +38,10 @@ export interface Comparing {
   readonly chosen: string | null;
 }
 
-export type ComparingStore = StoreApi<Comparing>;
-
-const storeAt = keptWith<object, ComparingStore>(() =>
-  createStore<Comparing>(() => ({ runs: [], trajectories: new Map(), chosen: null })),
-);
+type ComparingStore = StoreApi<Comparing>;
 
 /** The runs that are compared with the shown one of a level. */
-export const comparedOf = ({ document }: Pick<OpenLevel, 'document'>): ComparingStore => storeAt(document);
+export const comparedOf = ofDocument(() => createStore<Comparing>(() => ({ runs: [], trajectories: new Map(), chosen: null })));
 
 export const sourceKey = (source: Source): string => (source.kind === 'run' ? `run ${source.name}` : `attempt ${source.number}`);
 
@@ -82,4 +79,128 @@ export function toggleCompared(store: ComparingStore, source: Source): boolean {
   const slot = [...Array(MOST_COMPARED).keys()].find((free) => runs.every((one) => one.slot !== free)) ?? 0;
   store.setState({ runs: [...runs, { source, slot }].sort((a, b) => a.slot - b.slot) });
   return true;
+}
+
+type ComparedLevel = Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
+
+/** A run whose trajectory is not known. */
+interface Unknown {
+  readonly source: Source;
+  readonly holds: readonly Hold[];
+  readonly now: LiveProof;
+}
+
+interface Comparisons {
+  readonly level: ComparedLevel;
+  readonly store: ComparingStore;
+  /** When each run was last asked for, counted in requests. */
+  readonly asked: ReadonlyMap<string, number>;
+}
+
+/** The run that waits longest for its trajectory; null: all are known, or the level is not simulated. */
+function nextOf({ level, store, asked }: Comparisons): Unknown | null {
+  const now = level.proof.proof();
+  if (now.limit === 'unchecked' || now.limit === 'everything') return null;
+  const { runs, trajectories } = store.getState();
+  let best: Unknown | null = null;
+  let least = Number.POSITIVE_INFINITY;
+  for (const { source } of runs) {
+    const holds = sourceHolds(level, source);
+    const key = sourceKey(source);
+    const turn = asked.get(key) ?? 0;
+    if (holds === null || isFresh(trajectories.get(key), now, holds) || turn >= least) continue;
+    least = turn;
+    best = { source, holds, now };
+  }
+  return best;
+}
+
+/** The trajectory of a compared run. */
+export const trajectoryQuestion = question({
+  job: jobs.trajectory,
+  request: ({ holds, now }: Unknown) => ({ level: withoutRuns(now.level), terms: now.terms, holds }),
+  follows: {
+    // sending a large level takes a part of a frame
+    wait: { pace: 50 },
+    of: nextOf,
+    same: (asked, now) =>
+      asked.now.scene === now.now.scene &&
+      sourceKey(asked.source) === sourceKey(now.source) &&
+      asked.holds.join() === now.holds.join(),
+    on: ({ level, store }) => [level.proof.store.subscribe, level.attempts.store.subscribe, store.subscribe],
+  },
+});
+
+/** What was there before a change. */
+interface Before {
+  /** The names of all runs. */
+  readonly names: readonly string[];
+  /** The shown run. */
+  readonly shown: string | null;
+}
+
+/**
+ * Runs that are not there any more leave; one that was renamed stays, by its place. A compared run that is now the shown one
+ * changes places with the one shown before.
+ */
+function leave(store: ComparingStore, level: ComparedLevel, shown: string | null, { names: before, shown: last }: Before): void {
+  const { runs } = store.getState();
+  const names = (level.document.file().runs ?? []).map(({ name }) => name);
+  const renamed = (name: string): string | null => {
+    const at = before.indexOf(name);
+    const isRename = names.length === before.length && before.every((old, i) => i === at || old === names[i]);
+    return isRename && at >= 0 ? names[at] : null;
+  };
+  const left = runs.flatMap((one) => {
+    if (one.source.kind === 'run' && one.source.name === shown) {
+      const isFree =
+        last !== null && last !== shown && names.includes(last) && !isCompared(store.getState(), { kind: 'run', name: last });
+      return isFree ? [{ ...one, source: { kind: 'run' as const, name: last } }] : [];
+    }
+    if (sourceHolds(level, one.source) !== null) return [one];
+    const to = one.source.kind === 'run' ? renamed(one.source.name) : null;
+    return to === null || to === shown ? [] : [{ ...one, source: { kind: 'run' as const, name: to } }];
+  });
+  if (left.length !== runs.length || left.some((one, i) => one !== runs[i])) store.setState({ runs: left });
+}
+
+/**
+ * Keeps the trajectories of compared runs up to date, by a worker: one request at a time, for the level as it is when the last one is
+ * answered. Nothing is done while no run is compared. @returns stops it
+ */
+export function watchCompared(level: ComparedLevel, desk: Desk): () => void {
+  const store = comparedOf(level);
+  const asked = new Map<string, number>();
+  const seen = (): Before => ({
+    names: (level.document.file().runs ?? []).map(({ name }) => name),
+    shown: level.proof.proof().run.name,
+  });
+  let before = seen();
+  const settle = () => {
+    if (store.getState().runs.length > 0) leave(store, level, level.proof.proof().run.name, before);
+    before = seen();
+  };
+  const empty = () => {
+    const { runs, trajectories } = store.getState();
+    if (runs.length === 0 && trajectories.size > 0) store.setState({ trajectories: new Map(), chosen: null });
+  };
+  settle();
+  empty();
+  // first, as the question is about the runs that are left
+  const stops = [level.proof.store.subscribe(settle), level.attempts.store.subscribe(settle), store.subscribe(empty)];
+  const trajectory = trajectoryQuestion(desk, { level, store, asked });
+  stops.push(
+    trajectory.store.subscribe(({ phase, of, answer }) => {
+      if (of === null) return;
+      const key = sourceKey(of.source);
+      if (phase === 'asking') asked.set(key, asked.size === 0 ? 1 : Math.max(...asked.values()) + 1);
+      if (phase !== 'done' && phase !== 'failed') return;
+      const found = { scene: of.now.scene, holds: of.holds.join(), found: answer };
+      store.setState(({ trajectories }) => ({ trajectories: new Map(trajectories).set(key, found) }));
+    }),
+  );
+  return () => {
+    for (const stop of stops) stop();
+    trajectory.close();
+  };
 }

@@ -1,4 +1,3 @@
 export { sourceKey } from './compared.ts';
-export { compareOrTell } from './show-compared.ts';
-export { useComparedRows } from './use-compared-rows.ts';
+export { compareOrTell, useComparedRows } from './compared-rows.ts';
 export { useDifference } from './use-difference.ts';

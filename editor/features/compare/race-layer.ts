@@ -1,8 +1,7 @@
 import type { GameObjects, Scene } from 'phaser';
 import { COLOURS, colourNumber, type Drawing, type Frame, type Line, linesOf, scaleIn, type Theme } from '../../canvas/index.ts';
 import { MOST_COMPARED } from './compared.ts';
-import { LOOKS } from './looks.ts';
-import { placeOf, type Race, type Racer } from './racers.ts';
+import { LOOKS, placeOf, type Race, type Racer } from './racers.ts';
 
 /** px of screen */
 const WIDTH = 2;

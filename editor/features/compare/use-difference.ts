@@ -8,15 +8,15 @@ import {
   partingsOf,
   type RunsDifference,
 } from '../../../check/runs/index.ts';
-import { STATE_SIZE } from '../../../engine/index.ts';
-import { useInPace } from '../../core/ask/index.ts';
-import { useLevel } from '../../core/context/index.ts';
-import { isWhole, type LiveProof } from '../../core/proof/index.ts';
-import { type ComparedRow, useComparedRows } from './use-compared-rows.ts';
-import { useSlack } from './use-slack.ts';
+import type { Hold } from '../../../schema/index.ts';
+import type { EdgeSlack } from '../../../solver/index.ts';
+import { useInPace, useQuestion } from '../../core/ask/index.ts';
+import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { isWhole, type LiveProof, pathOf, type SlackOf, slackQuestion } from '../../core/proof/index.ts';
+import { type ComparedRow, useComparedRows } from './compared-rows.ts';
 
 /** How the shown run and a compared one differ. */
-export interface ShownDifference {
+interface ShownDifference {
   readonly shown: string;
   readonly row: ComparedRow;
   readonly difference: RunsDifference;
@@ -31,22 +31,13 @@ export interface ShownDifference {
 const smallest = (slack: readonly { readonly earlier: number; readonly later: number }[] | null): number | null =>
   slack === null || slack.length === 0 ? null : Math.min(...slack.map(({ earlier, later }) => earlier + later));
 
-/** The shown run's places, as the compared run's trajectory has them. */
-function pointsOf({ run }: LiveProof): Float32Array {
-  const { states, count, last } = run.way;
-  const points = new Float32Array(2 * (count + 1));
-  for (let k = 0; k < count; k++) points.set(states.subarray(k * STATE_SIZE, k * STATE_SIZE + 2), 2 * k);
-  points.set(last.subarray(0, 2), 2 * count);
-  return points;
-}
-
 /** The shown run as it was when the page was last idle: its arrays are overwritten by the next answer. */
 const shownOf = (proof: LiveProof) => {
   const { run, full, scene } = proof;
   if (run.name === null || full === null || !isWhole(proof)) return null;
   const { name, holds, outcome, time, minerals } = run;
   const clearance = full.clearance?.distance ?? null;
-  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, points: pointsOf(proof) };
+  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, points: pathOf(run.way) };
 };
 
 const NOTHING = () => null;
@@ -87,4 +78,19 @@ export function useDifference(measures = false): ShownDifference | null {
   // until the next one is known, the last difference of these runs stays, and says that it is old
   const kept = made ?? (last.current?.key === key ? last.current : null);
   return kept === null || row === null ? null : { ...kept, row, isStale: made === null };
+}
+
+/** How far each press and release of a run of this level may move alone, measured by a worker; null until it is known. */
+function useSlack(holds: readonly Hold[] | null): readonly EdgeSlack[] | null {
+  const { desk } = useEditor();
+  const { proof } = useLevel();
+  const scene = useProof((now) => now.scene);
+  const key = holds?.join() ?? null;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: holds are known by their key
+  const of = useMemo((): SlackOf | null => {
+    const { level, terms } = proof.proof();
+    return holds === null ? null : { of: scene, level, terms, holds, goal: { minerals: 'any' } };
+  }, [proof, scene, key]);
+  const asked = useQuestion(slackQuestion, desk, of);
+  return asked !== null && asked.of === of ? asked.answer : null;
 }

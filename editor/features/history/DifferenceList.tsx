@@ -1,7 +1,7 @@
 import { useState } from 'react';
 import { plural } from '../../core/figures/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import type { Difference, DifferencePart } from './differences.ts';
+import type { Difference, DifferencePart } from './use-comparison.ts';
 
 interface DifferenceListProps {
   /** null while they are not known */

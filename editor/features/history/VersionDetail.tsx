@@ -4,14 +4,12 @@ import { useEditor, useLevel } from '../../core/context/index.ts';
 import { Segments } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import type { Version } from '../../core/versions/index.ts';
-import { ComparisonPicture } from './ComparisonPicture.tsx';
+import type { Results } from '../../workers/index.ts';
 import { DifferenceList } from './DifferenceList.tsx';
-import { openAsCopy } from './open-as-copy.ts';
-import { type Restored, restoreVersion, takeBackParts } from './restore.ts';
+import { VersionName } from './NameVersionDialog.tsx';
+import { openAsCopy, type Restored, restoreVersion, takeBackParts } from './restore.ts';
 import { type ComparedWith, useComparison } from './use-comparison.ts';
-import { VersionName } from './VersionName.tsx';
-import { stepsInWords, whoInWords } from './version-words.ts';
-import { momentInWords } from './when.ts';
+import { momentInWords, stepsInWords, whoInWords } from './version-rows.ts';
 
 interface VersionDetailProps {
   readonly version: Version;
@@ -109,5 +107,35 @@ export function VersionDetail({ version, versions, onBack, onClose }: VersionDet
         </>
       )}
     </section>
+  );
+}
+
+/** Both versions in one picture, and what is true of each. @param drawn null while it is made; a text if it can't be made */
+function ComparisonPicture({ drawn }: { readonly drawn: Results['compare'] | string | null }) {
+  if (drawn === null) return <p className="history__empty">Drawing both versions…</p>;
+  if (typeof drawn === 'string') return <p className="history__empty">The picture can't be made: {drawn}</p>;
+  const { svg, before, after, effects } = drawn;
+  return (
+    <>
+      <dl className="history__standings">
+        <dt>Before</dt>
+        <dd>{before}</dd>
+        <dt>After</dt>
+        <dd>{after}</dd>
+        {effects.length > 0 && (
+          <>
+            <dt>Effect</dt>
+            <dd>{effects.join(', ')}</dd>
+          </>
+        )}
+      </dl>
+      {svg !== null && (
+        <img
+          className="history__picture"
+          src={`data:image/svg+xml,${encodeURIComponent(svg)}`}
+          alt="Both versions of the level"
+        />
+      )}
+    </>
   );
 }

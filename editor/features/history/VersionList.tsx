@@ -1,9 +1,14 @@
-import { useMemo, useState } from 'react';
+import { Bookmark, HardDrive } from 'lucide-react';
+import { useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import type { Terms } from '../../../engine/index.ts';
+import { type Editor, type OpenLevel, useEditor, useLevel, usePageTerms, usePageTheme } from '../../core/context/index.ts';
+import { VerdictSign } from '../../core/levels/index.ts';
 import { Segments } from '../../core/panel/index.ts';
+import { pictureKey, picturesOf } from '../../core/pictures/index.ts';
 import { Tree } from '../../core/tree/index.ts';
 import type { Version } from '../../core/versions/index.ts';
-import { type HistoryRow, historyRows, keyOf } from './history-rows.ts';
-import { VersionLine } from './VersionLine.tsx';
+import { agoInWords, clockTime, type HistoryRow, historyRows, keyOf, stepsInWords } from './version-rows.ts';
 
 interface VersionListProps {
   readonly versions: readonly Version[];
@@ -71,4 +76,60 @@ export function VersionList({ versions, picked, onPick }: VersionListProps) {
       )}
     </>
   );
+}
+
+/** A version in the list: its picture, time, steps, name and verdict. */
+function VersionLine({ version, now }: { readonly version: Version; readonly now: number }) {
+  const editor = useEditor();
+  const level = useLevel();
+  const theme = usePageTheme();
+  const { folder: terms } = usePageTerms();
+  const by = useMemo(() => ({ theme, terms }), [theme, terms]);
+  const pictures = picturesOf(editor);
+  const key = versionKey(version, by);
+  const picture = useStore(pictures.store, ({ byKey }) => byKey.get(key)) ?? null;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a renamed version looks the same
+  useEffect(() => {
+    wantPicture(editor, level, version, by);
+    return () => pictures.drop(key);
+  }, [editor, level, pictures, key, by]);
+  const steps = stepsInWords(version);
+  // the first line has the most telling of the three, the second the next
+  const [title, about] = [version.name, version.changes, steps].filter((words) => words !== null && words !== '');
+  return (
+    <>
+      <span className="levels__picture">{picture?.url != null && <img src={picture.url} alt="" draggable={false} />}</span>
+      <span className="history__text" title={[version.changes, steps].filter((words) => words !== '').join(' – ')}>
+        <span className="history__line">
+          {version.name !== null && <Bookmark size={12} aria-label="named" className="history__mark" />}
+          {version.by === 'other' && <HardDrive size={12} aria-label="by another program" className="history__mark" />}
+          <span className={version.name === null ? 'history__steps' : 'history__name'}>{title}</span>
+        </span>
+        {about !== undefined && <span className="history__line history__line--quiet history__about-line">{about}</span>}
+        <span className="history__line history__line--quiet">
+          <span className="numbers">{clockTime(version.time)}</span>
+          <span>{agoInWords(version.time, now)}</span>
+          {picture !== null && <VerdictSign verdict={picture.verdict} />}
+        </span>
+      </span>
+    </>
+  );
+}
+
+/** How a version is drawn and judged. */
+interface DrawnBy {
+  readonly theme: 'dark' | 'light';
+  readonly terms: Terms;
+}
+
+/** px: twice the shown size, for high-density screens */
+const WIDTH = 128;
+
+/** Versions with the same text look alike. */
+const versionKey = ({ check }: Version, by: DrawnBy): string => pictureKey(`version ${check}`, { ...by, width: WIDTH });
+
+/** Asks for the picture of a version of an open level unless there is one. */
+function wantPicture(editor: Editor, level: OpenLevel, version: Version, by: DrawnBy): void {
+  const text = () => level.opened.versions.text(version);
+  picturesOf(editor).want(versionKey(version, by), { ...by, width: WIDTH, text });
 }

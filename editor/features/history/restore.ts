@@ -1,8 +1,10 @@
 import { takeBack } from '../../../review/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import type { OpenLevel } from '../../core/context/index.ts';
+import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { nameOf, objectsOf } from '../../core/document/index.ts';
-import type { DifferencePart } from './differences.ts';
+import { folderOf } from '../../core/files/index.ts';
+import { addLevels, copyOf } from '../../core/levels/index.ts';
+import type { DifferencePart } from './use-comparison.ts';
 
 /** What was done; or why not, and nothing has changed. */
 export type Restored = { readonly ok: true } | { readonly ok: false; readonly why: string };
@@ -12,13 +14,13 @@ const refused = (why: string): Restored => ({ ok: false, why });
 /** Why the level can't be changed at this moment; null: it can. */
 export function whyNot({ opened, document }: Pick<OpenLevel, 'opened' | 'document'>): string | null {
   if (opened.lock.store.getState() !== 'writer') return 'Another tab has this level open. Take over there first.';
-  if (document.file() !== document.settledFile()) return 'Something is being dragged. Let go of it first.';
+  if (document.file() !== document.committedFile()) return 'Something is being dragged. Let go of it first.';
   return null;
 }
 
 function replaced(level: OpenLevel, label: string, file: LevelFile): Restored {
   // so that what is left is in the history, too, even if it was not on disk yet
-  level.opened.versions.note(level.document.settledFile(), 'page');
+  level.opened.versions.note(level.document.committedFile(), 'page');
   const result = level.document.replace(label, file);
   return result.ok ? { ok: true } : refused(`${result.refusal.message}. ${result.refusal.hint}`);
 }
@@ -64,4 +66,11 @@ export function takeBackParts(level: OpenLevel, before: LevelFile, after: LevelF
     throw error;
   }
   return replaced(level, parts.length === 1 ? `Take back: ${parts[0].words}` : `Take back ${parts.length} changes`, file);
+}
+
+/** Makes a new level file of a version and opens it. @returns whether it was made; a refusal is shown as a notice */
+export async function openAsCopy(editor: Editor, id: string, file: LevelFile): Promise<boolean> {
+  const levels = editor.workspace.store.getState().list?.levels ?? [];
+  const { stem, name } = copyOf(levels, id, file.name);
+  return (await addLevels(editor, folderOf(id), [{ stem, file: { ...file, name } }])).length > 0;
 }

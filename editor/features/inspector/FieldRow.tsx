@@ -4,8 +4,7 @@ import { useLevel } from '../../core/context/index.ts';
 import type { Recipe } from '../../core/document/index.ts';
 import { Segments } from '../../core/panel/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
-import type { FieldValue } from './field-values.ts';
-import type { Field } from './fields.ts';
+import type { Field, FieldValue } from './fields.ts';
 
 interface FieldRowProps {
   readonly field: Field;

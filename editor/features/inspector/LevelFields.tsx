@@ -7,8 +7,7 @@ import { Facts, Section } from '../../core/panel/index.ts';
 import { endInWords, isWhole, type LiveProof } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
-import { valueOfLevel } from './field-values.ts';
-import { type Field, fieldsOf } from './fields.ts';
+import { type Field, fieldsOf, valueOfLevel } from './fields.ts';
 import { RuleFields } from './RuleFields.tsx';
 import { wayFacts } from './run-facts.ts';
 

@@ -9,10 +9,16 @@ import {
   AlignVerticalDistributeCenter,
   CopyPlus,
   Crosshair,
+  FlipHorizontal2,
+  FlipVertical2,
+  Grid3x3,
+  RotateCw,
+  Scaling,
   Trash2,
 } from 'lucide-react';
-import { memo, useCallback } from 'react';
+import { memo, useCallback, useMemo, useState } from 'react';
 import { type FieldName, KINDS, type ObjectKind } from '../../../schema/index.ts';
+import { objectChanges, transformActions } from '../../canvas/index.ts';
 import { useEditor, useLevel, useProofInPace } from '../../core/context/index.ts';
 import {
   type FoundObject,
@@ -28,13 +34,11 @@ import {
 import { type Fact, plural } from '../../core/figures/index.ts';
 import { Facts, Section } from '../../core/panel/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
-import { Button } from '../../core/ui/index.ts';
+import { Button, NumberField } from '../../core/ui/index.ts';
 import { FieldRow } from './FieldRow.tsx';
-import { valueOfObjects } from './field-values.ts';
-import { aboutObject, type Field, sharedFields } from './fields.ts';
+import { aboutObject, type Field, sharedFields, valueOfObjects } from './fields.ts';
 import { MarkButtons, MarkNotes, NameRow } from './ObjectMarks.tsx';
 import { runFactsOf } from './run-facts.ts';
-import { TransformFields } from './TransformFields.tsx';
 
 /** Commands of the canvas for several objects. */
 const ARRANGE = [
@@ -169,5 +173,48 @@ export function ObjectFields({ keys, objects }: ObjectFieldsProps) {
       {!one && <TransformFields />}
       {one && <RunFacts objectKey={first.key} />}
     </>
+  );
+}
+
+/** Turns the selection by typed degrees, scales it by a typed percentage, mirrors and repeats it. */
+function TransformFields() {
+  const editor = useEditor();
+  const level = useLevel();
+  const actions = useMemo(() => transformActions(level, objectChanges(editor, level)), [editor, level]);
+  const [degrees, setDegrees] = useState(90);
+  const [percent, setPercent] = useState(200);
+  const [withRadii, setWithRadii] = useState(false);
+  return (
+    <Section title="Transform">
+      <div className="transform">
+        <NumberField label="turn °" value={degrees} min={-360} max={360} onChange={setDegrees} />
+        <Button hint={`Turn by ${degrees}°`} icon={<RotateCw size={16} />} onClick={() => actions.turn(degrees)} />
+        <NumberField label="scale %" value={percent} min={1} max={10_000} onChange={setPercent} />
+        <Button
+          hint={`Scale to ${percent} %`}
+          icon={<Scaling size={16} />}
+          onClick={() => actions.scale(percent / 100, withRadii)}
+        />
+      </div>
+      <label className="setting--check">
+        <input type="checkbox" checked={withRadii} onChange={(event) => setWithRadii(event.target.checked)} />
+        Scale radii, too
+      </label>
+      <div className="transform__buttons" role="toolbar" aria-label="Transform">
+        <Button
+          hint="Mirror from left to right"
+          shortcut="Shift+H"
+          icon={<FlipHorizontal2 size={16} />}
+          onClick={() => actions.mirror('x')}
+        />
+        <Button
+          hint="Mirror from top to bottom"
+          shortcut="Shift+V"
+          icon={<FlipVertical2 size={16} />}
+          onClick={() => actions.mirror('y')}
+        />
+        <Button hint="Repeat…" icon={<Grid3x3 size={16} />} onClick={() => editor.commands.run('object.repeat')} />
+      </div>
+    </Section>
   );
 }

@@ -1,11 +1,9 @@
 import { useEffect, useLayoutEffect, useRef } from 'react';
-import { useStore } from 'zustand';
-import { COLOURS, type OnCanvas, toScreen, type View } from '../../canvas/index.ts';
-import { useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
-import { drawLeeway } from './draw-leeway.ts';
-import { type ShadeRect, shapesOf } from './leeway-picture.ts';
-import { leewayOf } from './leeway-store.ts';
-import { useLeeway } from './use-leeway.ts';
+import { type StoreApi, useStore } from 'zustand';
+import { type CanvasState, COLOURS, type OnCanvas, toLevel, toScreen, type View } from '../../canvas/index.ts';
+import { useEditor, useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
+import { drawLeeway, type ShadeRect, shapesOf } from './leeway-picture.ts';
+import { leewayOf, watchLeeway } from './watch-leeway.ts';
 
 /** px of screen between samples from which on each is marked */
 const APART = 14;
@@ -68,4 +66,23 @@ export function LeewayShade({ canvas }: OnCanvas) {
       <canvas ref={picture} />
     </div>
   );
+}
+
+/** Samples where the selection may stand, in what the canvas shows, for as long as that is shown. */
+function useLeeway(canvas: StoreApi<CanvasState>): void {
+  const { session, settings, desk } = useEditor();
+  const level = useLevel();
+  useEffect(() => {
+    const now = () => {
+      const { view } = canvas.getState();
+      const from = toLevel(view, { x: 0, y: 0 });
+      const to = toLevel(view, { x: view.width, y: view.height });
+      return { left: from.x, top: from.y, right: to.x, bottom: to.y };
+    };
+    const subscribe = (call: () => void) =>
+      canvas.subscribe((state, before) => {
+        if (state.view !== before.view) call();
+      });
+    return watchLeeway({ level, session, settings, desk, seen: { now, subscribe } });
+  }, [canvas, level, session, settings, desk]);
 }

@@ -1,10 +1,11 @@
+import { createStore } from 'zustand/vanilla';
 import { type Desk, question } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 import { endInWords, isWhole, withoutRuns } from '../../core/proof/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import type { SettingsStore } from '../../core/settings/index.ts';
-import { jobs } from '../../workers/index.ts';
-import { type LeewayFindings, leewayOf } from './leeway-store.ts';
+import { jobs, type Leeway } from '../../workers/index.ts';
 import { asksSame, contains, isOnlyMoved, objectsAsked, type Question, questionOf, type Seen } from './question.ts';
 
 /** Shows or hides where the selection may stand. */
@@ -19,7 +20,7 @@ interface LeewayParts {
 }
 
 const isOn = ({ session }: LeewayParts) => session.getState().layers.leeway && session.getState().mode === 'edit';
-const isInHand = ({ level: { document } }: LeewayParts) => document.settledFile() !== document.file();
+const isInHand = ({ level: { document } }: LeewayParts) => document.committedFile() !== document.file();
 
 /** What is asked at the moment; null: nothing is selected. */
 function questionNow({ level, settings, seen }: LeewayParts): Question | null {
@@ -112,3 +113,23 @@ export function watchLeeway({ desk, ...parts }: LeewayParts & { readonly desk: D
     put({ phase: 'off' });
   };
 }
+
+/** What is known of where the selection may stand. */
+export interface LeewayFindings {
+  /**
+   * `off`: it is not shown. `nothing selected`: it is, but nothing is asked. `waiting`: the level has just changed. `too large`:
+   * the level takes too much work. `done`: nothing finer is sampled.
+   */
+  readonly phase: 'off' | 'nothing selected' | 'waiting' | 'sampling' | 'done' | 'too large' | 'failed';
+  /** Why it failed, or why the level is not simulated; null: neither. */
+  readonly message: string | null;
+  /** What was asked, and what is known; null: nothing is. */
+  readonly answer: { readonly question: Question; readonly leeway: Leeway } | null;
+  /** The place of an object with several that is moved alone; null: all of them. */
+  readonly only: number | null;
+}
+
+/** What is known of where the selection of a level may stand. */
+export const leewayOf = ofDocument(() =>
+  createStore<LeewayFindings>(() => ({ phase: 'off', message: null, answer: null, only: null })),
+);

@@ -1,4 +1,4 @@
-import { FileX, Lock } from 'lucide-react';
+import { ChevronRight, FileX, Folder, Lock } from 'lucide-react';
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
@@ -91,6 +91,28 @@ export function LevelLine({ entry, title, open }: { entry: LevelEntry; title: st
         </span>
       </span>
       <MoreButton />
+    </>
+  );
+}
+
+interface FolderLineProps {
+  readonly title: string;
+  readonly isOpen: boolean;
+  /** The number of levels in the folder. */
+  readonly count: number;
+}
+
+/** A folder in the list of levels. */
+export function FolderLine({ title, isOpen, count }: FolderLineProps) {
+  return (
+    <>
+      <ChevronRight size={13} className={`levels__fold${isOpen ? ' levels__fold--open' : ''}`} aria-hidden />
+      <Folder size={14} aria-hidden />
+      <span className="levels__name">{title}</span>
+      <span className="levels__count numbers">
+        {count}
+        <span className="unseen">{count === 1 ? ' level' : ' levels'}</span>
+      </span>
     </>
   );
 }

@@ -1,4 +1,4 @@
-import { FilePlus2, LayoutGrid, Trash2 } from 'lucide-react';
+import { FilePlus2, LayoutGrid, Search, Trash2 } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import type { LevelEntry } from '../../../schema/index.ts';
@@ -6,16 +6,13 @@ import { isModKey } from '../../core/commands/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { errorInWords } from '../../core/files/index.ts';
 import { deleteLevel, duplicateLevel, followSaves, openListed } from '../../core/levels/index.ts';
-import { TextDialog } from '../../core/panel/index.ts';
+import { SamplesButton, TextDialog } from '../../core/panel/index.ts';
 import { Tree } from '../../core/tree/index.ts';
 import { Button, focusHome } from '../../core/ui/index.ts';
-import { FolderLine } from './FolderLine.tsx';
-import { LevelLine } from './LevelLine.tsx';
-import { LevelSearch } from './LevelSearch.tsx';
+import { FolderLine, LevelLine } from './LevelLine.tsx';
 import { copyPath, levelMenu, moveTo } from './level-menu.ts';
 import { type LevelRow, levelRows } from './level-rows.ts';
 import './levels.css';
-import { NoLevels } from './NoLevels.tsx';
 import { RenameDialog } from './RenameDialog.tsx';
 
 /** px */
@@ -130,5 +127,54 @@ export function LevelsPanel() {
       {renamed !== null && <RenameDialog id={renamed} onClose={() => setRenamed(null)} />}
       {asText !== null && <TextDialog id={asText.id} fromDisk={asText.status !== 'valid'} onClose={() => setAsText(null)} />}
     </section>
+  );
+}
+
+interface LevelSearchProps {
+  /** The number of levels. */
+  readonly count: number;
+  readonly text: string;
+  readonly onChange: (text: string) => void;
+  /** Opens the first match. @returns whether there is one */
+  readonly onOpenFirst: () => boolean;
+}
+
+/** Finds levels by name. */
+function LevelSearch({ count, text, onChange, onOpenFirst }: LevelSearchProps) {
+  return (
+    <label className="levels__search">
+      <Search size={13} aria-hidden />
+      <input
+        type="search"
+        className="field"
+        placeholder={count === 1 ? 'Find in 1 level' : `Find in ${count} levels`}
+        aria-label="Find a level"
+        value={text}
+        onChange={(event) => onChange(event.target.value)}
+        onKeyDown={(event) => {
+          if (event.key === 'Escape' && text !== '') onChange('');
+          else if (event.key === 'Escape') focusHome();
+          else if (event.key !== 'Enter' || !onOpenFirst()) return;
+          event.preventDefault();
+        }}
+      />
+    </label>
+  );
+}
+
+/** The empty state of a folder without levels. @param folder the path as the user gave it */
+function NoLevels({ folder }: { readonly folder: string }) {
+  const { session } = useEditor();
+  return (
+    <div className="levels__empty">
+      <p>No levels in {folder} yet.</p>
+      <Button hint="Start from a template" look="main" onClick={() => session.setState({ overlay: 'newLevel' })}>
+        New level
+      </Button>
+      <Button hint="From files or from the original game" look="outlined" onClick={() => session.setState({ overlay: 'open' })}>
+        Import levels
+      </Button>
+      <SamplesButton />
+    </div>
   );
 }

@@ -1,6 +1,9 @@
 import { Dices } from 'lucide-react';
 import { useEffect, useId, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { compile, simulate, type Terms } from '../../../engine/index.ts';
+import { renderSvg } from '../../../picture/index.ts';
+import { type LevelFile, resolveLevel } from '../../../schema/index.ts';
 import { useEditor, usePageTerms, usePageTheme, useSession } from '../../core/context/index.ts';
 import { slugOf } from '../../core/exchange/index.ts';
 import { folderOf } from '../../core/files/index.ts';
@@ -8,7 +11,6 @@ import { addLevels, nextNumber } from '../../core/levels/index.ts';
 import { TEMPLATES, type Template } from '../../core/templates/index.ts';
 import { Button, Dialog, NumberField } from '../../core/ui/index.ts';
 import { FileNameFields, fileNameProblem } from './FileNameFields.tsx';
-import { levelPicture } from './level-picture.ts';
 
 /** Pictures wider than this ratio are shown whole; cropping the sides would cut off objects. */
 const WIDE = 1.5;
@@ -140,4 +142,18 @@ function TemplateCard({ template, seed, checked, onPick }: TemplateCardProps) {
       <span>{template.about}</span>
     </label>
   );
+}
+
+interface PictureOptions {
+  readonly terms: Terms;
+  readonly theme: 'dark' | 'light';
+  /** px */
+  readonly width: number;
+}
+
+/** A data URL of an SVG picture of a level with its first run. */
+function levelPicture(file: LevelFile, { terms, theme, width }: PictureOptions): string {
+  const level = resolveLevel(file, terms.rules);
+  const run = level.runs.length === 0 ? undefined : simulate(compile(level, terms), level.runs[0].holds);
+  return `data:image/svg+xml,${encodeURIComponent(renderSvg(level, { run, width, theme, words: false }))}`;
 }

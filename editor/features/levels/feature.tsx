@@ -1,12 +1,15 @@
 import { Files } from 'lucide-react';
 import { flushSync } from 'react-dom';
 import type { Feature } from '../feature.ts';
-import { fileCommands, levelDestinations } from './file-commands.ts';
 import { HeldBackDialog } from './HeldBackDialog.tsx';
 import { LevelsPanel } from './LevelsPanel.tsx';
 import { NewLevelDialog } from './NewLevelDialog.tsx';
 import { TrashDialog } from './TrashDialog.tsx';
 import './dialogs.css';
+import type { Command, Destination } from '../../core/commands/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { folderOf } from '../../core/files/index.ts';
+import { addSamples, deleteLevel, duplicateLevel, openListed } from '../../core/levels/index.ts';
 
 function Dialogs() {
   return (
@@ -61,3 +64,79 @@ export const levels: Feature = {
     ];
   },
 };
+
+/** Commands for the open level as a file. */
+function fileCommands(editor: Editor): readonly Command[] {
+  const { workspace, session } = editor;
+  const entry = () => {
+    const { list, opened } = workspace.store.getState();
+    return list?.levels.find(({ id }) => id === opened?.id());
+  };
+  const needsListed = () => (entry() === undefined ? 'open a level first' : null);
+  const step = (by: number) => {
+    const { list, opened } = workspace.store.getState();
+    const valid = list?.levels.filter(({ status }) => status === 'valid') ?? [];
+    const index = valid.findIndex(({ id }) => id === opened?.id());
+    const next = valid[index + by];
+    if (next !== undefined) void openListed(editor, next.id);
+  };
+  const withEntry = (act: (found: NonNullable<ReturnType<typeof entry>>) => Promise<void>) => () => {
+    const found = entry();
+    if (found !== undefined) void act(found);
+  };
+  return [
+    {
+      id: 'file.next',
+      title: 'Next level',
+      group: 'File',
+      keys: ['Alt+PageDown'],
+      inText: true,
+      needs: needsListed,
+      run: () => step(1),
+    },
+    {
+      id: 'file.previous',
+      title: 'Previous level',
+      group: 'File',
+      keys: ['Alt+PageUp'],
+      inText: true,
+      needs: needsListed,
+      run: () => step(-1),
+    },
+    {
+      id: 'file.duplicate',
+      title: 'Duplicate this level',
+      group: 'File',
+      needs: needsListed,
+      run: withEntry((e) => duplicateLevel(editor, e)),
+    },
+    {
+      id: 'file.delete',
+      title: 'Delete this level',
+      group: 'File',
+      needs: needsListed,
+      run: withEntry((e) => deleteLevel(editor, e)),
+    },
+    {
+      id: 'file.samples',
+      title: 'Add sample levels',
+      group: 'File',
+      run: () => void addSamples(editor, folderOf(workspace.store.getState().opened?.id() ?? '')),
+    },
+    { id: 'file.import', title: 'Import levels', group: 'File', run: () => session.setState({ overlay: 'open' }) },
+  ];
+}
+
+/** The other levels that can be opened. */
+function levelDestinations(editor: Editor): readonly Destination[] {
+  const { list, opened } = editor.workspace.store.getState();
+  return (list?.levels ?? [])
+    .filter(({ id, status }) => status === 'valid' && id !== opened?.id())
+    .map(({ id, name }) => ({
+      key: `level ${id}`,
+      group: 'Level',
+      title: name ?? id,
+      detail: id,
+      go: () => void openListed(editor, id),
+    }));
+}

@@ -2,14 +2,11 @@ import { joinHolds } from '../../../engine/index.ts';
 import { COLOURS, type DrawnPart, unchanged } from '../../canvas/index.ts';
 import { looksLike } from '../../timeline/index.ts';
 import type { Feature } from '../feature.ts';
-import { LossMark } from './LossMark.tsx';
-import { LostLegend } from './LostLegend.tsx';
-import { LostReport } from './LostReport.tsx';
+import { lossKey, lostOf } from './index.ts';
+import { LostLegend, LostReport, lostSessionOf } from './LostStates.tsx';
 import { LostLayer } from './lost-layer.ts';
 import { type LostPicture, lostPictureOf } from './lost-picture.ts';
-import { lostSessionOf } from './lost-session.ts';
-import { lossKey, lostOf } from './lost-store.ts';
-import { RunLossLabel } from './RunLossLabel.tsx';
+import { LossMark, RunLossLabel } from './RunLoss.tsx';
 import { LOST_KEY } from './watch-lost.ts';
 
 const drawn: DrawnPart<LostPicture | null> = {

@@ -1,7 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
 import { type Colours, colourNumber, type Drawing, type Frame } from '../../canvas/index.ts';
-import type { LostPicture, LostWay } from './lost-picture.ts';
-import { LOST_SQUARE, type LostSquare } from './squares.ts';
+import { LOST_SQUARE, type LostPicture, type LostSquare, type LostWay } from './lost-picture.ts';
 
 /** px of screen between the strokes of a proved square, and between the dots of another */
 const HATCH = 7;

@@ -1,10 +1,8 @@
 import { STATE_SIZE } from '../../../engine/index.ts';
 import type { Ghost } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
-import type { Loss, LostKnown, LostMoment } from '../../workers/index.ts';
-import { accuracyNameOf } from '../../workers/index.ts';
-import { type LostFindings, lossKey } from './lost-store.ts';
-import { type LostSquare, squaresOf } from './squares.ts';
+import { accuracyNameOf, type Loss, type LostKnown, type LostMoment, type LostState } from '../../workers/index.ts';
+import { type LostFindings, lossKey } from './index.ts';
 
 /** The part of a path on which she is lost, and where it begins. */
 export interface LostWay {
@@ -42,7 +40,7 @@ function waysOf(loss: Loss, isShownRun: boolean, pointAt: (tick: number) => read
 }
 
 /** An attempt of which the path is known. */
-export interface PathOf {
+interface PathOf {
   readonly key: string;
   readonly points: Ghost['points'];
 }
@@ -65,4 +63,32 @@ export function lostPictureOf(
     squares: squaresOf(losing?.states ?? []),
     ways: [...others, ...(own === undefined ? [] : waysOf(own, true, along))],
   };
+}
+
+/** Side of a square of the shade, px of the level. */
+export const LOST_SQUARE = 32;
+
+/** A square of the shade: she was seen in it, alive, in a state that is lost. */
+export interface LostSquare {
+  /** Its left and upper edge, px. */
+  readonly x: number;
+  readonly y: number;
+  /** `proved` if any of its states is proved lost. */
+  readonly known: LostKnown;
+  /** How many lost states were seen in it. */
+  readonly states: number;
+}
+
+/** The squares of a grid that have lost states in them, row by row. */
+export function squaresOf(states: readonly Pick<LostState, 'x' | 'y' | 'known'>[]): LostSquare[] {
+  const squares = new Map<string, { x: number; y: number; known: LostKnown; states: number }>();
+  for (const { x, y, known } of states) {
+    const corner = { x: Math.floor(x / LOST_SQUARE) * LOST_SQUARE, y: Math.floor(y / LOST_SQUARE) * LOST_SQUARE };
+    const key = `${corner.x} ${corner.y}`;
+    const square = squares.get(key) ?? { ...corner, known, states: 0 };
+    square.states++;
+    if (known === 'proved') square.known = known;
+    squares.set(key, square);
+  }
+  return [...squares.values()].sort((a, b) => a.y - b.y || a.x - b.x);
 }

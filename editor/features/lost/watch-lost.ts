@@ -7,7 +7,7 @@ import { isWhole } from '../../core/proof/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import { hashNow, shelfOf } from '../../core/shelf/index.ts';
 import { accuracyNameOf, jobs } from '../../workers/index.ts';
-import { lossKey, lostOf, NOTHING_LOST } from './lost-store.ts';
+import { lossKey, lostOf, NOTHING_LOST } from './index.ts';
 
 /** Shows or hides the shade. */
 export const LOST_KEY = 'l';

@@ -1,18 +1,16 @@
-import { useMemo, useRef } from 'react';
+import { useEffect, useMemo, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import type { OnCanvas } from '../../canvas/index.ts';
-import { useEditor, useLevel, useSession } from '../../core/context/index.ts';
-import type { Rect } from './card-place.ts';
-import { changedObjects } from './changed-objects.ts';
-import type { FormerRun } from './former.ts';
-import { onionSessionOf } from './onion-session.ts';
-import { onionOf } from './onion-store.ts';
-import { placesOnPage } from './places-on-page.ts';
+import { isInView, momentPlace, type OnCanvas, reasonOf } from '../../canvas/index.ts';
+import { ofLevel, useEditor, useLevel, useProof, useSession } from '../../core/context/index.ts';
+import type { Rect } from './card-position.ts';
+import { type Figures, type FormerRun, figuresOf } from './former.ts';
+import { changedObjects } from './onion-picture.ts';
 import { type Difference, rowsOf, whyUnknown } from './rows.ts';
-import { type Surroundings, useCardPlace } from './use-card-place.ts';
-import { useFigures } from './use-figures.ts';
-import { useOnionEvents } from './use-onion-events.ts';
+import { followInput, placesOnPage, type Surroundings, useCardPlace } from './use-card-position.ts';
+import { type OnionSession, onionOf, watchOnion } from './watch-onion.ts';
 import './onion.css';
+import type { LiveProof } from '../../core/proof/index.ts';
+import { solverSessionOf } from '../solver/index.ts';
 
 /** A sign and a word for each difference, so that colour is not the only one. */
 const SIGNS: Readonly<Record<Difference, readonly [sign: string, word: string]>> = {
@@ -98,3 +96,84 @@ function Card({ former, whereAre, wayOnPage }: CardProps) {
     </div>
   );
 }
+
+const WORDS = 'before';
+
+const wayOf = ({ run }: LiveProof): LiveProof['run']['way'] => run.way;
+
+/** Names the end of the run as it was before a change. */
+export function OnionLabel({ canvas }: Pick<OnCanvas, 'canvas'>) {
+  const { proof } = useLevel();
+  const points = useStore(onionOf(useLevel()), ({ former }) => former?.points ?? null);
+  const isEdited = useSession(({ mode }) => mode === 'edit');
+  const way = useProof(wayOf);
+  const view = useStore(canvas, (state) => state.view);
+  if (points === null || !isEdited) return null;
+  const [x, y] = points.subarray(points.length - 2);
+  if (!isInView(view, { x, y })) return null;
+  const end = { x: way.last[0], y: way.last[1] };
+  const place = momentPlace(WORDS, { x, y }, { reason: reasonOf(proof.proof()), end, way }, view);
+  return (
+    <div
+      className="canvas__before"
+      aria-hidden
+      style={{ transform: `translate(${place.x}px, ${place.y}px) translate(-50%, -50%)` }}
+    >
+      {WORDS}
+    </div>
+  );
+}
+
+/** ms between two changes of the figures during a gesture: nobody reads faster, and each change costs layout and paint. */
+const PACE = 100;
+
+/** The figures of the shown run; while something is dragged, those of a moment ago. */
+function useFigures(isHeld: boolean): Figures {
+  const { proof } = useLevel();
+  const [figures, setFigures] = useState(() => figuresOf(proof.proof()));
+  useEffect(() => {
+    let timer: number | null = null;
+    const show = () => {
+      timer = null;
+      setFigures(figuresOf(proof.proof()));
+    };
+    show();
+    const stop = proof.store.subscribe(() => {
+      if (isHeld) timer ??= window.setTimeout(show, PACE);
+      else show();
+    });
+    return () => {
+      stop();
+      if (timer !== null) window.clearTimeout(timer);
+    };
+  }, [proof, isHeld]);
+  return figures;
+}
+
+const MODIFIERS: readonly string[] = ['Shift', 'Alt', 'Control', 'Meta'];
+
+/** Tells the session what the user does anywhere on the page. */
+function useOnionEvents(onion: OnionSession): void {
+  useEffect(() => {
+    const stopping = new AbortController();
+    followInput(stopping.signal);
+    // before other listeners, as some of them stop the event
+    const options = { capture: true, signal: stopping.signal };
+    const onKey = ({ key }: KeyboardEvent) => {
+      if (!MODIFIERS.includes(key)) onion.dismiss();
+    };
+    // after other listeners, which end the gesture
+    const onUp = () => void setTimeout(onion.released);
+    window.addEventListener('pointerdown', onion.dismiss, options);
+    window.addEventListener('keydown', onKey, options);
+    for (const type of ['pointerup', 'pointercancel', 'keyup', 'blur'] as const) window.addEventListener(type, onUp, options);
+    return () => stopping.abort();
+  }, [onion]);
+}
+
+/** The comparison of an open level with what was before a change. */
+export const onionSessionOf = ofLevel<OnionSession>((editor, level) => {
+  const { session, desk } = editor;
+  const { robustness } = solverSessionOf(editor, level);
+  return watchOnion({ level, session, desk, robustness: robustness.store });
+});

@@ -1,12 +1,9 @@
 import { COLOURS, type DrawnPart } from '../../canvas/index.ts';
 import type { Feature } from '../feature.ts';
-import { OnionCard } from './OnionCard.tsx';
-import { OnionLabel } from './OnionLabel.tsx';
+import { OnionCard, OnionLabel, onionSessionOf } from './OnionCard.tsx';
 import { OnionLayer } from './onion-layer.ts';
 import { type OnionPicture, onionPictureOf } from './onion-picture.ts';
-import { onionSessionOf } from './onion-session.ts';
-import { onionOf } from './onion-store.ts';
-import { COMPARE_KEY } from './watch-onion.ts';
+import { COMPARE_KEY, onionOf } from './watch-onion.ts';
 
 const drawn: DrawnPart<OnionPicture | null> = {
   pictureOf({ session }, level) {

@@ -1,7 +1,7 @@
-import { type Box, STATE_SIZE, type Terms } from '../../../engine/index.ts';
+import type { RunEnd } from '../../../check/words/index.ts';
+import type { Box, Terms } from '../../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
-import { type LiveProof, playsAlike } from '../../core/proof/index.ts';
-import { type Figures, figuresOf } from './figures.ts';
+import { createProver, endInWords, isWhole, type LiveProof, type NearMiss, pathOf, playsAlike } from '../../core/proof/index.ts';
 
 /** The shown run as it was before a change: copied, as the arrays of a proof are overwritten by the next one. */
 export interface FormerRun {
@@ -22,24 +22,8 @@ export interface FormerRun {
 /** Copies the shown run. */
 export function formerOf(proof: LiveProof): FormerRun {
   const { file, level, terms, scene, run } = proof;
-  const { states, count, last } = run.way;
-  const points = new Float32Array(2 * count + 2);
-  for (let k = 0; k < count; k++) {
-    points[2 * k] = states[STATE_SIZE * k];
-    points[2 * k + 1] = states[STATE_SIZE * k + 1];
-  }
-  points[2 * count] = last[0];
-  points[2 * count + 1] = last[1];
-  return {
-    file,
-    level,
-    terms,
-    her: scene.box,
-    name: run.name,
-    holds: run.holds,
-    figures: figuresOf(proof),
-    points,
-  };
+  const { name, holds, way } = run;
+  return { file, level, terms, her: scene.box, name, holds, figures: figuresOf(proof), points: pathOf(way) };
 }
 
 /** Whether it is the run that is shown now, under the same terms. */
@@ -49,3 +33,53 @@ export const isShown = ({ name, terms }: FormerRun, now: Pick<LiveProof, 'run' |
 /** Whether nothing is different that the run depends on: only a name, say. */
 export const playsLike = (former: FormerRun, now: LiveProof): boolean =>
   playsAlike(former, now) && former.holds.join() === now.run.holds.join();
+
+/** What is known of a run, to compare it with another. */
+export interface Figures {
+  /** How it ends; null: it was not simulated to its end. */
+  readonly end: RunEnd | null;
+  /** Range of the level, px. */
+  readonly range: number;
+  /** Why the end is not known, in words; '' if it is. */
+  readonly unknown: string;
+  /** How many minerals it collects, and how many there are. */
+  readonly taken: number;
+  readonly minerals: number;
+  /** Where she is nearest to a hazard at any tick, as in the inspector; null: the level has none. */
+  readonly closest: NearMiss | null;
+}
+
+/** The figures of the shown run. The distances are computed, so its arrays must still be valid. */
+export function figuresOf(proof: LiveProof): Figures {
+  const { run, level } = proof;
+  const { outcome, with: touched, time, tick } = run;
+  const isKnown = isWhole(proof);
+  return {
+    end: isKnown ? { outcome, with: touched, time, tick } : null,
+    range: level.range,
+    unknown: isKnown ? '' : endInWords(proof),
+    taken: run.minerals.length,
+    minerals: level.minerals.length,
+    closest: isKnown ? proof.margins.closest : null,
+  };
+}
+
+/** ms that the page may be blocked by it */
+const PATIENCE = 400;
+
+/**
+ * The run that is shown now, as it was in a former level. It is played again if another run was shown then, or under
+ * other terms.
+ */
+export function replayFormer(former: FormerRun, now: LiveProof): FormerRun {
+  if (isShown(former, now)) return former;
+  const { file, level } = former;
+  const proof = createProver().prove({
+    file,
+    run: now.run.name,
+    // the level has the rules of the folder that applied then
+    terms: { ...now.terms, rules: level.rules ?? {} },
+    patience: PATIENCE,
+  });
+  return formerOf(proof);
+}

@@ -1,7 +1,7 @@
 import type { Box } from '../../../engine/index.ts';
-import type { Disc, LevelFile } from '../../../schema/index.ts';
-import { placesOf, radiusOf } from '../../core/document/index.ts';
-import { changedObjects } from './changed-objects.ts';
+import { type Disc, KINDS, type LevelFile } from '../../../schema/index.ts';
+import type { Line } from '../../canvas/index.ts';
+import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../core/document/index.ts';
 import type { FormerRun } from './former.ts';
 
 /** A line between two points, px of the level. */
@@ -66,3 +66,75 @@ const extentOf = (discs: readonly Disc[]): Extent =>
     }),
     { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity },
   );
+
+/** An object that a change moved, resized or deleted. */
+interface ChangedObject {
+  readonly key: ObjectKey;
+  readonly was: FoundObject;
+  /** null: it was deleted */
+  readonly is: FoundObject | null;
+}
+
+function looksOther(was: FoundObject, is: FoundObject): boolean {
+  if (was.kind !== is.kind || (KINDS[was.kind].radius !== null && was.object.radius !== is.object.radius)) return true;
+  const then = placesOf(was);
+  return placesOf(is).some(({ x, y }, i) => x !== then[i]?.x || y !== then[i]?.y);
+}
+
+/** The objects whose outlines differ between two states of a level. Objects that the files share are compared by reference. */
+export function changedObjects(before: LevelFile, after: LevelFile): ChangedObject[] {
+  const now = objectsOf(after);
+  const changed: ChangedObject[] = [];
+  for (const [key, was] of objectsOf(before)) {
+    const is = now.get(key) ?? null;
+    if (is === null || (is.object !== was.object && looksOther(was, is))) changed.push({ key, was, is });
+  }
+  return changed;
+}
+
+/** At most so many dashes in all: a longer line gets longer ones. */
+const MOST = 1500;
+
+const lengthOf = (line: Line): number => {
+  let length = 0;
+  for (let i = 2; i < line.length; i += 2) length += Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
+  return length;
+};
+
+/**
+ * The dashes of lines, each with a gap of its own length after it.
+ * @param length of a dash along the line
+ * @returns a line for each
+ */
+export function dashesOf(lines: readonly Line[], length: number): Line[] {
+  const all = lines.reduce((sum, line) => sum + lengthOf(line), 0);
+  const dash = Math.max(length, all / (2 * MOST));
+  return lines.flatMap((line) => dashesOfLine(line, dash));
+}
+
+function dashesOfLine(line: Line, dash: number): Line[] {
+  if (line.length < 4) return [];
+  const dashes: number[][] = [];
+  let drawn: number[] | null = [line[0], line[1]];
+  let left = dash;
+  for (let i = 2; i < line.length; i += 2) {
+    let [x, y] = [line[i - 2], line[i - 1]];
+    let rest = Math.hypot(line[i] - x, line[i + 1] - y);
+    while (rest > left) {
+      const share = left / rest;
+      x += (line[i] - x) * share;
+      y += (line[i + 1] - y) * share;
+      rest -= left;
+      left = dash;
+      if (drawn === null) drawn = [x, y];
+      else {
+        dashes.push([...drawn, x, y]);
+        drawn = null;
+      }
+    }
+    left -= rest;
+    drawn?.push(line[i], line[i + 1]);
+  }
+  if (drawn !== null && drawn.length >= 4) dashes.push(drawn);
+  return dashes;
+}

@@ -1,15 +1,12 @@
-import type { StoreApi } from 'zustand/vanilla';
+import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Desk } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import type { DocumentEvent } from '../../core/document/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
-import { figuresOf } from './figures.ts';
-import { type FormerRun, formerOf, isShown, playsLike } from './former.ts';
-import { createFormerSlack, type ShownSlack, shownSlack } from './measure-slack.ts';
-import { onionOf } from './onion-store.ts';
-import { replayFormer } from './replay-former.ts';
+import { type FormerRun, figuresOf, formerOf, isShown, playsLike, replayFormer } from './former.ts';
 import { rowsInWords, rowsOf, whyUnknown } from './rows.ts';
-import { MEASURING } from './slack.ts';
+import { createFormerSlack, MEASURING, type ShownSlack, type SlackKnown, shownSlack } from './slack.ts';
 
 /** Compares with before the last change. */
 export const COMPARE_KEY = 'Shift+b';
@@ -49,7 +46,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
   const store = onionOf(level);
   const former = createFormerSlack(desk, robustness);
   const isOn = () => session.getState().layers.onion;
-  const isInHand = () => document.settledFile() !== document.file();
+  const isInHand = () => document.committedFile() !== document.file();
   /** The shown run of the level at rest, and what it was before the last step. */
   let settled: FormerRun | null = null;
   let last: FormerRun | null = null;
@@ -111,7 +108,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
     if (!isOn()) return;
     const now = proof.proof();
     if (isInHand()) {
-      if (settled !== null && settled.file === document.settledFile() && !playsLike(settled, now)) show(settled, 'held');
+      if (settled !== null && settled.file === document.committedFile() && !playsLike(settled, now)) show(settled, 'held');
       return;
     }
     const before = settled;
@@ -206,3 +203,22 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
     },
   };
 }
+
+/** What the page compares the shown run with. */
+export interface Comparison {
+  /** null: nothing is compared. */
+  readonly former: FormerRun | null;
+  /** `held`: the change is in progress. `ended`: it has just ended. `asked`: by the command. */
+  readonly phase: 'held' | 'ended' | 'asked';
+  /** The slack of the former run. */
+  readonly slack: SlackKnown;
+  /** The slack of the shown run. */
+  readonly slackNow: SlackKnown;
+  /** The differences when the last change ended, for a screen reader. */
+  readonly said: string;
+}
+
+/** What the shown run of a level is compared with. */
+export const onionOf = ofDocument(() =>
+  createStore<Comparison>(() => ({ former: null, phase: 'ended', slack: MEASURING, slackNow: MEASURING, said: '' })),
+);

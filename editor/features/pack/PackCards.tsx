@@ -4,7 +4,7 @@ import type { Terms } from '../../../engine/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { type ListedVerdict, thumbnailsOf, verdictOf } from '../../core/levels/index.ts';
 import { ChapterHead } from './ChapterHead.tsx';
-import { spotAfter } from './focus-step.ts';
+import { spotAfter } from './card-order.ts';
 import { PackCard } from './PackCard.tsx';
 import type { Card, Chapter } from './pack-model.ts';
 import { useCardDrag } from './use-card-drag.ts';

@@ -1,7 +1,6 @@
 import { Search } from 'lucide-react';
 import { useId } from 'react';
-import { effectsOf, type Filter, isFiltered } from './filter.ts';
-import type { Card } from './pack-model.ts';
+import { type Card, effectsOf, type Filter, isFiltered } from './pack-model.ts';
 
 interface PackFilterProps {
   readonly filter: Filter;

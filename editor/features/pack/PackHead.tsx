@@ -1,12 +1,13 @@
-import { FilePlus2, Gauge, Redo2, Square, Undo2, X } from 'lucide-react';
+import { CircleAlert, FilePlus2, Gauge, Redo2, Square, TriangleAlert, Undo2, X } from 'lucide-react';
 import { useStore } from 'zustand';
 import type { Terms } from '../../../engine/index.ts';
+import type { Problem } from '../../../schema/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import type { FolderPack } from '../../core/files/index.ts';
 import { editPack, listHistoryOf } from '../../core/levels/index.ts';
 import { Button } from '../../core/ui/index.ts';
+import { NameField } from './ChapterHead.tsx';
 import { gradesOf } from './grades.ts';
-import { NameField } from './NameField.tsx';
 import type { PackModel } from './pack-model.ts';
 
 interface PackHeadProps {
@@ -104,5 +105,44 @@ function Measure({ model, terms }: Pick<PackHeadProps, 'model' | 'terms'>) {
     >
       {missing === 0 ? 'Measured' : 'Measure'}
     </Button>
+  );
+}
+
+interface PackProblemsProps {
+  readonly file: string;
+  readonly problems: readonly Problem[];
+  /** null: there is nothing to go to. */
+  readonly onGo: ((problem: Problem) => void) | null;
+}
+
+/** What `gq check` says of the order, in the same words, with a way to each place. */
+export function PackProblems({ file, problems, onGo }: PackProblemsProps) {
+  if (problems.length === 0) return null;
+  return (
+    <section className="pack__problems" aria-label="Problems of the order">
+      <ul>
+        {problems.map((problem) => {
+          const { code, severity, message, hint, line, column } = problem;
+          const Icon = severity === 'error' ? CircleAlert : TriangleAlert;
+          return (
+            <li key={`${code} ${line}:${column}`} className={`pack__problem pack__problem--${severity}`}>
+              <Icon size={15} aria-label={severity} />
+              <div>
+                <p>{message}</p>
+                <p className="pack__note">
+                  {hint} <span className="pack__place">{line === null ? file : `${file}:${line}:${column}`}</span>{' '}
+                  <code>{code}</code>
+                </p>
+              </div>
+              {onGo !== null && (
+                <Button hint="Show it" aria-label={`Go to: ${message}`} look="outlined" onClick={() => onGo(problem)}>
+                  Go to
+                </Button>
+              )}
+            </li>
+          );
+        })}
+      </ul>
+    </section>
   );
 }

@@ -5,10 +5,10 @@ import { useEditor, useLevel } from '../../core/context/index.ts';
 import { keepHolds } from '../../core/levels/index.ts';
 import type { Replay } from '../../core/session/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { everyFrame } from './every-frame.ts';
+import { everyFrame } from './use-playtest.ts';
 import './play.css';
-import { createReplay, type ReplayPlayer } from './replay.ts';
-import { SpeedAndMinerals } from './SpeedAndMinerals.tsx';
+import { SpeedAndMinerals } from './PlayView.tsx';
+import { createReplay, type ReplayPlayer } from './playtest.ts';
 
 type Moment = Pick<ReplayPlayer, 'tick' | 'minerals' | 'speed' | 'isOver'>;
 

@@ -2,9 +2,11 @@ import { type RefObject, useCallback, useEffect, useRef, useState } from 'react'
 import { encodePlay, playOf } from '../../../game/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
 import { type OpenLevel, useEditor, useLevel, useSession } from '../../core/context/index.ts';
+import type { SettingsStore } from '../../core/settings/index.ts';
 import { accuracyNameOf } from '../../workers/index.ts';
-import { type PlayFrames, playFrames } from './play-frames.ts';
+import { listenToGun } from './gun-input.ts';
 import { createPlaytest, type Playtest } from './playtest.ts';
+import { createSound } from './sound.ts';
 
 /** What the HUD shows; updated a few times a second, as the canvas shows every frame. */
 export interface Readout {
@@ -102,4 +104,84 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   }, [editor, level, start, abandon, host]);
 
   return { readout, attempt, start };
+}
+
+/** ms between two readouts */
+const READOUT = 100;
+
+interface FramesParts {
+  /** The element that receives the pointer. */
+  readonly element: HTMLElement;
+  readonly settings: SettingsStore;
+  /** Simulated seconds per second. */
+  readonly rate: () => number;
+  /** Called when the readout should be updated. */
+  readonly onReadout: (playing: Playtest) => void;
+}
+
+/** The frames of the page, which play a playtest. */
+interface PlayFrames {
+  /** Plays an attempt from now on; a gun that is held counts from its first tick. null: none */
+  play(playing: Playtest | null): void;
+  /** The sounds of what happens in an attempt. */
+  onMineral(): void;
+  onEnd(playing: Playtest): void;
+  stop(): void;
+}
+
+/** Runs playtests frame by frame with the input of the gun, and plays their sounds. */
+function playFrames({ element, settings, rate, onReadout }: FramesParts): PlayFrames {
+  let current: Playtest | null = null;
+  const gun = listenToGun(window, element, () => settings.getState().gunKey, {
+    press: () => current?.player.press(),
+    release: () => current?.player.release(),
+  });
+  const sound = createSound(() => (settings.getState().sound ? settings.getState().volume : 0));
+  let shownAt = 0;
+  const stopFrames = everyFrame(rate, (ms, now) => {
+    if (current === null) return;
+    const playing = current;
+    playing.player.advance(ms);
+    sound.gun(gun.isHeld() && playing.end === null, playing.speed);
+    if (now - shownAt > READOUT) {
+      shownAt = now;
+      onReadout(playing);
+    }
+  });
+  return {
+    play(playing) {
+      current = playing;
+      // the user takes over from a run that may hold the gun
+      if (gun.isHeld()) current?.player.press();
+      else current?.player.release();
+    },
+    onMineral: () => sound.mineral(),
+    onEnd({ end }) {
+      if (end?.outcome === 'completed') sound.won();
+      else sound.died();
+    },
+    stop() {
+      stopFrames();
+      gun.stop();
+      sound.close();
+    },
+  };
+}
+
+/**
+ * Calls back with every frame of the page.
+ * @param rate simulated seconds per second
+ * @param onFrame is given the simulated time since the last frame and the time of this one, ms
+ * @returns stops it
+ */
+export function everyFrame(rate: () => number, onFrame: (ms: number, now: number) => void): () => void {
+  let last = performance.now();
+  const next = (now: number) => {
+    frame = requestAnimationFrame(next);
+    const ms = (now - last) * rate();
+    last = now;
+    onFrame(ms, now);
+  };
+  let frame = requestAnimationFrame(next);
+  return () => cancelAnimationFrame(frame);
 }

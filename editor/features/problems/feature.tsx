@@ -1,7 +1,15 @@
-import { TriangleAlert } from 'lucide-react';
-import { perLevel } from '../../core/context/index.ts';
+import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
+import { memo } from 'react';
+import type { LevelFile, Problem } from '../../../schema/index.ts';
+import { type Editor, type OpenLevel, perLevel, useEditor, useLevel } from '../../core/context/index.ts';
+import { keyAt, nameOf, objectsOf, ownNameOf } from '../../core/document/index.ts';
+import { plural } from '../../core/figures/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import type { Feature } from '../feature.ts';
-import { Problems } from './Problems.tsx';
+import { explanationOf } from './explanations.ts';
+import { keysOf, useProblems } from './index.ts';
+import { quickFixOf, runAt } from './quick-fix.ts';
+import './problems.css';
 
 /** What is wrong with the level, and how to mend it. */
 export const problems: Feature = {
@@ -15,3 +23,141 @@ export const problems: Feature = {
     content: perLevel(Problems),
   },
 };
+
+const ICONS = { error: CircleX, warning: TriangleAlert } as const;
+
+/** The name of the place that a pointer leads to, as other panels call it. */
+function placeOf(file: LevelFile, pointer: string): string {
+  const key = keyAt(file, pointer);
+  const found = key === null ? undefined : objectsOf(file).get(key);
+  if (found !== undefined) {
+    const [name, own] = [nameOf(found), ownNameOf(found)];
+    return own === name ? name.toLowerCase() : `“${own}”`;
+  }
+  const run = runAt(file, pointer);
+  return run === null ? 'the level' : `run “${run}”`;
+}
+
+interface ProblemCardProps {
+  readonly problem: Problem;
+  /** The place of the problem, in words. */
+  readonly place: string;
+  /** The title of the quick fix; null if there is none. */
+  readonly fixTitle: string | null;
+}
+
+/** Memoized: rendering dozens of cards again would take milliseconds. */
+const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: ProblemCardProps) {
+  const editor = useEditor();
+  const level = useLevel();
+  const { code, severity, message, hint, pointer } = problem;
+  const Icon = ICONS[severity];
+  const explanation = explanationOf(code);
+  const applyFix = () => {
+    const fix = quickFixOf(level.document.file(), problem);
+    if (fix !== null) level.document.change(fix.title, fix.recipe);
+  };
+  return (
+    <li className={`problem problem--${severity}`}>
+      <p className="problem__head">
+        <Icon size={15} aria-hidden />
+        <span className="problem__severity">{severity}</span>
+        <span className="problem__message">{message}</span>
+      </p>
+      <p className="part__note">{hint}</p>
+      <div className="part__row">
+        {pointer !== '' && (
+          <Button hint="Select it and bring it into view" look="outlined" onClick={() => goToProblem(editor, level, problem)}>
+            Go to {place}
+          </Button>
+        )}
+        {fixTitle !== null && (
+          <Button hint="Fix it now; no run changes" look="outlined" onClick={applyFix}>
+            {fixTitle}
+          </Button>
+        )}
+        {['file-unreadable', 'file-deleted', 'merge-conflict'].includes(code) && (
+          <Button
+            hint="Compare both versions and choose"
+            look="outlined"
+            onClick={() => editor.session.setState({ overlay: 'conflict' })}
+          >
+            Review
+          </Button>
+        )}
+        {code === 'no-run' && (
+          <Button hint="Let the solver find a run" look="outlined" onClick={() => editor.commands.run('solve.start')}>
+            Solve
+          </Button>
+        )}
+        {explanation !== null && (
+          <details className="problem__why">
+            <summary>
+              <code>{code}</code>
+            </summary>
+            <p>
+              <b>{explanation.title}.</b> {explanation.why}
+            </p>
+            <p>{explanation.fix}</p>
+          </details>
+        )}
+      </div>
+    </li>
+  );
+});
+
+/** What `gq check` would report about the level on the screen, errors first. */
+function Problems() {
+  const problems = useProblems();
+  const file = useLevel().document.file();
+  const keys = keysOf(problems);
+  const errors = problems.filter(({ severity }) => severity === 'error').length;
+  const warnings = problems.length - errors;
+  const counts = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(warnings > 0 ? [plural(warnings, 'warning')] : [])];
+  return (
+    <div className={problems.length === 0 ? 'panel__body problems problems--none' : 'panel__body problems'}>
+      <p className="problems__count" role="status">
+        {problems.length === 0 ? (
+          <>
+            <CircleCheck size={15} className="tone--good" aria-hidden /> No errors and no warnings.
+          </>
+        ) : (
+          counts.join(', ')
+        )}
+      </p>
+      <ul className="problems__list" aria-label="Problems">
+        {problems.map((problem, i) => (
+          <ProblemCard
+            key={keys[i]}
+            problem={problem}
+            place={placeOf(file, problem.pointer)}
+            fixTitle={quickFixOf(file, problem)?.title ?? null}
+          />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+/** Shows the place of a problem: selects the object and brings it into view, or shows the run with the hold selected. */
+function goToProblem({ session, commands }: Editor, { document, selection }: OpenLevel, { pointer }: Problem): void {
+  const file = document.file();
+  const key = keyAt(file, pointer);
+  if (key !== null) {
+    selection.select([key]);
+    commands.run('view.fit-selection');
+    return;
+  }
+  const run = runAt(file, pointer);
+  if (run === null) {
+    selection.clear();
+    commands.run('view.fit');
+    return;
+  }
+  session.setState({ run });
+  const hold = /\/holds\/(\d+)/.exec(pointer)?.[1];
+  const ticks = hold === undefined ? undefined : file.runs?.find(({ name }) => name === run)?.holds[Number(hold)];
+  if (ticks === undefined) return;
+  selection.selectHolds(run, [Number(hold)]);
+  session.setState({ tick: ticks[0], isPlayingBack: false });
+}

@@ -3,13 +3,13 @@ import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import { type Attempt, attemptInWords } from '../../core/attempts/index.ts';
-import { attemptGhosts, useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { attemptGhosts, putGhosts, useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { plural, seconds } from '../../core/figures/index.ts';
 import { keepAsRun, makeProof } from '../../core/levels/index.ts';
 import { OutcomeSign, outcomeWord } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
-import { CompareButton } from './CompareButton.tsx';
+import { CompareButton } from './RunLine.tsx';
 
 /** The attempts of this session: each is a ghost on the canvas and can be kept as a run of the level. */
 export function AttemptList() {
@@ -24,9 +24,8 @@ export function AttemptList() {
 
   useEffect(() => {
     const show = () => {
-      const others = ghosts.getState().filter(({ look }) => look !== 'attempt');
       const shown = kept.store.getState().filter(({ number }) => !hidden.has(number));
-      ghosts.setState([...others, ...attemptGhosts(shown)], true);
+      putGhosts(ghosts, 'attempt', attemptGhosts(shown));
     };
     show();
     return kept.store.subscribe(show);

@@ -1,8 +1,8 @@
-import { Plus } from 'lucide-react';
+import { Copy, Plus } from 'lucide-react';
 import { type KeyboardEvent, useMemo, useState } from 'react';
 import type { LevelFile } from '../../../schema/index.ts';
 import { isModKey } from '../../core/commands/index.ts';
-import { useDocument, useEditor, useLevel, useProof } from '../../core/context/index.ts';
+import { useDocument, useEditor, useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
 import { PlayButton } from '../../core/panel/index.ts';
 import { type MenuEntry, Tree } from '../../core/tree/index.ts';
 import { Button } from '../../core/ui/index.ts';
@@ -10,12 +10,12 @@ import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
 import { AttemptList } from './AttemptList.tsx';
 import { runChanges } from './change-runs.ts';
 import { DifferencePanel } from './DifferencePanel.tsx';
-import { RunHash } from './RunHash.tsx';
-import { RunLine } from './RunLine.tsx';
-import { useRunEnds } from './run-ends.ts';
-import { type RunRow, runRows } from './run-row.ts';
+import { useRunEnds } from './index.ts';
+import { RunLine, type RunRow, runRows } from './RunLine.tsx';
 import { ScriptField } from './ScriptField.tsx';
 import './runs.css';
+import { copyText } from '../../core/exchange/index.ts';
+import type { LiveProof } from '../../core/proof/index.ts';
 
 type RunFile = NonNullable<LevelFile['runs']>[number];
 
@@ -132,5 +132,33 @@ function NoRuns() {
       <PlayButton />
       <p>Keep an attempt as a run, or let the solver find one.</p>
     </div>
+  );
+}
+
+/** ms between two updates: a hash covers every tick of the run */
+const WAIT = 300;
+
+const hashOf = ({ full }: LiveProof): string => full?.hash ?? '(work limit)';
+
+/**
+ * The hash of the shown run. It equals that of `gq simulate` at the same accuracy, in any browser, if the page computes the
+ * same bits.
+ */
+function RunHash() {
+  const { notices } = useEditor();
+  const hash = useProofInPace(hashOf, WAIT);
+  const accuracy = useProof(({ terms }) => terms.accuracy.name);
+  return (
+    <p className="runs__hash">
+      <span>hash</span>
+      <output className="numbers" aria-label="Hash of the run" title={`gq simulate prints the same at --accuracy ${accuracy}`}>
+        {hash}
+      </output>
+      <Button
+        hint="Copy the hash of the run"
+        icon={<Copy size={13} />}
+        onClick={() => void copyText(notices, 'the hash of the run', hash)}
+      />
+    </p>
   );
 }

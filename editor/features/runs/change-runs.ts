@@ -9,7 +9,7 @@ import {
   renameRun,
   reorderRun,
 } from '../../core/document/index.ts';
-import type { RunRow } from './run-row.ts';
+import type { RunRow } from './RunLine.tsx';
 import { renameDraft } from './script-draft.ts';
 
 /** Edits of the runs of a level. Each returns the name of the run to continue with; undefined if nothing was done. */

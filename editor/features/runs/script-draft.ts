@@ -1,9 +1,9 @@
-import { createStore, type StoreApi } from 'zustand/vanilla';
+import { createStore } from 'zustand/vanilla';
 import { joinHolds } from '../../../engine/index.ts';
 import { formatRunText, type LevelFile, type RunTextReading, readRunText } from '../../../schema/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { holdsOf, notesOf, writeScript } from '../../core/document/index.ts';
-import { keptWith } from '../../core/kept/index.ts';
+import { ofDocument } from '../../core/kept/index.ts';
 
 /** A text that was typed for a run. */
 export interface Draft {
@@ -13,12 +13,8 @@ export interface Draft {
   readonly means: string | null;
 }
 
-/** What is typed for the runs of one level, by their names: it stays while other panels are in front. */
-export type Drafts = StoreApi<ReadonlyMap<string, Draft>>;
-
-const draftsAt = keptWith<object, Drafts>(() => createStore<ReadonlyMap<string, Draft>>(() => new Map()));
-
-export const draftsOf = ({ document }: Pick<OpenLevel, 'document'>): Drafts => draftsAt(document);
+/** What is typed for the runs of a level, by their names: it stays while other panels are in front. */
+export const draftsOf = ofDocument(() => createStore<ReadonlyMap<string, Draft>>(() => new Map()));
 
 /** A run of a file as canonical text. */
 export const scriptText = (file: LevelFile, run: string): string =>

@@ -5,7 +5,7 @@ import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/ind
 import { extraInWords, type Fact, percent, plural, seconds } from '../../core/figures/index.ts';
 import { Facts, Progress, Section } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { useSolverSession } from './use-solver-session.ts';
+import { useSolverSession } from './index.ts';
 
 const USES: Readonly<Record<WithoutAsteroid['use'], string>> = {
   avoidable: 'can be left unused',

@@ -8,7 +8,7 @@ import { about, seconds } from '../../core/figures/index.ts';
 import { Offer, Progress, Section } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import type { FixState } from './fix-session.ts';
-import { useSolverSession } from './use-solver-session.ts';
+import { useSolverSession } from './index.ts';
 
 function ProposalOffer({ proposal, level }: { readonly proposal: Proposal; readonly level: Level }) {
   const { fixes } = useSolverSession();

@@ -4,7 +4,7 @@ import type { EdgeSlack, Success } from '../../../solver/index.ts';
 import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { percent, plural, SLACK_LIMIT, slackText, tightestOf } from '../../core/figures/index.ts';
 import { Section } from '../../core/panel/index.ts';
-import { useSolverSession } from './use-solver-session.ts';
+import { useSolverSession } from './index.ts';
 
 const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);
 

@@ -2,10 +2,11 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
 import { type Desk, question } from '../../core/ask/index.ts';
-import { type ProofStore, withoutRuns } from '../../core/proof/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, jobs } from '../../workers/index.ts';
-import { goalOf, type SearchSettingsStore } from './search-settings.ts';
-import { askedInWords } from './standing.ts';
+import { goalOf, type SearchSettingsStore } from './search-task.ts';
+import { askedInWords } from './search-words.ts';
 
 export interface DifficultyState {
   /** `none`: there is no run to measure */
@@ -28,7 +29,7 @@ export interface DifficultySession {
 }
 
 interface DifficultyParts {
-  readonly level: { readonly proof: ProofStore };
+  readonly level: Pick<OpenLevel, 'proof'>;
   readonly desk: Desk;
   readonly settings: SearchSettingsStore;
 }

@@ -1,12 +1,17 @@
 import { Sparkles } from 'lucide-react';
+import type { ComponentType } from 'react';
 import { COLOURS, type DrawnPart, unchanged } from '../../canvas/index.ts';
+import { Section } from '../../core/panel/index.ts';
 import type { Feature } from '../feature.ts';
-import { HeatLegend } from './HeatLegend.tsx';
-import type { SearchOverlay } from './overlay.ts';
-import { Solver } from './Solver.tsx';
-import { SearchLayer } from './search-layer.ts';
+import { DifficultyReport } from './DifficultyReport.tsx';
+import { FixReport } from './FixReport.tsx';
+import { solverSessionOf } from './index.ts';
+import { RobustnessReport } from './RobustnessReport.tsx';
+import { HeatLegend, SearchLayer } from './SearchOverlay.tsx';
+import { SearchReport, SearchSettingsForm } from './SearchSection.tsx';
+import type { SearchOverlay } from './search-session.ts';
 import { solverCommands, solverLevelCommands } from './solver-commands.ts';
-import { solverSessionOf } from './solver-session.ts';
+import './solver.css';
 
 const drawn: DrawnPart<SearchOverlay> = {
   pictureOf(editor, level) {
@@ -35,3 +40,22 @@ export const solver: Feature = {
   commands: solverCommands,
   levelCommands: solverLevelCommands,
 };
+
+/** The solver panel: search, fixes, robustness and difficulty. @param sections what other features examine */
+function Solver({ sections }: { readonly sections: readonly ComponentType[] }) {
+  return (
+    <div className="panel__body solver">
+      <Section title="Find runs">
+        <SearchSettingsForm />
+        <SearchReport />
+      </Section>
+      <FixReport />
+      {sections.map((Part, key) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+        <Part key={key} />
+      ))}
+      <RobustnessReport />
+      <DifficultyReport />
+    </div>
+  );
+}

@@ -4,12 +4,12 @@ import { proposalInWords } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
 import { type Desk, question } from '../../core/ask/index.ts';
-import { type EditedLevel, freeRunName } from '../../core/document/index.ts';
-import type { ProofStore } from '../../core/proof/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { freeRunName } from '../../core/document/index.ts';
 import { createPreview, type SessionStore } from '../../core/session/index.ts';
 import { type AskedOf, type Fixing, jobs } from '../../workers/index.ts';
-import { SOLUTION } from './keep-found-run.ts';
-import type { SearchSettingsStore } from './search-settings.ts';
+import { SOLUTION } from './search-session.ts';
+import type { SearchSettingsStore } from './search-task.ts';
 
 export interface FixState {
   readonly phase: 'idle' | 'seeking' | 'done' | 'failed';
@@ -39,7 +39,7 @@ export interface FixSession {
 }
 
 interface FixParts {
-  readonly level: { readonly document: EditedLevel; readonly proof: ProofStore };
+  readonly level: Pick<OpenLevel, 'document' | 'proof'>;
   readonly session: SessionStore;
   readonly desk: Desk;
   readonly settings: SearchSettingsStore;

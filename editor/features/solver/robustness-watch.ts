@@ -1,13 +1,11 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { EdgeSlack, Robustness, Success } from '../../../solver/index.ts';
 import { type Desk, type Question, question } from '../../core/ask/index.ts';
-import type { Ghost } from '../../core/context/index.ts';
+import { type Analysis, type Ghost, type OpenLevel, putGhosts } from '../../core/context/index.ts';
 import type { EditedLevel } from '../../core/document/index.ts';
 import { plural } from '../../core/figures/index.ts';
 import { endInWords, isWhole, type LiveProof, type ProofStore, withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, FAN_TICKS, type Fan, type FanWay, jobs, type ProgressOf } from '../../workers/index.ts';
-import { type GhostShelf, putGhosts } from './ghost-shelf.ts';
-import { everyTick } from './ways.ts';
 
 /** The robustness of the shown run, as far as it is known. */
 export interface RobustnessState {
@@ -20,19 +18,6 @@ export interface RobustnessState {
   readonly full: Robustness | null;
   /** Whether the minerals that the run collects are part of the goal. */
   readonly withMinerals: boolean;
-}
-
-/** The part that the timeline and the canvas show. */
-interface Analysed {
-  /** The holds it belongs to, joined by commas. */
-  readonly holds: string;
-  readonly slack: readonly EdgeSlack[];
-  /** All shifts of all edges by up to this many ticks succeed; null while this is being certified. */
-  readonly certifiedTicks: number | null;
-  /** Whether some shift by one tick more is known to fail; false if there were too many to check. */
-  readonly decided: boolean;
-  /** Success with timing noise of 40 ms, 0 to 1. */
-  readonly p40: number;
 }
 
 /** A run of which the robustness is measured. */
@@ -95,11 +80,7 @@ export interface RobustnessWatch {
 }
 
 interface WatchParts {
-  readonly level: GhostShelf & {
-    readonly document: Pick<EditedLevel, 'onStep'>;
-    readonly proof: ProofStore;
-    readonly analysis: StoreApi<Analysed | null>;
-  };
+  readonly level: Pick<OpenLevel, 'proof' | 'analysis' | 'ghosts'> & { readonly document: Pick<EditedLevel, 'onStep'> };
   readonly desk: Desk;
 }
 
@@ -137,7 +118,7 @@ export function watchRobustness({ level, desk }: WatchParts): RobustnessWatch {
     return { ...sofar, phase: 'measured', slack: answer.slack, p40: answer.p40, full: answer };
   };
   /** For the timeline; its certification is not known before the end. */
-  const analysisNow = (): Analysed | null => {
+  const analysisNow = (): Analysis | null => {
     const { of, progress, answer } = robustness.store.getState();
     const known = answer ?? progress;
     if (of === null || known === null) return null;
@@ -154,7 +135,7 @@ export function watchRobustness({ level, desk }: WatchParts): RobustnessWatch {
     const fresh = fan.store.getState().answer?.ways ?? [];
     if (fresh === ways || fresh.length + ways.length === 0) return;
     ways = fresh;
-    putGhosts(level, 'slack', ways.map(toGhost));
+    putGhosts(level.ghosts, 'slack', ways.map(toGhost));
   };
   show();
   let forget = () => {};
@@ -180,4 +161,20 @@ export function watchRobustness({ level, desk }: WatchParts): RobustnessWatch {
       fan.close();
     },
   };
+}
+
+/** A path known at every `ticks` ticks, interpolated linearly to one entry per tick. */
+export function everyTick(points: Float32Array, ticks: number): Float32Array {
+  const count = points.length / 2;
+  if (count < 2) return points;
+  const filled = new Float32Array(2 * ((count - 1) * ticks + 1));
+  for (let i = 0; i < count - 1; i++) {
+    for (let k = 0; k <= ticks; k++) {
+      const share = k / ticks;
+      const o = 2 * (i * ticks + k);
+      filled[o] = points[2 * i] * (1 - share) + points[2 * i + 2] * share;
+      filled[o + 1] = points[2 * i + 1] * (1 - share) + points[2 * i + 3] * share;
+    }
+  }
+  return filled;
 }

@@ -1,20 +1,24 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
-import { type Goal, mineralsNeeded, proofPicture } from '../../../solver/index.ts';
+import {
+  type Candidate,
+  type Explored,
+  type Goal,
+  mineralsNeeded,
+  type Proof,
+  type ProofPicture,
+  proofPicture,
+  verifyRun,
+} from '../../../solver/index.ts';
 import type { Desk } from '../../core/ask/index.ts';
-import type { EditedLevel } from '../../core/document/index.ts';
+import type { OpenLevel } from '../../core/context/index.ts';
+import { addRun, type EditedLevel, freeRunName, replaceHolds } from '../../core/document/index.ts';
 import type { ProofStore } from '../../core/proof/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import type { Proofs, Solving } from '../../workers/index.ts';
-import { createCandidateGhosts } from './candidate-ghosts.ts';
-import { type Found, foundBy, triedIn } from './found-runs.ts';
-import type { GhostShelf } from './ghost-shelf.ts';
-import { addFound, replaceByFound, SOLUTION } from './keep-found-run.ts';
-import type { OverlayStore } from './overlay.ts';
-import { createSearchJobs } from './search-jobs.ts';
-import { aimOf, goalOf, type SearchSettingsStore } from './search-settings.ts';
-import { afterChange, IDLE, type SearchState } from './search-state.ts';
+import { createCandidateGhosts } from './ghosts.ts';
+import { aimOf, createSearchJobs, goalOf, type SearchSettings, type SearchSettingsStore } from './search-task.ts';
 
 /** ms without a change of the level before the runs that were found are checked in it */
 const SETTLE = 200;
@@ -39,8 +43,8 @@ export interface SearchSession {
   close(): void;
 }
 
-export interface SearchParts {
-  readonly level: GhostShelf & { readonly document: EditedLevel; readonly proof: ProofStore };
+interface SearchParts {
+  readonly level: Pick<OpenLevel, 'document' | 'proof' | 'ghosts'>;
   readonly session: SessionStore;
   readonly desk: Desk;
   readonly settings: SearchSettingsStore;
@@ -167,3 +171,126 @@ export function createSearchSession({ level, session, desk, settings, overlay, n
     },
   };
 }
+
+/** The state of a level's search. */
+export interface SearchState {
+  /** `stale`: it was stopped because the level changed */
+  readonly phase: 'idle' | 'running' | 'done' | 'cancelled' | 'stale' | 'failed';
+  /** the message of a failure */
+  readonly message: string | null;
+  /** ms spent */
+  readonly ms: number;
+  /** The settings of the search; null before the first one. */
+  readonly settings: SearchSettings | null;
+  readonly solving: Solving | null;
+  /** best first */
+  readonly found: readonly Found[];
+  readonly impossible: Proof | null;
+  readonly mineralProofs: Proofs['minerals'];
+  /** Whether it is proved that the wanted minerals can't all be collected. */
+  readonly isHopeless: boolean;
+  /** Whether the level has changed since the search. */
+  readonly isOld: boolean;
+  /** id of the run under the pointer */
+  readonly hovered: string | null;
+}
+
+/**
+ * The state after a change of the level: only the runs that were found still count. @param found those runs, checked in the
+ * current level
+ */
+const afterChange = ({ phase }: SearchState, found: readonly Found[]): Partial<SearchState> => ({
+  found,
+  impossible: null,
+  mineralProofs: [],
+  isHopeless: false,
+  isOld: true,
+  solving: null,
+  phase: phase === 'running' ? 'stale' : phase,
+});
+
+/** Before the first search. */
+const IDLE: SearchState = {
+  phase: 'idle',
+  message: null,
+  ms: 0,
+  settings: null,
+  solving: null,
+  found: [],
+  impossible: null,
+  mineralProofs: [],
+  isHopeless: false,
+  isOld: false,
+  hovered: null,
+};
+
+/** A run that a search found, and whether it still meets the goal. */
+export interface Found {
+  /** equal for equal holds */
+  readonly id: string;
+  readonly candidate: Candidate;
+  /** Success with timing noise of 40 ms, 0 to 1; null if not measured. */
+  readonly p40: number | null;
+  readonly certified: boolean;
+  /** False if the level has changed and the run now fails. */
+  readonly works: boolean;
+}
+
+/** The runs that a search has found so far, best first. */
+const foundBy = ({ solutions }: Solving): Found[] =>
+  solutions.map((solution) => ({
+    id: solution.holds.join(),
+    candidate: solution,
+    p40: solution.p40?.p ?? null,
+    certified: solution.certified,
+    works: true,
+  }));
+
+/** Checks runs that were found in another state of the level. */
+const triedIn = (scene: Scene, goal: Goal, found: readonly Found[]): Found[] =>
+  found.map((one) => {
+    const verified = verifyRun(scene, one.candidate.holds, goal);
+    // the success was measured in the previous state of the level
+    return { ...one, candidate: verified ?? one.candidate, works: verified !== null, p40: null, certified: false };
+  });
+
+/** The name of the first run that completes the level. */
+export const SOLUTION = 'solution';
+
+interface KeepParts {
+  readonly document: EditedLevel;
+  readonly proof: ProofStore;
+  readonly session: SessionStore;
+}
+
+/** Replaces a run of the level and shows it. @param name of the run to replace */
+function replaceByFound({ document, session }: KeepParts, holds: readonly Hold[], name: string): void {
+  document.change(`Replace run ${name}`, replaceHolds(name, holds));
+  session.setState({ run: name });
+}
+
+/**
+ * Adds a run to the level and shows it. If no run completes the level and this one does, it becomes the first run.
+ * @param wanted its name, unless it is the first run that completes the level
+ */
+function addFound({ document, proof, session }: KeepParts, holds: readonly Hold[], wanted: string): void {
+  const file = document.file();
+  const { provenBy, scene } = proof.proof();
+  // The first run is the one in pictures; a run that fails in the current level must not become it.
+  const proves = provenBy === null && verifyRun(scene, holds) !== null;
+  const hasSolution = file.runs?.some(({ name }) => name === SOLUTION) === true;
+  const name = freeRunName(file, proves && !hasSolution ? SOLUTION : wanted);
+  if (document.change(`Add run ${name}`, addRun(name, holds, proves ? 'first' : 'last')).ok) session.setState({ run: name });
+}
+
+/** What a search shows on the canvas besides paths. */
+export interface SearchOverlay {
+  /** Where the search has been; null before the first search. The layer `heatMap` shows it. */
+  readonly heat: Explored | null;
+  /** Why the black hole or a mineral is out of reach; null if nothing is proved. */
+  readonly proof: ProofPicture | null;
+}
+
+export type OverlayStore = StoreApi<SearchOverlay>;
+
+export const createOverlay = (): OverlayStore => createStore<SearchOverlay>(() => ({ heat: null, proof: null }));

@@ -1,6 +1,6 @@
 import type { Command } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
-import { solverSessionOf } from './solver-session.ts';
+import { solverSessionOf } from './index.ts';
 
 /** Starts a search. */
 export const SOLVE_KEY = '$mod+Enter';
