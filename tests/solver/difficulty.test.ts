@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import { GRADE_WORDS, measureDifficulty, successProbability } from '../../solver/index.ts';
 import { type GradeInput, gradeOf } from '../../solver/measure/difficulty/grade.ts';
-import { playAtRandom } from '../../solver/measure/difficulty/random-play.ts';
+import { playAtRandom } from '../../solver/measure/difficulty/luck.ts';
 import { findSigmaAtHalf } from '../../solver/measure/difficulty/sigma-at-half.ts';
 import { itQuick } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';

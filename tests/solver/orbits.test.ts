@@ -4,7 +4,7 @@ import { compile, createSimulation, STATE_SIZE, TICK } from '../../engine/index.
 import { type Level, NO_OBJECTS, rulesOf } from '../../schema/index.ts';
 import { type Certificate, type OrbitGrid, type Proof, verifyProof } from '../../solver/index.ts';
 import { claimOf } from '../../solver/verify/claim.ts';
-import { angleOf, cosineAndSine } from '../../solver/verify/orbits/angles.ts';
+import { angleOf, cosineAndSine } from '../../solver/verify/orbits/arithmetic.ts';
 import { type OrbitBox, OrbitSets } from '../../solver/verify/orbits/index.ts';
 import { expectDeep, itQuick } from '../depth.ts';
 import { real } from '../real.ts';
