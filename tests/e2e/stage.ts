@@ -88,7 +88,7 @@ const KNOWN = `localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":tr
 
 /**
  * Runs in a page before its own scripts.
- * Draws about 20 frames per second, not 60, which would use half a processor.
+ * Draws about 10 frames per second, not 60, which would use half a processor.
  * The clock of frames and `performance.now` can run faster or stand still: see `hurry` and `pass`. Timers and dates do not
  * change.
  */
@@ -118,7 +118,7 @@ export function paceFrames(): void {
         callback(shownAt(real));
       });
       cancels.set(id, () => cancel(frame));
-    }, 34);
+    }, 84);
     cancels.set(id, () => clearTimeout(timer));
     return id;
   };
