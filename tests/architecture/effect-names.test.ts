@@ -35,8 +35,7 @@ const mayName = (kind: string): string[] => [
   'picture/kinds/index.ts',
   'schema/basics/kinds.ts',
   'schema/level.schema.json',
-  'solver/make/generate/placed/index.ts',
-  `solver/make/generate/placed/${kind}.ts`,
+  'solver/make/generate/placed.ts',
 ];
 
 /** A way to prove that follows an effect, or keeps out of it, and its check: they understand it by name, or refuse it. */
