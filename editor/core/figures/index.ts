@@ -63,7 +63,7 @@ export function tightestOf(slack: readonly EdgeSlack[]): Tightest | null {
   return best;
 }
 
-export { nextTurn, type TurnsOptions, timeInTurns } from './time-in-turns.ts';
+export { timeInTurns } from './time-in-turns.ts';
 
 /** A labelled value. */
 export interface Fact {
