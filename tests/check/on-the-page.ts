@@ -2,10 +2,10 @@ import { readText } from '../../editor/core/files/index.ts';
 import {
   createProver,
   type FoundByWorker,
-  type LiveProof,
-  type Proved,
   knownProblems,
   knownVerdict,
+  type LiveProof,
+  type Proved,
   toPlay,
   toProve,
 } from '../../editor/core/proof/index.ts';
