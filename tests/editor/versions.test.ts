@@ -7,7 +7,7 @@ import { STAGES, thin } from '../../editor/core/versions/thinning.ts';
 import { checkOf } from '../../editor/core/versions/version.ts';
 import { movedHeads } from '../../editor/core/versions/version-store.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 import { FILE, passingVersions } from './stage.ts';
@@ -100,7 +100,7 @@ describe('the history of a level', () => {
     expect((await listed(all)).at(-1)).toMatchObject({ number: 3, by: 'other', labels: ['More'] });
   });
 
-  it('takes in thousands of versions at once, each bit for bit, and knows them the second time', async () => {
+  itQuick('takes in thousands of versions at once, each bit for bit, and knows them the second time', async () => {
     const all = begin();
     const text = (x: number) => formatLevel({ ...FILE, blackHole: { ...FILE.blackHole, x } });
     const past = Array.from({ length: 2000 }, (_, i) => ({
@@ -168,7 +168,7 @@ describe('the history of a level', () => {
     expect(size).toBeLessThan(30 * formatLevel(level.file()).length);
   });
 
-  it('loses no other version by one damaged row, and only its own if that held its text alone', async () => {
+  itQuick('loses no other version by one damaged row, and only its own if that held its text alone', async () => {
     const all = begin({ ...FILE, asteroids: Array.from({ length: 40 }, (_, i) => ({ id: `a${i}`, x: i, y: 0, radius: 9 })) });
     const { level, versions, store } = all;
     const texts: string[] = [];

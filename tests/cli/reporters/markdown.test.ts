@@ -11,6 +11,7 @@ import {
   markdownWithin,
   stepSummary,
 } from '../../../cli/reporters/markdown.ts';
+import { itQuick } from '../../depth.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
@@ -141,7 +142,7 @@ describe('the summary of a step', () => {
     expect(added[0].content).toContain('gq edit --open levels/a.level.json');
   });
 
-  it('stays below 1 MiB together with what is there', () => {
+  itQuick('stays below 1 MiB together with what is there', () => {
     const levels = Array.from({ length: 9000 }, (_, i) => brokenLevel({ file: `levels/${i}.level.json` }));
     for (const before of [0, 1000, MIB - 5000, MIB - 10, MIB + 5]) {
       writeFileSync(at('full.md'), 'x'.repeat(before));
