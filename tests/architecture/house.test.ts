@@ -11,9 +11,9 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-  files: { goal: 1150, now: 1122 },
+  files: { goal: 1150, now: 1121 },
   /** their lines */
-  lines: { goal: 121_000, now: 130_440 },
+  lines: { goal: 121_000, now: 130_360 },
   /** lines of a file in the median, at least */
   median: { goal: 80, now: 101 },
   /** % of files under 30 lines */
