@@ -5,10 +5,10 @@ import { describe, expect, it } from 'vitest';
 import { effectsToMeet, moveEntries } from '../../check/pack/index.ts';
 import { findPack } from '../../cli/build/pack.ts';
 import { noConfiguration } from '../../cli/config/configuration.ts';
-import { openLevelFolder } from '../../cli/edit/level-folder.ts';
 import { findLevelFiles } from '../../cli/find/index.ts';
 import { checkPackFile } from '../../cli/pack-file/index.ts';
-import { folderPackIn, inOrderOfPack } from '../../editor/core/files/folder-pack.ts';
+import { openLevelFolder } from '../../cli/serve/level-folder.ts';
+import { folderPackIn, inOrderOfPack } from '../../editor/core/files/folder-list.ts';
 import { moveByKey, spotAfter } from '../../editor/features/pack/card-order.ts';
 import { curveOf, heightOf } from '../../editor/features/pack/PackCurve.tsx';
 import {
