@@ -545,10 +545,13 @@ try {
       const most = isNewest ? MODULES : MODULES.filter((entry) => !PHASER.test(entry));
       const ofEngineAlone = { ...common, folder: ofEngine, name: ENGINE_NAME, resolution: node };
       return [
-        () => inTypeScript({ ...ofAll, resolution: 'bundler', entries: most }),
         () => inTypeScript({ ...ofAll, resolution: node, entries: MODULES }),
+        // those between the oldest and the newest differ in what they can read, not in how they find it
         ...(isNewest || version === 'ts50'
-          ? [() => inTypeScript({ ...ofEngineAlone, entries: ENGINE_ENTRIES.filter((entry) => most.includes(entry)) })]
+          ? [
+              () => inTypeScript({ ...ofAll, resolution: 'bundler', entries: most }),
+              () => inTypeScript({ ...ofEngineAlone, entries: ENGINE_ENTRIES.filter((entry) => most.includes(entry)) }),
+            ]
           : []),
       ];
     }),
