@@ -18,8 +18,7 @@ import {
   reachInWords,
   samplingInWords,
 } from '../../editor/features/leeway/leeway-words.ts';
-import { isOnlyMoved, type Question, type Seen } from '../../editor/features/leeway/question.ts';
-import { leewayOf, watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
+import { isOnlyMoved, leewayOf, type Question, type Seen, watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
 import { type Leeway, MOST_REACH, type Reach, type Requests } from '../../editor/workers/index.ts';
 import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SearchState } from '../../editor/features/solver/search-session.ts';
+import { askedInWords, standingOf } from '../../editor/features/solver/search-summary.ts';
 import { createSearchSettings } from '../../editor/features/solver/search-task.ts';
-import { askedInWords, standingOf } from '../../editor/features/solver/search-words.ts';
 
 const settings = createSearchSettings().getState();
 const NOBODY = { meets: null, completes: null };

@@ -7,8 +7,7 @@ import { folderOf, readStored } from '../../core/files/index.ts';
 import { addLevels, openListed, stemOf } from '../../core/levels/index.ts';
 import { TextDialog } from '../../core/panel/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
-import { diffLines } from './line-diff.ts';
-import { valueInWords } from './value-in-words.ts';
+import { diffLines, valueInWords } from './conflict-text.ts';
 
 /** Asks how to resolve a difference between the file on disk and the page. */
 export function ConflictDialog() {

@@ -1,7 +1,6 @@
 import { nameOf } from '../../core/document/index.ts';
 import type { Leeway, Reach } from '../../workers/index.ts';
-import { objectsAsked, type Question } from './question.ts';
-import type { LeewayFindings } from './watch-leeway.ts';
+import { type LeewayFindings, objectsAsked, type Question } from './watch-leeway.ts';
 
 const number = (px: number): string => String(Number(px.toFixed(2)));
 

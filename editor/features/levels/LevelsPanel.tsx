@@ -10,8 +10,7 @@ import { SamplesButton, TextDialog } from '../../core/panel/index.ts';
 import { Tree } from '../../core/tree/index.ts';
 import { Button, focusHome } from '../../core/ui/index.ts';
 import { FolderLine, LevelLine } from './LevelLine.tsx';
-import { copyPath, levelMenu, moveTo } from './level-menu.ts';
-import { type LevelRow, levelRows } from './level-rows.ts';
+import { copyPath, type LevelRow, levelMenu, levelRows, moveTo } from './level-rows.ts';
 import './levels.css';
 import { RenameDialog } from './RenameDialog.tsx';
 

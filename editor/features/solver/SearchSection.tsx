@@ -10,9 +10,8 @@ import { Button, NumberField } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
 import { useSolverSession } from './index.ts';
 import type { Found, SearchState } from './search-session.ts';
-import { goalOf, RUNS_WANTED } from './search-task.ts';
-import { type OwnRuns, standingOf } from './search-words.ts';
-import { SOLVE_KEY } from './solver-commands.ts';
+import { type OwnRuns, standingOf } from './search-summary.ts';
+import { goalOf, RUNS_WANTED, SOLVE_KEY } from './search-task.ts';
 
 const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
 const NO_RUNS = [] as const;

@@ -5,8 +5,8 @@ import { type Desk, question } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, jobs } from '../../workers/index.ts';
+import { askedInWords } from './search-summary.ts';
 import { goalOf, type SearchSettingsStore } from './search-task.ts';
-import { askedInWords } from './search-words.ts';
 
 export interface DifficultyState {
   /** `none`: there is no run to measure */

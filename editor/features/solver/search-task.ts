@@ -6,6 +6,9 @@ import { type Desk, question } from '../../core/ask/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
 import { type AskedOf, jobs, type Proofs, type Solving } from '../../workers/index.ts';
 
+/** Starts a search. */
+export const SOLVE_KEY = '$mod+Enter';
+
 /** the number of different runs that a search looks for */
 export const RUNS_WANTED = 5;
 

@@ -1,9 +1,7 @@
 import type { Command } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { solverSessionOf } from './index.ts';
-
-/** Starts a search. */
-export const SOLVE_KEY = '$mod+Enter';
+import { SOLVE_KEY } from './search-task.ts';
 
 /** What can be done with the solver, whatever is shown. */
 export function solverCommands(editor: Editor): readonly Command[] {
