@@ -11,4 +11,4 @@ export { type CanvasPart, type Drawing, type DrawnPart, type Frame, type OnCanva
 export { DRAGGED_TOOL } from './pointer/index.ts';
 export { poseAt } from './run-pose.ts';
 export { transformActions } from './selection-box/index.ts';
-export { isInView, type Point, toLevel, toScreen, type View } from './view.ts';
+export { type Box, isInView, type Point, toLevel, toScreen, type View } from './view.ts';

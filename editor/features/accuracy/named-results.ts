@@ -45,7 +45,7 @@ async function costsOfNamed(level: Level, terms: Terms, holds: readonly Hold[], 
 }
 
 /** ms without a change before a run is compared again */
-const SETTLE = 200;
+const REST = 200;
 /** ms after the comparison before the costs are measured */
 const CALM = 300;
 
@@ -92,7 +92,7 @@ export function useNamedResults(): NamedResults {
       const { file, level, terms, run } = proof.proof();
       const holds = run.holds.join();
       if (last !== null && last.holds === holds && last.maxTime === terms.maxTime && playsAlike(last, { file, level })) return;
-      const wait = last === null ? 0 : SETTLE;
+      const wait = last === null ? 0 : REST;
       last = { file, level, holds, maxTime: terms.maxTime };
       clearTimeout(timer);
       abort.abort();

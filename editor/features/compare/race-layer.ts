@@ -1,7 +1,7 @@
 import type { GameObjects, Scene } from 'phaser';
 import { COLOURS, colourNumber, type Drawing, type Frame, type Line, linesOf, scaleIn, type Theme } from '../../canvas/index.ts';
 import { MOST_COMPARED } from './compared.ts';
-import { LOOKS, placeOf, type Race, type Racer } from './racers.ts';
+import { LOOKS, poseOf, type Race, type Racer } from './racers.ts';
 
 /** px of screen */
 const WIDTH = 2;
@@ -96,7 +96,7 @@ export class RaceLayer implements Drawing<Race> {
   /** Moves the figures to a moment. */
   private pose(racers: readonly Racer[], tick: number, { zoom, her: { halfHeight } }: Frame): void {
     for (const racer of racers) {
-      const { x, y, cos, sin } = placeOf(racer, tick);
+      const { x, y, cos, sin } = poseOf(racer, tick);
       const { body, ring, name } = this.figures[racer.slot];
       body.setPosition(x, y).setRotation(Math.atan2(sin, cos));
       ring.setPosition(x, y);

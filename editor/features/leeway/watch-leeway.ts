@@ -1,6 +1,7 @@
 import { createStore } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import { type Hold, KINDS, type Level, type LevelFile, OBJECT_LISTS, RULE_NAMES } from '../../../schema/index.ts';
+import type { Box } from '../../canvas/index.ts';
 import { type Desk, question } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf } from '../../core/document/index.ts';
@@ -13,12 +14,32 @@ import { jobs, type Leeway } from '../../workers/index.ts';
 /** Shows or hides where the selection may stand. */
 export const LEEWAY_KEY = 'Shift+l';
 
+/** What is known of where the selection may stand. */
+export interface LeewayFindings {
+  /**
+   * `off`: it is not shown. `nothing selected`: it is, but nothing is asked. `waiting`: the level has just changed. `too large`:
+   * the level takes too much work. `done`: nothing finer is sampled.
+   */
+  readonly phase: 'off' | 'nothing selected' | 'waiting' | 'sampling' | 'done' | 'too large' | 'failed';
+  /** Why it failed, or why the level is not simulated; null: neither. */
+  readonly message: string | null;
+  /** What was asked, and what is known; null: nothing is. */
+  readonly answer: { readonly question: Question; readonly leeway: Leeway } | null;
+  /** The place of an object with several that is moved alone; null: all of them. */
+  readonly only: number | null;
+}
+
+/** What is known of where the selection of a level may stand. */
+export const leewayOf = ofDocument(() =>
+  createStore<LeewayFindings>(() => ({ phase: 'off', message: null, answer: null, only: null })),
+);
+
 interface LeewayParts {
   readonly level: Pick<OpenLevel, 'document' | 'proof' | 'selection'>;
   readonly session: SessionStore;
   readonly settings: Pick<SettingsStore, 'getState' | 'subscribe'>;
   /** What the canvas shows, px of the level. */
-  readonly seen: { now(): Seen; subscribe(call: () => void): () => void };
+  readonly seen: { now(): Box; subscribe(call: () => void): () => void };
 }
 
 const isOn = ({ session }: LeewayParts) => session.getState().layers.leeway && session.getState().mode === 'edit';
@@ -116,34 +137,6 @@ export function watchLeeway({ desk, ...parts }: LeewayParts & { readonly desk: D
   };
 }
 
-/** What is known of where the selection may stand. */
-export interface LeewayFindings {
-  /**
-   * `off`: it is not shown. `nothing selected`: it is, but nothing is asked. `waiting`: the level has just changed. `too large`:
-   * the level takes too much work. `done`: nothing finer is sampled.
-   */
-  readonly phase: 'off' | 'nothing selected' | 'waiting' | 'sampling' | 'done' | 'too large' | 'failed';
-  /** Why it failed, or why the level is not simulated; null: neither. */
-  readonly message: string | null;
-  /** What was asked, and what is known; null: nothing is. */
-  readonly answer: { readonly question: Question; readonly leeway: Leeway } | null;
-  /** The place of an object with several that is moved alone; null: all of them. */
-  readonly only: number | null;
-}
-
-/** What is known of where the selection of a level may stand. */
-export const leewayOf = ofDocument(() =>
-  createStore<LeewayFindings>(() => ({ phase: 'off', message: null, answer: null, only: null })),
-);
-
-/** A box of places, px of the level. */
-export interface Seen {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
-
 /** What is asked of a level: where some of its objects may stand, moved alike. */
 export interface Question {
   readonly file: LevelFile;
@@ -160,7 +153,7 @@ export interface Question {
   /** px; null: nothing snaps to a grid */
   readonly grid: number | null;
   /** What is examined: places of the lead, px. */
-  readonly seen: Seen;
+  readonly seen: Box;
 }
 
 /** The objects of a question. */
@@ -244,5 +237,5 @@ const asksSame = (one: Question, other: Question): boolean =>
   one.holds.join() === other.holds.join();
 
 /** Whether a box contains another. */
-const contains = (outer: Seen, inner: Seen): boolean =>
+const contains = (outer: Box, inner: Box): boolean =>
   outer.left <= inner.left && outer.top <= inner.top && outer.right >= inner.right && outer.bottom >= inner.bottom;

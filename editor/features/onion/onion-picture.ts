@@ -1,6 +1,5 @@
-import type { Box } from '../../../engine/index.ts';
 import { type Disc, KINDS, type LevelFile } from '../../../schema/index.ts';
-import type { Line } from '../../canvas/index.ts';
+import type { Box, Line } from '../../canvas/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../core/document/index.ts';
 import type { FormerRun } from './former.ts';
 
@@ -8,14 +7,6 @@ import type { FormerRun } from './former.ts';
 interface Link {
   readonly from: { readonly x: number; readonly y: number };
   readonly to: { readonly x: number; readonly y: number };
-}
-
-/** An upright rectangle, px of the level. */
-interface Extent {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
 }
 
 /** At most so many outlines are shown: more would hide the level, and take longer to draw than a frame lasts. */
@@ -28,10 +19,10 @@ export interface OnionPicture {
   /** Outlines of the objects that differ, where they were; none if they are too many to be told apart. */
   readonly discs: readonly Disc[];
   /** The box around all of them, where they were, if they are too many; else null. */
-  readonly extent: Extent | null;
+  readonly extent: Box | null;
   /** The place of the astronaut's start if that differs, and her box. */
   readonly start: { readonly x: number; readonly y: number } | null;
-  readonly her: Box;
+  readonly her: FormerRun['her'];
   /** From where the objects were to where they are. */
   readonly links: readonly Link[];
 }
@@ -56,7 +47,7 @@ export function onionPictureOf({ file: before, her, points }: FormerRun, file: L
   return { points, discs: [], extent: extentOf(discs), start, her, links: links.filter(isHers) };
 }
 
-const extentOf = (discs: readonly Disc[]): Extent =>
+const extentOf = (discs: readonly Disc[]): Box =>
   discs.reduce(
     ({ left, top, right, bottom }, { x, y, radius }) => ({
       left: Math.min(left, x - radius),

@@ -29,7 +29,7 @@ function ProposalOffer({ proposal, level }: { readonly proposal: Proposal; reado
 }
 
 /** What the search says about itself. */
-function standing({ phase, fixing, isOld }: FixState): string | null {
+function summaryOf({ phase, fixing, isOld }: FixState): string | null {
   if (fixing === null) return null;
   if (isOld) return 'The level has changed since: seek again.';
   if (fixing.completing !== null) return 'A run completes the level: there is nothing to fix.';
@@ -46,7 +46,7 @@ export function FixReport() {
   const state = useStore(fixes.store);
   const { phase, fixing, level, message, isOld } = state;
   const isSeeking = phase === 'seeking';
-  const text = standing(state);
+  const text = summaryOf(state);
   const end = useRef<HTMLDivElement>(null);
   // the command in the palette starts it while it may be out of sight
   useEffect(() => {

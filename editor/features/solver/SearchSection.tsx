@@ -5,16 +5,26 @@ import { mineralsNeeded } from '../../../solver/index.ts';
 import { keyLabel } from '../../core/commands/index.ts';
 import { IS_MAC, useDocument, useEditor, useProof, useSession } from '../../core/context/index.ts';
 import { about, percent, plural, seconds } from '../../core/figures/index.ts';
-import { Progress, Segments } from '../../core/panel/index.ts';
+import { Progress, Section, Segments } from '../../core/panel/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
 import { useSolverSession } from './index.ts';
 import type { Found, SearchState } from './search-session.ts';
-import { type OwnRuns, standingOf } from './search-summary.ts';
+import { type OwnRuns, summaryOf } from './search-summary.ts';
 import { goalOf, RUNS_WANTED, SOLVE_KEY } from './search-task.ts';
 
 const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
 const NO_RUNS = [] as const;
+
+/** Searches for runs: what is asked, and what was found. */
+export function SearchSection() {
+  return (
+    <Section title="Find runs">
+      <SearchSettingsForm />
+      <SearchReport />
+    </Section>
+  );
+}
 
 /** Which of the level's own runs meet the goal of the search. */
 function useOwnRuns({ settings }: SearchState, minerals: number): OwnRuns {
@@ -87,14 +97,14 @@ function FoundCard({ found, place, minerals }: { readonly found: Found; readonly
 }
 
 /** The state of the search and the runs it has found. */
-export function SearchReport() {
+function SearchReport() {
   const { session } = useEditor();
   const { search } = useSolverSession();
   const state = useStore(search.store);
   const heatMap = useSession(({ layers }) => layers.heatMap);
   const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
   const { phase, solving, ms, settings, found, mineralProofs } = state;
-  const { tone, text, note } = standingOf(state, useOwnRuns(state, minerals), minerals, RUNS_WANTED);
+  const { tone, text, note } = summaryOf(state, useOwnRuns(state, minerals), minerals, RUNS_WANTED);
   if (phase === 'idle' || settings === null) return null;
   const Icon = ICONS[tone];
   return (
@@ -155,7 +165,7 @@ const OBJECTIVES = [
 ] as const;
 
 /** The settings of the search and the button that starts it. */
-export function SearchSettingsForm() {
+function SearchSettingsForm() {
   const { settings: store, search } = useSolverSession();
   const settings = useStore(store);
   const isRunning = useStore(search.store, ({ phase }) => phase === 'running');

@@ -21,7 +21,7 @@ import { createCandidateGhosts } from './ghosts.ts';
 import { aimOf, createSearchJobs, goalOf, type SearchSettings, type SearchSettingsStore } from './search-task.ts';
 
 /** ms without a change of the level before the runs that were found are checked in it */
-const SETTLE = 200;
+const REST = 200;
 
 /** The search for runs of one level. */
 export interface SearchSession {
@@ -112,7 +112,7 @@ export function createSearchSession({ level, session, desk, settings, overlay, n
   const stopFollowing = proof.store.subscribe(({ scene: current }) => {
     if (scene === null || current === scene) return;
     forget();
-    forget = desk.afterRest(SETTLE, recheck);
+    forget = desk.afterRest(REST, recheck);
   });
 
   /** The name of a found run in the level. */

@@ -54,7 +54,7 @@ export function createSearchJobs(desk: Desk): SearchJobs {
   return {
     start({ level, terms, goal, settings }, { onFound, onProved, onEnd }) {
       cancel();
-      let told = 0;
+      let reports = 0;
       const played = { level: withoutRuns(level), terms };
       const { objective, seed, budget } = settings;
       // with the objective `first`, runs that the level already has count as well
@@ -64,11 +64,11 @@ export function createSearchJobs(desk: Desk): SearchJobs {
         const found = answer ?? progress;
         if (found !== null && phase !== 'failed') onFound(found);
         // first the black hole is reported, then the minerals; as it can be reached, finer sets would prove nothing
-        if (phase === 'asking' && told > 1 && found !== null && found.solutions.length > 0) proving.stop();
+        if (phase === 'asking' && reports > 1 && found !== null && found.solutions.length > 0) proving.stop();
         if (phase !== 'asking') onEnd(message);
       });
       proving.ask({ ...played, collected: [], finer: 1000 * budget }, ({ phase, progress, answer }) => {
-        if (phase === 'asking') told++;
+        if (phase === 'asking') reports++;
         const proved = answer ?? progress;
         if (proved !== null && phase !== 'failed') onProved(proved);
       });
