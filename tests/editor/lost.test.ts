@@ -122,7 +122,9 @@ describe('the picture of a loss', () => {
       { key: 'unknown', points },
     ];
     const { stretches } = lostPictureOf({ losing: null, losses }, now, attempts);
-    expect(stretches.map(({ known, isShownRun, points: [x, y] }) => [known, isShownRun, x, y])).toEqual([['proved', false, 80, 81]]);
+    expect(stretches.map(({ known, isShownRun, points: [x, y] }) => [known, isShownRun, x, y])).toEqual([
+      ['proved', false, 80, 81],
+    ]);
   });
 });
 

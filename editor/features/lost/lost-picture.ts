@@ -24,7 +24,11 @@ export interface LostPicture {
 const EACH = 2;
 
 /** The stretches of a path: from where no run was found, and from where it is proved. */
-function stretchesOf(loss: Loss, isShownRun: boolean, pointAt: (tick: number) => readonly [number, number] | null): LostStretch[] {
+function stretchesOf(
+  loss: Loss,
+  isShownRun: boolean,
+  pointAt: (tick: number) => readonly [number, number] | null,
+): LostStretch[] {
   const { lost, proved, last } = loss;
   const stretches: LostStretch[] = [];
   for (const [at, until] of [
