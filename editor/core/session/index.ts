@@ -8,6 +8,7 @@ export {
   type Replay,
   type Session,
   type SessionStore,
+  showLayer,
   TOOLS,
   type Tool,
 } from './session.ts';

@@ -58,3 +58,10 @@ export function dropPlace(dragged: TreeRow, over: TreeRow, below: boolean): numb
   const place = gap > dragged.place ? gap - 1 : gap;
   return place === dragged.place ? null : place;
 }
+
+/** A set with a value that was not in it, or without one that was. */
+export function toggledIn<T>(values: ReadonlySet<T>, value: T): ReadonlySet<T> {
+  const toggled = new Set(values);
+  if (!toggled.delete(value)) toggled.add(value);
+  return toggled;
+}

@@ -221,6 +221,8 @@ export function keepAlive({ level, settings, desk }: AliveParts): () => void {
   };
 }
 
+// the other runs of the level
+
 /** Ticks that are simulated for each run. */
 const EFFORT_OF_OTHERS = 1_000_000;
 

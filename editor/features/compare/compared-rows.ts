@@ -123,6 +123,8 @@ export function showCompared(editor: Editor, level: OpenLevel, source: Source): 
   editor.notices.show('info', text, { topic: 'compare', actions: [{ title: 'Keep as a run', run: keep }] });
 }
 
+// how the shown run and a compared one differ
+
 /** How the shown run and a compared one differ. */
 interface ShownDifference {
   readonly shown: string;

@@ -81,6 +81,8 @@ export function toggleCompared(store: ComparingStore, source: Source): boolean {
   return true;
 }
 
+// their trajectories
+
 type ComparedLevel = Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
 
 /** A run whose trajectory is not known. */

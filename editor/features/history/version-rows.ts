@@ -34,6 +34,8 @@ const WHO = {
 /** Who made a version, as a sentence. */
 export const whoInWords = ({ by }: Pick<Version, 'by'>): string => WHO[by];
 
+// the rows of the list
+
 /** A row of the history: a day, or a version of that day. */
 export interface HistoryRow extends TreeRow {
   /** null for a day */
@@ -80,6 +82,8 @@ export function historyRows(versions: readonly Version[], now: number, folded: R
     return [head, ...rows];
   });
 }
+
+// when a version was made
 
 const DAY = 24 * 3_600_000;
 

@@ -149,6 +149,8 @@ function fieldsOfAll(kinds: readonly ObjectKind[]): readonly Field[] {
   });
 }
 
+// what a field shows
+
 /** What a field shows. */
 export interface FieldValue {
   /** null if the selected objects differ */

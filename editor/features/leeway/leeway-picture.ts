@@ -66,6 +66,8 @@ function completingCorners({ left, top, right, bottom }: Box, code: number, unit
   );
 }
 
+// how it is painted
+
 /** px of the picture between strokes, and between the dots of what is open */
 const HATCH = 9;
 const DOTS = 7;

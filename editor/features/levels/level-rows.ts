@@ -68,6 +68,8 @@ export function levelRows(levels: readonly LevelEntry[], folded: ReadonlySet<str
   return rows;
 }
 
+// what is done with a row
+
 interface MenuParts {
   /** The id of the open level. */
   readonly opened: string | null;

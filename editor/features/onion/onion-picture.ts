@@ -58,6 +58,8 @@ const extentOf = (discs: readonly Disc[]): Box =>
     { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity },
   );
 
+// the objects that a change has touched
+
 /** An object that a change moved, resized or deleted. */
 interface ChangedObject {
   readonly key: ObjectKey;
@@ -82,6 +84,8 @@ export function changedObjects(before: LevelFile, after: LevelFile): ChangedObje
   }
   return changed;
 }
+
+// dashed lines
 
 /** At most so many dashes in all: a longer line gets longer ones. */
 const MOST = 1500;

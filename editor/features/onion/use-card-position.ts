@@ -106,6 +106,8 @@ export function useCardPosition(card: RefObject<HTMLElement | null>, phase: Comp
   }, [card, phase, anchorNow, put]);
 }
 
+// what the user did last
+
 /** The last input anywhere on the page: a key, or the pointer and where it was, px of the page. */
 type Input = { readonly by: 'keys' } | { readonly by: 'mouse' | 'touch'; readonly x: number; readonly y: number };
 
@@ -128,6 +130,8 @@ export function followInput(signal: AbortSignal): void {
   window.addEventListener('pointermove', (event) => event.buttons !== 0 && onPointer(event), options);
   window.addEventListener('keydown', onKey, options);
 }
+
+// where the canvas shows things on the page
 
 /** px below the upper edge of the canvas, where the tools stand */
 const TOOLS = 56;

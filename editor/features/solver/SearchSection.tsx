@@ -6,6 +6,7 @@ import { keyLabel } from '../../core/commands/index.ts';
 import { IS_MAC, useDocument, useEditor, useProof, useSession } from '../../core/context/index.ts';
 import { about, percent, plural, seconds } from '../../core/figures/index.ts';
 import { Progress, Section, Segments } from '../../core/panel/index.ts';
+import { showLayer } from '../../core/session/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
 import { useSolverSession } from './index.ts';
@@ -139,10 +140,7 @@ function SearchReport() {
             <input
               type="checkbox"
               checked={heatMap}
-              onChange={(event) => {
-                const { checked } = event.target;
-                session.setState(({ layers }) => ({ layers: { ...layers, heatMap: checked } }));
-              }}
+              onChange={({ target: { checked } }) => showLayer(session, 'heatMap', checked)}
             />
             Show the search heat map
           </label>

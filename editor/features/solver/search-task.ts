@@ -78,6 +78,8 @@ export function createSearchJobs(desk: Desk): SearchJobs {
   };
 }
 
+// what a person wants of a search
+
 /** The settings of a search for runs. */
 export interface SearchSettings {
   readonly minerals: 'any' | 'all' | 'some';
