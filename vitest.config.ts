@@ -27,7 +27,7 @@ interface NodeSet {
 
 /** The projects of a set that needs no browser. */
 function nodeProjects(name: string, mode: string, { include, exclude, alone, runs }: NodeSet): TestProjectInlineConfiguration[] {
-  const env = { PROPERTY_RUNS: process.env.PROPERTY_RUNS ?? String(runs) };
+  const env = { TEST_SET: name, PROPERTY_RUNS: process.env.PROPERTY_RUNS ?? String(runs) };
   return [
     // The files of a worker share modules, so that those are loaded once.
     {

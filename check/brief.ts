@@ -1,9 +1,8 @@
 import { compile, type Run, type Scene, simulate, type Terms, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import type { Proof } from '../solver/index.ts';
-import { type RunFindings, scriptEnds, unproved, verdictOfFindings } from './findings.ts';
+import { type LevelVerdict, type RunFindings, scriptEnds, unproved, verdictOfFindings } from './findings.ts';
 import { proofBudget, proveGoalImpossible } from './proofs.ts';
-import type { LevelVerdict } from './verdict.ts';
 
 /** What is true of a level under some terms by its own runs and by proof, without a search and without its problems. */
 export interface Brief {

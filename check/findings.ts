@@ -1,11 +1,9 @@
 import type { Run, Warning, WorkBudget } from '../engine/index.ts';
-import type { Allowed, Hold, Level } from '../schema/index.ts';
-import type { Closest, Effort, Proof } from '../solver/index.ts';
+import type { Allowed, Hold, Level, Verdict } from '../schema/index.ts';
+import { type Closest, type Effort, LIVES_ON, type LostPlace, type Proof, type SoftlockSurvey } from '../solver/index.ts';
 import type { AccuracyHang } from './accuracy-hangs.ts';
+import type { TightRun } from './certified-ticks.ts';
 import type { LostMineral } from './proofs.ts';
-import type { Softlocks } from './softlocks.ts';
-import type { TightRun } from './tight-runs.ts';
-import { type LevelVerdict, verdictOf } from './verdict.ts';
 import type { RunEnd } from './words/index.ts';
 
 /** How one of the level's own runs ended. */
@@ -94,7 +92,7 @@ export interface MoreFindings {
 }
 
 /** What was looked for beyond the level's own runs. Where nothing was looked for, nothing is known. */
-export interface Sought {
+interface Sought {
   /** The slack of the runs: `low`, whether there is any; `required`, whether it is as required; null, nothing. */
   readonly slack: 'low' | 'required' | null;
   /** Whether minerals were to be proved out of reach. */
@@ -128,17 +126,65 @@ export const findingsOf = (runs: RunFindings, more: Partial<MoreFindings>): Find
 export const completesItself = ({ ends }: Pick<RunFindings, 'ends'>): boolean =>
   ends.some(({ outcome }) => outcome === 'completed');
 
+/** The verdict on a level that could be read and checked. */
+export type LevelVerdict = Exclude<Verdict, 'invalid' | 'crashed'>;
+
 /**
- * Decides the verdict from findings.
+ * Decides the verdict from findings. A completing run outweighs a proof. A run that was not simulated to its end may still
+ * complete the level, so such a level is `unproven` and not `broken`.
  * @param findings how the runs ended, and the results of the search and of the provers
  * @returns the verdict
  */
 export function verdictOfFindings(findings: Pick<Findings, 'ends' | 'impossible' | 'searched'>): LevelVerdict {
   const { ends, impossible, searched } = findings;
-  return verdictOf({
-    isCompleted: completesItself(findings) || (searched !== null && searched.found !== null),
-    isImpossible: impossible !== null,
-    runs: ends.length,
-    areAllPlayed: ends.every(({ isStopped }) => !isStopped),
-  });
+  if (completesItself(findings) || (searched !== null && searched.found !== null)) return 'completable';
+  if (impossible !== null) return 'impossible';
+  return ends.length > 0 && ends.every(({ isStopped }) => !isStopped) ? 'broken' : 'unproven';
+}
+
+/**
+ * Updates a verdict that was given before proofs were sought.
+ * @param verdict the verdict without proofs
+ * @param isImpossible whether it is proved that nobody can complete the level
+ * @returns the final verdict
+ */
+export const onceProved = (verdict: LevelVerdict, isImpossible: boolean): LevelVerdict =>
+  isImpossible && verdict !== 'completable' ? 'impossible' : verdict;
+
+/** What a survey found about states in which it is already lost. Plain data. */
+export interface Softlocks {
+  /** How many states were examined, and what is known of how many of them. */
+  readonly states: {
+    readonly examined: number;
+    readonly open: number;
+    readonly proved: number;
+    readonly notFound: number;
+    readonly unknown: number;
+  };
+  /** Of these the lost ones after which she was seen alive for a second and more. */
+  readonly lasting: { readonly proved: number; readonly notFound: number };
+  /** Where such states begin, the longest life first. */
+  readonly places: readonly LostPlace[];
+  readonly effort: { readonly runs: number; readonly ticks: number };
+  readonly isFinished: boolean;
+}
+
+/** The findings of a survey, finished or not. */
+export function softlocksOf(survey: SoftlockSurvey): Softlocks {
+  const { states } = survey;
+  const count = (is: string, alive = 0): number =>
+    states.filter((state) => state.standing.is === is && state.alive >= alive).length;
+  return {
+    states: {
+      examined: states.length,
+      open: count('open'),
+      proved: count('proved'),
+      notFound: count('not found'),
+      unknown: count('unknown'),
+    },
+    lasting: { proved: count('proved', LIVES_ON), notFound: count('not found', LIVES_ON) },
+    places: survey.places,
+    effort: { ...survey.effort },
+    isFinished: survey.finished,
+  };
 }

@@ -5,22 +5,22 @@
  * @module
  */
 export { type Brief, brief, briefInSteps } from './brief.ts';
-export { ticksToAgree } from './certified-ticks.ts';
+export { completingRuns, ticksToAgree, tightRuns } from './certified-ticks.ts';
 export { examineRuns, playRuns } from './examine-runs.ts';
 export {
   type Findings,
   findingsOf,
+  type LevelVerdict,
+  onceProved,
   type RunFindings,
   type Searched,
+  type Softlocks,
+  softlocksOf,
   unproved,
   verdictOfFindings,
 } from './findings.ts';
-export { createMend, type Mend, type Mended, type MendOptions, mendedInWords } from './mend/index.ts';
+export { createMend, type Mend, type Mended, type MendOptions, mendedInWords, repairedFile } from './mend/index.ts';
 export { applyPolicy } from './policy/index.ts';
 export { type Hints, type LevelProblem, problemsOf, proofProblems } from './problems/index.ts';
 export { type LostMineral, mineralsToProve, proofBudget, proveGoalImpossible, proveMineralsLost } from './proofs.ts';
-export { repairedFile } from './repaired-file.ts';
-export { type Softlocks, softlocksOf } from './softlocks.ts';
-export { completingRuns, tightRuns } from './tight-runs.ts';
-export { type LevelVerdict, onceProved } from './verdict.ts';
 export { withinWork } from './within-work.ts';

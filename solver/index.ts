@@ -12,7 +12,6 @@
  * @module
  */
 
-export { type Goal, mineralsNeeded } from './goal.ts';
 export {
   createGenerator,
   createPackJudge,
@@ -182,5 +181,5 @@ export {
   type Solver,
 } from './search/solve/index.ts';
 export type { Steps } from './steps.ts';
-export { type Candidate, createReplay, cutHolds, type Replay, verifyRun } from './verified-run.ts';
+export { type Candidate, createReplay, cutHolds, type Goal, mineralsNeeded, type Replay, verifyRun } from './verified-run.ts';
 export { type Verification, verifyProof } from './verify/index.ts';

@@ -1,6 +1,5 @@
 import { createSimulation, joinHolds, maxTicksOf, playScript, type Scene, simulate, TICK_RATE } from '../engine/index.ts';
 import type { Hold } from '../schema/basics/index.ts';
-import { type Goal, mineralsNeeded } from './goal.ts';
 
 /** A run that meets its goal, confirmed by a replay from the start. */
 export interface Candidate {
@@ -109,4 +108,37 @@ export function verifyRun(
   maxTicks: number = maxTicksOf(scene.terms),
 ): Candidate | null {
   return createReplay(scene, goal, maxTicks).play(holds);
+}
+
+/** What a run has to achieve besides reaching the black hole. */
+export interface Goal {
+  /**
+   * How many different minerals the run must collect: `any` requires none, `all` requires every one in the level, a whole
+   * number requires at least that many.
+   */
+  readonly minerals: 'any' | 'all' | number;
+}
+
+/**
+ * Converts a goal into a number of minerals.
+ * @param goal what a run has to achieve
+ * @param count the number of minerals in the level
+ * @returns how many different minerals a run must collect; this may exceed `count`
+ */
+export function mineralsNeeded(goal: Goal, count: number): number {
+  if (goal.minerals === 'any') return 0;
+  return goal.minerals === 'all' ? count : goal.minerals;
+}
+
+/** The ticks at which the button changes, two for each hold. */
+export const edgesOf = (holds: readonly Hold[]): number[] => holds.flat();
+
+/** Converts edges back into holds; null where the edges are not strictly ascending, or one is negative. */
+export function holdsOf(edges: readonly number[]): Hold[] | null {
+  const holds: Hold[] = [];
+  for (let i = 0; i < edges.length; i += 2) {
+    if (edges[i] < 0 || edges[i + 1] <= edges[i] || (i > 0 && edges[i] <= edges[i - 1])) return null;
+    holds.push([edges[i], edges[i + 1]]);
+  }
+  return holds;
 }

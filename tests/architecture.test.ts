@@ -208,7 +208,7 @@ describe('the check of imports finds a bypassed index file', () => {
     ['editor/features/solver/search.ts', '../../canvas/layers/way.ts', 'editor/canvas/index.ts'],
     ['editor/features/solver/search.ts', '../../canvas/layers/index.ts', 'editor/canvas/index.ts'],
     ['editor/canvas/stage.ts', './layers/way.ts', 'editor/canvas/layers/index.ts'],
-    ['editor/canvas/pointer/pan.ts', '../layers/way.ts', 'editor/canvas/layers/index.ts'],
+    ['editor/canvas/pointer/press.ts', '../layers/way.ts', 'editor/canvas/layers/index.ts'],
     ['editor/features/runs/a.ts', '../solver/search.ts', 'editor/features/solver/index.ts'],
     ['editor/features/runs/a.ts', '../bare/a.ts', 'editor/features/bare/index.ts'],
     ['editor/main.tsx', './features/solver/search.ts', 'editor/features/solver/index.ts'],

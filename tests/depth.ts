@@ -9,7 +9,10 @@ export const isDeep = runs >= 1;
 /** Whether this is a hunt for bugs, as in `npm run bench -- soak`, which tries more than any set. */
 export const isHunt = runs >= 10;
 
-/** What declares nothing, so that the quick set does not list what it leaves to the deep one as skipped. */
+/** Whether the deep set runs, which does not repeat what the quick one says; by hand, or for mutants, all of a file runs. */
+const isDeepSet = process.env.TEST_SET === 'deep';
+
+/** What declares nothing, so that a set does not list what it leaves to the other one as skipped. */
 const nothing = Object.assign(() => {}, { each: () => () => {}, runIf: () => () => {} });
 
 /** `it` for a test that is dear, or repeats for more cases what another one says: it is in the deep set alone. */
@@ -19,6 +22,15 @@ export const itDeep = (isDeep ? it : nothing) as Pick<typeof it, 'each' | 'runIf
 /** `describe` for a group of such tests. */
 export const describeDeep = (isDeep ? describe : nothing) as Pick<typeof describe, 'each'> &
   ((name: string, tests: () => void) => void);
+
+/**
+ * `it` for a dear test that says the same in every set: it is in the quick set alone, whereas the rest of its file tries more
+ * cases in the deep one.
+ */
+export const itQuick: typeof it = isDeepSet ? (nothing as unknown as typeof it) : it;
+
+/** `describe` for a group of such tests. */
+export const describeQuick: typeof describe = isDeepSet ? (nothing as unknown as typeof describe) : describe;
 
 /** What can be said of what a property has gathered. */
 interface Gathered {

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { parse as parseYaml } from 'yaml';
-import { describeDeep, itDeep } from './depth.ts';
+import { describeDeep, itDeep, itQuick } from './depth.ts';
 import { brokenLinks, missingFiles } from './docs/links.ts';
 import { ALL_PAGES, PROJECT, RUN_PAGES, readPage, shownIn } from './docs/page.ts';
 import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } from './docs/terminal.ts';
@@ -70,7 +70,7 @@ describe.each(RUN_PAGES)('%s', (path) => {
       },
     }));
   });
-  if (steps.length > 0) (DEAR.includes(path) ? itDeep : it).each(steps)('$step', ({ take }) => take());
+  if (steps.length > 0) (DEAR.includes(path) ? itDeep : itQuick).each(steps)('$step', ({ take }) => take());
 
   it('has code that can be read', () => {
     for (const { language, code, line, title } of page.blocks) {
@@ -231,7 +231,7 @@ describe('pictures', () => {
     expect(all.map((name) => `docs/${name}`).sort()).toEqual([...new Set([...drawn.keys(), ...measured])].sort());
   });
 
-  it.each([...drawn])('%s is what its command makes', async (picture, words) => {
+  itQuick.each([...drawn])('%s is what its command makes', async (picture, words) => {
     const terminal = openTerminal();
     const made = `${await terminal.run(`npx ${words.join(' ')}`)}\n`;
     terminal.close();

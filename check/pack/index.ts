@@ -1,6 +1,8 @@
 export {
   addChapter,
   addLevels,
+  chaptersOf,
+  inPackOrder,
   moveEntries,
   moveLevel,
   removeEntries,
@@ -9,8 +11,6 @@ export {
   setChapter,
   shownEntries,
 } from './arrange.ts';
-export { EFFECT_NAMES, effectInWords, effectsToMeet, introductionsOf, type MetLevel } from './introductions.ts';
-export { JUMP, jumpsOf } from './jumps.ts';
-export { chaptersOf, inPackOrder } from './order.ts';
 export { PACK_FILE, type Pack, packedLevel, packScript, pageOf } from './pack.ts';
 export { packProblems } from './pack-problems.ts';
+export { EFFECT_NAMES, effectInWords, effectsToMeet, introductionsOf, JUMP, jumpsOf, type MetLevel } from './sequence.ts';

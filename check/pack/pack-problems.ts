@@ -1,10 +1,10 @@
 import { closestName, levelOfEntry, levelsOfPack, type PackEntry, type PackReading, type Problem } from '../../schema/index.ts';
 import { plural } from '../words/index.ts';
-import { EFFECT_NAMES, effectInWords, introductionsOf, type MetLevel } from './introductions.ts';
-import { inPackOrder } from './order.ts';
+import { inPackOrder } from './arrange.ts';
+import { EFFECT_NAMES, effectInWords, introductionsOf, type MetLevel } from './sequence.ts';
 
 type ReadPack = Extract<PackReading, { readonly ok: true }>;
-type Place = readonly (string | number)[];
+type JsonPath = readonly (string | number)[];
 
 /** More levels are not named in one message. */
 const MOST_NAMED = 10;
@@ -15,7 +15,7 @@ interface Found {
   readonly severity: Problem['severity'];
   readonly message: string;
   readonly hint: string;
-  readonly at: Place;
+  readonly at: JsonPath;
 }
 
 const quoted = (id: string): string => JSON.stringify(id);
@@ -83,7 +83,7 @@ function missingLevels(entries: readonly PackEntry[], levels: readonly MetLevel[
   });
 }
 
-const placeOf = (entry: PackEntry, index: number): Place =>
+const placeOf = (entry: PackEntry, index: number): JsonPath =>
   typeof entry === 'object' && 'level' in entry ? ['levels', index, 'level'] : ['levels', index];
 
 function repeatedLevels(entries: readonly PackEntry[]): Found[] {

@@ -10,9 +10,8 @@ import {
   type PlayerForecast,
   verifyRun,
 } from '../../solver/index.ts';
-import { alignEdges } from './alignment.ts';
-import type { Attempt } from './attempt.ts';
-import type { PlayedBy } from './by-attempt.ts';
+import type { Attempt, PlayedBy } from './attempt.ts';
+import { alignEdges } from './edges.ts';
 
 /** The player model, fitted to plays of a level. */
 export interface FittedPlayers {

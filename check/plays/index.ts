@@ -3,13 +3,11 @@
  *
  * @module
  */
-export { type Attempt, type FailureCause, isAttempt, type RefusedPlay } from './attempt.ts';
-export type { PlayedBy } from './by-attempt.ts';
-export type { FailureCluster } from './clusters.ts';
-export type { EdgeStatistics } from './edges.ts';
+export { type Attempt, type FailureCause, isAttempt, type PlayedBy, type RefusedPlay } from './attempt.ts';
+export type { EdgeStatistics, Quartiles } from './edges.ts';
+export type { FailureCluster } from './failures.ts';
 export { type FittedPlayers, fitToPlays, observe } from './fit-to-plays.ts';
 export { compareWithModel, type ModelComparison } from './model.ts';
-export type { Quartiles } from './quartiles.ts';
-export type { Reference } from './reference.ts';
 export { createPlayReplayer, type PlayReplayer } from './replay.ts';
+export type { Reference } from './routes.ts';
 export { collectStatistics, type PlayStatistics, statisticsOf } from './statistics.ts';

@@ -2,7 +2,7 @@ import { joinHolds, maxTicksOf, type Scene } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Goal, type Success, successProbability } from '../../solver/index.ts';
 import { drawShift, shiftHolds, tickNoise, uniformOf } from '../../solver/measure/robustness/index.ts';
-import type { Share } from './by-attempt.ts';
+import type { Share } from './attempt.ts';
 import { type EdgeStatistics, edgeStatistics } from './edges.ts';
 import { Stage } from './replay.ts';
 

@@ -2,14 +2,20 @@ import { joinHolds, type Terms } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
 import type { Goal } from '../../solver/index.ts';
-import { type Attempt, isAttempt, type RefusedPlay } from './attempt.ts';
-import { type AttemptNumber, byAttemptNumber, type PlayedBy, type Share, shareOf } from './by-attempt.ts';
-import { type CauseStatistics, causesOf } from './causes.ts';
-import { clustersOf, type FailureCluster } from './clusters.ts';
+import {
+  type Attempt,
+  type AttemptNumber,
+  byAttemptNumber,
+  isAttempt,
+  type PlayedBy,
+  type RefusedPlay,
+  type Share,
+  shareOf,
+} from './attempt.ts';
 import { type EdgeStatistics, edgeStatistics } from './edges.ts';
-import { chooseReference, knownRuns, type Reference } from './reference.ts';
+import { type CauseStatistics, causesOf, clustersOf, type FailureCluster } from './failures.ts';
 import { createPlayReplayer } from './replay.ts';
-import { type RouteStatistics, routesOf } from './routes.ts';
+import { chooseReference, knownRuns, type Reference, type RouteStatistics, routesOf } from './routes.ts';
 
 /** What players teach about a level. */
 export interface PlayStatistics extends Share {

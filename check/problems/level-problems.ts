@@ -1,18 +1,17 @@
 import { TICK } from '../../engine/index.ts';
 import { type Hold, objectName, type Problem } from '../../schema/index.ts';
 import type { Proof, ProofCode } from '../../solver/index.ts';
-import type { Overrun, ScriptEnd, Searched } from '../findings.ts';
+import type { Overrun, ScriptEnd, Searched, Softlocks } from '../findings.ts';
 import type { LostMineral } from '../proofs.ts';
-import type { Softlocks } from '../softlocks.ts';
 import { type CheckCode, closestInWords, effortInWords, holdsInWords, plural } from '../words/index.ts';
-import type { CheckProblem, Hints, SearchHints } from './problem.ts';
+import type { Hints, LevelProblem, SearchHints } from './problem.ts';
 
 /** The problem of a level that has no runs and was not searched. */
-export const noRun = ({ firstRun }: Hints): CheckProblem =>
+export const noRun = ({ firstRun }: Hints): LevelProblem<CheckCode> =>
   aboutLevel('no-run', 'error', 'the level has no run, so nothing shows that it can be completed', firstRun);
 
 /** The problem of a level that only a search completed. */
-export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: SearchHints | undefined): CheckProblem {
+export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: SearchHints | undefined): LevelProblem<CheckCode> {
   const scripted = hasRuns ? 'none of its runs completes the level' : 'the level has no run';
   return aboutLevel(
     'found-run',
@@ -23,7 +22,7 @@ export function foundRun(holds: readonly Hold[], hasRuns: boolean, hints: Search
 }
 
 /** The problem of a level for which a search found nothing. */
-export function noRunFound({ effort, closest }: Searched, hints: SearchHints | undefined): CheckProblem {
+export function noRunFound({ effort, closest }: Searched, hints: SearchHints | undefined): LevelProblem<CheckCode> {
   const by = closest === null ? '' : (hints?.nearestRun(holdsInWords(closest.holds)) ?? '');
   const near = closest === null ? '' : `; closest approach ${closestInWords(closest)}${by}`;
   return aboutLevel(
@@ -38,7 +37,7 @@ export function noRunFound({ effort, closest }: Searched, hints: SearchHints | u
 const ABOUT_THE_END: ReadonlySet<ProofCode> = new Set(['out-of-range', 'covered']);
 
 /** The problem of a level that is proved impossible. */
-export const provedImpossible = ({ code, reason }: Proof, { seeProof }: Hints): CheckProblem => ({
+export const provedImpossible = ({ code, reason }: Proof, { seeProof }: Hints): LevelProblem<CheckCode> => ({
   code: 'proved-impossible',
   severity: 'error',
   message: `nobody can complete this level: ${reason}`,
@@ -46,7 +45,7 @@ export const provedImpossible = ({ code, reason }: Proof, { seeProof }: Hints): 
   pointer: ABOUT_THE_END.has(code) ? '/blackHole' : '/astronaut',
 });
 
-const aboutLevel = (code: CheckCode, severity: Problem['severity'], message: string, hint: string): CheckProblem => ({
+const aboutLevel = (code: CheckCode, severity: Problem['severity'], message: string, hint: string): LevelProblem<CheckCode> => ({
   code,
   severity,
   message,
@@ -55,7 +54,7 @@ const aboutLevel = (code: CheckCode, severity: Problem['severity'], message: str
 });
 
 /** The problem of a mineral that is proved to be out of reach. */
-export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
+export const mineralLost = ({ index, proof }: LostMineral): LevelProblem<CheckCode> => ({
   code: 'mineral-never-collectable',
   severity: 'warning',
   message: `nobody can collect ${objectName('mineral', index)}: ${proof.reason}`,
@@ -67,7 +66,7 @@ export const mineralLost = ({ index, proof }: LostMineral): CheckProblem => ({
 const LONG = 5;
 
 /** The problem that she can live on for long after it is proved to be lost. */
-export function softlock(found: Softlocks | null, { seeLost }: Hints): CheckProblem[] {
+export function softlock(found: Softlocks | null, { seeLost }: Hints): LevelProblem<CheckCode>[] {
   const long = found?.places.filter(({ standing, alive }) => standing.is === 'proved' && alive * TICK >= LONG) ?? [];
   const [worst] = long;
   if (worst?.standing.is !== 'proved') return [];
@@ -89,7 +88,7 @@ export function softlock(found: Softlocks | null, { seeLost }: Hints): CheckProb
  * The problem of runs that were not simulated to their end.
  * @param isUnproven whether nothing else decides the verdict
  */
-export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boolean, hints: Hints): CheckProblem {
+export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boolean, hints: Hints): LevelProblem<CheckCode> {
   const index = ends.findIndex(({ isStopped }) => isStopped);
   const { name, tick } = ends[index];
   const more = ends.filter(({ isStopped }) => isStopped).length - 1;
@@ -99,15 +98,15 @@ export function runsCut(ends: readonly ScriptEnd[], by: Overrun, isUnproven: boo
 }
 
 /** The problem of runs that were not compared at other accuracies. */
-export const accuraciesCut = (by: Overrun, hints: Hints): CheckProblem =>
+export const accuraciesCut = (by: Overrun, hints: Hints): LevelProblem<CheckCode> =>
   workLimit('its runs were not compared at every accuracy', '/runs', by, hints);
 
 /** The problem of a level in which it was not examined what the runs come near to. */
-export const nearnessCut = (by: Overrun, hints: Hints): CheckProblem =>
+export const nearnessCut = (by: Overrun, hints: Hints): LevelProblem<CheckCode> =>
   workLimit('the warnings that depend on its runs were left out', '/runs', by, hints);
 
 /** @param what what was left out, as the beginning of a sentence */
-function workLimit(what: string, pointer: string, { maxWork, of }: Overrun, { moreWork }: Hints): CheckProblem {
+function workLimit(what: string, pointer: string, { maxWork, of }: Overrun, { moreWork }: Hints): LevelProblem<CheckCode> {
   const ran = of === 'work' ? `more than the ${maxWork} pieces of motion allowed` : 'more memory for its recordings than allowed';
   return {
     code: 'work-limit',

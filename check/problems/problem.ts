@@ -1,13 +1,7 @@
 import type { Problem } from '../../schema/index.ts';
-import type { CheckCode } from '../words/index.ts';
 
-/** A problem of a level, before its place in the text is known. */
-export type LevelProblem = Omit<Problem, 'line' | 'column'>;
-
-/** A problem that only a check can find. */
-export interface CheckProblem extends LevelProblem {
-  readonly code: CheckCode;
-}
+/** A problem of a level, before its place in the text is known. @template Code which codes it may have */
+export type LevelProblem<Code extends string = string> = Omit<Problem, 'code' | 'line' | 'column'> & { readonly code: Code };
 
 /** Words that depend on where problems are read, the command line or the editor: they say what can be done there. */
 export interface Hints {

@@ -1,8 +1,8 @@
 import type { AccuracyHang } from '../accuracy-hangs.ts';
+import { MOST_RUNS, type TightRun, wantedTicks } from '../certified-ticks.ts';
 import type { ScriptEnd } from '../findings.ts';
-import { MOST_RUNS, type TightRun, wantedTicks } from '../tight-runs.ts';
-import { holdsInWords, outcomeInWords, plural } from '../words/index.ts';
-import type { CheckProblem, Hints } from './problem.ts';
+import { type CheckCode, holdsInWords, outcomeInWords, plural } from '../words/index.ts';
+import type { Hints, LevelProblem } from './problem.ts';
 
 /** How a run was simulated. */
 interface Played {
@@ -23,7 +23,7 @@ export function failedRun(
   { accuracy, range }: Played,
   isCompletable: boolean,
   hints: Hints,
-): CheckProblem {
+): LevelProblem<CheckCode> {
   const todo = isCompletable
     ? 'another run completes it: correct this one or delete it'
     : 'move what is in the way, or change the run';
@@ -40,7 +40,7 @@ export function failedRun(
  * The problem of a run that completes the level at some accuracies but not at others.
  * @param range range of the level, px
  */
-export function hangingRun({ index, name, ends }: AccuracyHang, range: number, hints: Hints): CheckProblem {
+export function hangingRun({ index, name, ends }: AccuracyHang, range: number, hints: Hints): LevelProblem<CheckCode> {
   const good = ends.filter(({ end }) => end.outcome === 'completed').map(({ accuracy }) => accuracy);
   const bad = ends
     .filter(({ end }) => end.outcome !== 'completed')
@@ -55,7 +55,7 @@ export function hangingRun({ index, name, ends }: AccuracyHang, range: number, h
 }
 
 /** The problem of a run with fewer certified ticks than required: an error when a number is required, else a warning. */
-export function tightRun(run: TightRun, hint: string): CheckProblem {
+export function tightRun(run: TightRun, hint: string): LevelProblem<CheckCode> {
   const { name, ticks, required, pointer } = run;
   const wanted = wantedTicks(required);
   const message = run.isExhausted

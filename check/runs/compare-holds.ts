@@ -1,7 +1,7 @@
-import type { Hold } from '../../schema/index.ts';
+import { type Hold, notesInOrder, type RunNote } from '../../schema/index.ts';
 
 /** A press or release that is at another tick. */
-export interface MovedEdge {
+interface MovedEdge {
   readonly edge: 'press' | 'release';
   /** The hold that it belongs to, from 0, in the later version. */
   readonly hold: number;
@@ -11,7 +11,7 @@ export interface MovedEdge {
 }
 
 /** What changed between two lists of holds. */
-export interface HoldsChange {
+interface HoldsChange {
   /** The holds that both lists have, by index, in order of time. */
   readonly pairs: readonly (readonly [before: number, after: number])[];
   readonly moved: readonly MovedEdge[];
@@ -87,4 +87,35 @@ function cheapestPairs(b: readonly Hold[], a: readonly Hold[]): [number, number]
     else j++;
   }
   return pairs;
+}
+
+/** The first tick at which two scripts of holds differ; infinite if they are equal. Both must be sorted and disjoint. */
+export function firstDifference(a: readonly Hold[], b: readonly Hold[]): number {
+  for (let i = 0; i < Math.max(a.length, b.length); i++) {
+    if (i >= a.length) return b[i][0];
+    if (i >= b.length) return a[i][0];
+    if (a[i][0] !== b[i][0]) return Math.min(a[i][0], b[i][0]);
+    if (a[i][1] !== b[i][1]) return Math.min(a[i][1], b[i][1]);
+  }
+  return Number.POSITIVE_INFINITY;
+}
+
+/**
+ * The notes of a run whose holds are replaced. A note at the press or release of a hold that is kept goes along with it; one
+ * inside a hold goes along if the whole hold moves; any other stays at its tick. None is dropped.
+ * @param before sorted and disjoint
+ * @param after likewise
+ */
+export function carryNotes<T extends RunNote>(notes: readonly T[], before: readonly Hold[], after: readonly Hold[]): T[] {
+  if (notes.length === 0) return [];
+  const kept = new Map(compareHolds(before, after).pairs.map(([b, a]) => [before[b], after[a]]));
+  const carried = (tick: number): number => {
+    const hold = before.find(([press, release]) => press <= tick && tick <= release);
+    const now = hold === undefined ? undefined : kept.get(hold);
+    if (hold === undefined || now === undefined) return tick;
+    if (tick === hold[0]) return now[0];
+    if (tick === hold[1]) return now[1];
+    return now[0] - hold[0] === now[1] - hold[1] ? tick + now[0] - hold[0] : tick;
+  };
+  return notesInOrder(notes.map((note) => ({ ...note, tick: carried(note.tick) })));
 }

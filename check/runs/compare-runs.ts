@@ -1,7 +1,7 @@
-import type { Outcome } from '../../engine/index.ts';
+import { type Outcome, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { compareHolds } from './compare-holds.ts';
-import { firstDifference } from './first-difference.ts';
+import { plural } from '../words/index.ts';
+import { compareHolds, firstDifference } from './compare-holds.ts';
 
 /** What is compared of a run. */
 export interface ComparableRun {
@@ -91,4 +91,89 @@ export function compareRuns(one: ComparableRun, other: ComparableRun): RunsDiffe
     clearance: compared(one.clearance, other.clearance, 1),
     slack: compared(one.slack, other.slack, 1),
   };
+}
+
+/** px by which two runs must be apart to have parted. */
+export const APART = 1;
+
+/** px: two runs that were farther from each other than `AWAY` meet again where they are at most `TOGETHER` apart. */
+export const TOGETHER = 8;
+export const AWAY = 16;
+
+/**
+ * How far two runs are from each other at every tick, px, as long as both last.
+ * @param one x, y at every tick, alternating
+ * @param other likewise
+ */
+export function distancesOf(one: ArrayLike<number>, other: ArrayLike<number>): Float64Array {
+  const count = Math.floor(Math.min(one.length, other.length) / 2);
+  return Float64Array.from({ length: count }, (_, tick) => {
+    const [dx, dy] = [one[2 * tick] - other[2 * tick], one[2 * tick + 1] - other[2 * tick + 1]];
+    return Math.sqrt(dx * dx + dy * dy);
+  });
+}
+
+/** Where two runs are nearest again. */
+interface Meeting {
+  readonly tick: number;
+  /** px */
+  readonly distance: number;
+}
+
+/** Where two runs part and meet. */
+export interface Partings {
+  /** The first tick at which they are more than `APART` from each other; null: they never are. */
+  readonly parts: number | null;
+  /** Their nearest moments after they were away from each other, in order of time. */
+  readonly meets: readonly Meeting[];
+}
+
+/** Finds where two runs part and meet again, tick by tick. @param distances what {@link distancesOf} gives */
+export function partingsOf(distances: ArrayLike<number>): Partings {
+  let parts: number | null = null;
+  let isAway = false;
+  let near: Meeting | null = null;
+  const meets: Meeting[] = [];
+  for (let tick = 0; tick < distances.length; tick++) {
+    const distance = distances[tick];
+    if (distance > APART) parts ??= tick;
+    if (distance > AWAY) isAway = true;
+    if (isAway && distance <= TOGETHER && (near === null || distance < near.distance)) near = { tick, distance };
+    else if (near !== null && distance > AWAY) {
+      meets.push(near);
+      near = null;
+    }
+  }
+  return { parts, meets: near === null ? meets : [...meets, near] };
+}
+
+/** `3 ticks later`, `as early` */
+const shiftInWords = (ticks: number): string =>
+  ticks === 0 ? 'at the same tick' : `${plural(Math.abs(ticks), 'tick')} ${ticks > 0 ? 'later' : 'earlier'}`;
+
+/** A pair of holds in words. @param names of both runs */
+export function pairInWords({ one, other, press, release }: HoldPair, names: readonly [one: string, other: string]): string {
+  if (one === null || other === null) return `only in ${one === null ? names[1] : names[0]}`;
+  if (press === 0 && release === 0) return 'the same';
+  if (press === release && press !== null) return `${shiftInWords(press)} as a whole`;
+  return `press ${shiftInWords(press ?? 0)}, release ${shiftInWords(release ?? 0)}`;
+}
+
+const at = (tick: number): string => `tick ${tick} (${(tick * TICK).toFixed(2)} s)`;
+
+/** Meetings that are named; more are counted. */
+const MOST = 3;
+
+/** Where two runs part and meet, in sentences. @param partings null: not known yet */
+export function partingsInWords({ from }: Pick<RunsDifference, 'from'>, partings: Partings | null): string {
+  if (from === null) return 'Both press and release at the same ticks.';
+  const scripts = `Their holds differ from ${at(from)} on.`;
+  if (partings === null) return scripts;
+  const { parts, meets } = partings;
+  if (parts === null) return `${scripts} They are never more than 1 px apart while both last.`;
+  const ways = `They are more than 1 px apart from ${at(parts)} on`;
+  if (meets.length === 0) return `${scripts} ${ways}, and do not meet again.`;
+  const named = meets.slice(0, MOST).map(({ tick, distance }) => `${distance.toFixed(1)} px at ${at(tick)}`);
+  const more = meets.length > MOST ? ` and ${meets.length - MOST} times more` : '';
+  return `${scripts} ${ways}, and come near each other again: ${named.join(', ')}${more}.`;
 }

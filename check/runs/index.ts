@@ -1,13 +1,17 @@
-export { carryNotes } from './carry-notes.ts';
-export { compareHolds } from './compare-holds.ts';
+export { carryNotes, compareHolds, firstDifference } from './compare-holds.ts';
 export {
+  APART,
+  AWAY,
   type Better,
   type ComparableRun,
   type Comparison,
   compareRuns,
+  distancesOf,
   type HoldPair,
+  type Partings,
+  pairInWords,
+  partingsInWords,
+  partingsOf,
   type RunsDifference,
+  TOGETHER,
 } from './compare-runs.ts';
-export { pairInWords, partingsInWords } from './difference-words.ts';
-export { APART, AWAY, distancesOf, type Partings, partingsOf, TOGETHER } from './distances.ts';
-export { firstDifference } from './first-difference.ts';

@@ -1,5 +1,5 @@
 export { type Advice, type CheckCode, explainCodes } from './codes.ts';
-export { closestInWords, effortInWords, holdsInWords, plural } from './figures.ts';
+export { accuracyInWords, closestInWords, effortInWords, holdsInWords, plural, termsInWords, termsReport } from './figures.ts';
 export {
   bodyInWords,
   countMinerals,
@@ -10,4 +10,3 @@ export {
   VERDICT_MEANS,
 } from './outcome.ts';
 export { proposalInWords, proposalRunInWords, SIZE_MEANS } from './proposal.ts';
-export { accuracyInWords, termsInWords, termsReport } from './terms.ts';

@@ -31,8 +31,8 @@ export function findBase(git: Git, ref: string | null): Base | Unknown {
     if (ref.startsWith('-') || !isCommit(git, ref)) throw new Failure(unknownRef(git, ref));
     return isOwn(ref) ? commonBase(git, ref) : unlessAllIsIn(git, commonBase(git, ref), ref);
   }
-  const told = whatIsTold();
-  return told === null ? fromDefaultBranch(git) : fromTold(git, told);
+  const change = jobChange();
+  return change === null ? fromDefaultBranch(git) : fromJob(git, change);
 }
 
 const isCommit = (git: Git, name: string): boolean => git.line(['rev-parse', '--verify', '--quiet', `${name}^{commit}`]) !== null;
@@ -40,19 +40,19 @@ const isCommit = (git: Git, name: string): boolean => git.line(['rev-parse', '--
 /** Whether a ref is named by way of the commit that is checked out, as in `HEAD~2`: what has changed since is then known. */
 const isOwn = (ref: string): boolean => /^(HEAD|@)(?![\w/-])/.test(ref);
 
-function fromTold(git: Git, told: Told): Base | Unknown {
-  if (told.kind === 'nothing') return { unknown: told.why };
-  if (told.kind === 'push') {
-    const short = told.before.slice(0, 7);
+function fromJob(git: Git, change: JobChange): Base | Unknown {
+  if (change.kind === 'nothing') return { unknown: change.why };
+  if (change.kind === 'push') {
+    const short = change.before.slice(0, 7);
     // compared with itself, even if the push has left it: what was checked then is its content
-    if (isCommit(git, told.before)) return { inWords: `the last push (${short})`, commit: told.before };
+    if (isCommit(git, change.before)) return { inWords: `the last push (${short})`, commit: change.before };
     if (git.isShallow()) throw new Failure(`--changed: the commit before this push, ${short}, is not there: ${FETCH_MORE}`);
     return { unknown: `the commit before this push, ${short}, is gone, as after a forced push` };
   }
-  const found = told.bases.find((name) => isCommit(git, name));
+  const found = change.bases.find((name) => isCommit(git, name));
   if (found !== undefined) return unlessAllIsIn(git, commonBase(git, found), shortName(found));
-  if (told.kind === 'new branch') return { unknown: 'this branch is new, and the default branch is not there' };
-  const { into } = told;
+  if (change.kind === 'new branch') return { unknown: 'this branch is new, and the default branch is not there' };
+  const { into } = change;
   throw new Failure(
     `--changed: the branch ${into}, into which this pull request goes, is not there: ${git.isShallow() ? FETCH_MORE : `git fetch origin ${into} gets it`}`,
   );
@@ -102,7 +102,7 @@ function unknownRef(git: Git, ref: string): string {
 }
 
 /** What a service that checks pushes and pull requests tells of the change that it checks. */
-type Told =
+type JobChange =
   /** A push onto a branch, which was at this commit before. */
   | { readonly kind: 'push'; readonly before: string }
   /** A pull request. Its own commits lead from the first of these that is there, names of refs or hashes of commits. */
@@ -123,7 +123,7 @@ const SERVICES = ['CI', 'GITHUB_ACTIONS', 'GITLAB_CI', 'TF_BUILD', 'JENKINS_URL'
 const isJob = (env: NodeJS.ProcessEnv): boolean => SERVICES.some((name) => !['', '0', 'false'].includes(env[name] ?? ''));
 
 /** What GitHub or GitLab tells; null where neither does. */
-function whatIsTold(env: NodeJS.ProcessEnv = process.env): Told | null {
+function jobChange(env: NodeJS.ProcessEnv = process.env): JobChange | null {
   if (env.GITHUB_EVENT_PATH || env.GITHUB_BASE_REF) return fromGithub(env);
   if (env.CI_COMMIT_BEFORE_SHA || env.CI_MERGE_REQUEST_DIFF_BASE_SHA || env.CI_MERGE_REQUEST_TARGET_BRANCH_NAME)
     return fromGitlab(env);
@@ -144,7 +144,7 @@ interface Event {
   readonly repository?: { readonly default_branch?: unknown };
 }
 
-function fromGithub(env: NodeJS.ProcessEnv): Told | null {
+function fromGithub(env: NodeJS.ProcessEnv): JobChange | null {
   const event = readEvent(env.GITHUB_EVENT_PATH);
   const { pull_request: request, merge_group: group } = event ?? {};
   const into = env.GITHUB_BASE_REF || request?.base?.ref || group?.base_ref;
@@ -165,7 +165,7 @@ function readEvent(path: string | undefined): Event | null {
   }
 }
 
-function fromGitlab(env: NodeJS.ProcessEnv): Told | null {
+function fromGitlab(env: NodeJS.ProcessEnv): JobChange | null {
   const into = env.CI_MERGE_REQUEST_TARGET_BRANCH_NAME;
   const base = hashes(env.CI_MERGE_REQUEST_DIFF_BASE_SHA);
   if (into || base.length > 0)
@@ -175,7 +175,7 @@ function fromGitlab(env: NodeJS.ProcessEnv): Told | null {
 }
 
 /** @param ref the branch or tag, as `refs/heads/...` or `refs/tags/...` */
-function fromPush(before: unknown, ref: unknown, defaultBranch: unknown): Told {
+function fromPush(before: unknown, ref: unknown, defaultBranch: unknown): JobChange {
   const [commit] = hashes(before);
   if (commit !== undefined) return { kind: 'push', before: commit };
   const isBranch = typeof ref === 'string' && ref.startsWith('refs/heads/');

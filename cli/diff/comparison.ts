@@ -1,5 +1,5 @@
 import type { Terms } from '../../engine/index.ts';
-import type { Change, Standing } from '../../review/index.ts';
+import type { Change, VersionStanding } from '../../review/index.ts';
 import type { TermsReport, Verdict } from '../../schema/index.ts';
 import type { ConfiguredTerms } from '../config/index.ts';
 import { type TermsOptions, termsFrom } from '../options/index.ts';
@@ -56,7 +56,7 @@ export interface JudgedVersion {
   /** Why it is not a valid level; empty for one that is. */
   readonly problems: readonly ShownProblem[];
   /** null if it is not a valid level. */
-  readonly standing: Standing | null;
+  readonly standing: VersionStanding | null;
 }
 
 /** What became of a level file. `layout`: its content is the same; `rules`: the file is, and the rules of its folder are not. */

@@ -8,8 +8,8 @@ import { Failure } from '../terminal/index.ts';
 /** Returns the terms that the configuration sets now. */
 export type TermsOnDisk = () => FolderTerms;
 
-/** What the page is told of terms that a file sets. */
-function told(file: string | null, { accuracy, maxTime, maxWork, rules = {} }: ConfigFile): FolderTerms {
+/** The terms that a file sets, as the page gets them. */
+function folderTerms(file: string | null, { accuracy, maxTime, maxWork, rules = {} }: ConfigFile): FolderTerms {
   const configured = { accuracy: accuracy ?? null, maxTime: maxTime ?? null, maxWork: maxWork ?? null, rules };
   const terms = termsFrom({}, configured);
   const { name } = terms.accuracy;
@@ -18,7 +18,7 @@ function told(file: string | null, { accuracy, maxTime, maxWork, rules = {} }: C
 }
 
 /** The terms of a folder without a configuration. */
-export const NO_CONFIG: FolderTerms = told(null, {});
+export const NO_CONFIG: FolderTerms = folderTerms(null, {});
 
 /**
  * Reads the terms from the configuration of a folder again at every call. While it is invalid, the last valid terms apply.
@@ -39,7 +39,7 @@ function readTerms(file: string, before: FolderTerms): FolderTerms {
     const read = readConfig(readBytes(file));
     // what is wrong elsewhere does not concern the rules
     if (!read.ok) return { ...before, file, rules: read.rules ?? before.rules, problems: read.problems };
-    return told(file, read.config);
+    return folderTerms(file, read.config);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     return { ...before, file, problems: [unreadable(error.message)] };

@@ -98,7 +98,7 @@ function statsOf(path: string): Stats | undefined {
 const idOf = ({ dev, ino }: Stats): string => `${dev} ${ino}`;
 
 /** What is at a path; a file that can't be read is none of ours. */
-export function standing(path: string): Standing {
+export function standing(path: string): Occupant {
   try {
     return whatStands(path);
   } catch {
@@ -154,13 +154,13 @@ const LINES_AFTER = 20;
 const LEVEL = [/"astronaut"\s*:\s*\{/, /"blackHole"\s*:\s*\{/];
 
 /** What is at a path where a report is to be written. */
-export type Standing = 'nothing' | 'report' | 'level' | 'other';
+export type Occupant = 'nothing' | 'report' | 'level' | 'other';
 
 /**
  * Recognizes a file by its content.
  * @throws NotAFile, and system errors
  */
-export function whatStands(path: string): Standing {
+export function whatStands(path: string): Occupant {
   const descriptor = openRegularFile(path);
   try {
     const { size } = fstatSync(descriptor);

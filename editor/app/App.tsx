@@ -14,17 +14,14 @@ import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevel
 import { appCommands } from './app-commands.ts';
 import { CheatSheet } from './CheatSheet.tsx';
 import { CommandPalette } from './CommandPalette.tsx';
-import { HeldBar } from './HeldBar.tsx';
-import { Layout } from './Layout.tsx';
+import { Layout, useRoom } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
-import { LEFT, LEVELS, PANELS, PROBLEMS, RIGHT, type SidePanel } from './panels.tsx';
-import { useRoom } from './room.ts';
+import { LEFT, LEVELS, PANELS, PROBLEMS, RIGHT, type SidePanel, showPanel } from './panels.tsx';
+import { HeldBar } from './SaveStatus.tsx';
 import { SettingsDialog } from './SettingsDialog.tsx';
 import { StatusBar } from './StatusBar.tsx';
-import { showPanel } from './show-panel.ts';
 import { Toolbar } from './Toolbar.tsx';
 import { TopBar } from './TopBar.tsx';
-import { useTheme } from './use-theme.ts';
 
 const CANVAS_PARTS = FEATURES.flatMap(({ name, canvas }) => (canvas === undefined ? [] : { name, ...canvas }));
 const TIMELINE_PARTS = FEATURES.flatMap(({ name, timeline }) => (timeline === undefined ? [] : { name, ...timeline }));
@@ -230,5 +227,35 @@ export function App({ editor }: { readonly editor: Editor }) {
         <Screen />
       </Tooltip.Provider>
     </EditorContext.Provider>
+  );
+}
+
+/** Sets an attribute of the page to the user's choice or, without one, to the system's. */
+function follow(query: string, wanted: (matches: boolean) => string, name: string): () => void {
+  const media = matchMedia(query);
+  const apply = () => document.documentElement.setAttribute(name, wanted(media.matches));
+  apply();
+  media.addEventListener('change', apply);
+  return () => media.removeEventListener('change', apply);
+}
+
+/** Sets the theme and the amount of motion as `data-theme` and `data-motion` of the page. */
+function useTheme(): void {
+  const { settings } = useEditor();
+  const theme = useStore(settings, (state) => state.theme);
+  const reduceMotion = useStore(settings, (state) => state.reduceMotion);
+  useEffect(
+    () =>
+      follow('(prefers-color-scheme: light)', (light) => (theme === 'system' ? (light ? 'light' : 'dark') : theme), 'data-theme'),
+    [theme],
+  );
+  useEffect(
+    () =>
+      follow(
+        '(prefers-reduced-motion: reduce)',
+        (less) => ((reduceMotion === 'system' ? less : reduceMotion === 'yes') ? 'less' : 'full'),
+        'data-motion',
+      ),
+    [reduceMotion],
   );
 }

@@ -1,11 +1,10 @@
 import { Activity } from 'lucide-react';
 import { type ReactNode, useEffect, useState } from 'react';
 import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
-import { useEditor, useSession } from '../core/context/index.ts';
+import { mediaOf, useEditor, useMedia, useSession } from '../core/context/index.ts';
 import { Button } from '../core/ui/index.ts';
 import { useProblemCount } from '../features/index.ts';
 import type { SidePanel } from './panels.tsx';
-import { useRoom } from './room.ts';
 
 interface LayoutProps {
   /** From top to bottom. */
@@ -123,4 +122,21 @@ function WideLayout({ left, canvas, right, timeline }: LayoutProps) {
 /** All panels where there is room, else one at a time; the canvas always stays visible. */
 export function Layout(props: LayoutProps) {
   return useRoom() === 'wide' ? <WideLayout {...props} /> : <NarrowLayout {...props} />;
+}
+
+/**
+ * What the page has room for: panels on both sides of the canvas, or one panel at a time, beside the canvas on low pages and
+ * below it on narrow ones. Zoom shrinks a page as well: 1440 x 900 at 200 % is 720 x 450.
+ */
+type Room = 'wide' | 'beside' | 'below';
+
+/** Below this size, too little of the canvas is left between two sides. */
+const WIDE = mediaOf('(min-width: 880px) and (min-height: 520px)');
+/** From this width on, the canvas keeps 320 px beside a panel. */
+const BESIDE = mediaOf('(min-width: 600px) and (orientation: landscape)');
+
+/** The room of the page; the component re-renders when it changes. */
+export function useRoom(): Room {
+  const [isWide, isBeside] = [useMedia(WIDE), useMedia(BESIDE)];
+  return isWide ? 'wide' : isBeside ? 'beside' : 'below';
 }

@@ -1,9 +1,19 @@
-import { CircleAlert, CircleCheck, CloudOff, Download, Eye, FileWarning, GitMerge, LoaderCircle } from 'lucide-react';
-import type { ComponentType } from 'react';
+import {
+  CircleAlert,
+  CircleCheck,
+  CloudOff,
+  Download,
+  Eye,
+  FileWarning,
+  GitMerge,
+  LoaderCircle,
+  TriangleAlert,
+} from 'lucide-react';
+import { type ComponentType, useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { useDocument, useEditor, useLevel } from '../core/context/index.ts';
 import { keepFile, levelFile } from '../core/exchange/index.ts';
-import { problemsInWords, type SaveState } from '../core/files/index.ts';
+import { type OpenedLevel, problemsInWords, type SaveState } from '../core/files/index.ts';
 import type { Keeping } from '../core/journal/index.ts';
 import { Button, Hint } from '../core/ui/index.ts';
 
@@ -94,7 +104,7 @@ export function SaveStatus() {
         <Button
           hint="Download the level as it is now"
           icon={<Download size={14} />}
-          onClick={() => void keepFile(levelFile(opened.id(), document.settledFile()))}
+          onClick={() => void keepFile(levelFile(opened.id(), document.committedFile()))}
         />
       )}
       {(TO_RESOLVE.includes(state.kind) || isUndecided) && (
@@ -109,4 +119,51 @@ export function SaveStatus() {
       )}
     </>
   );
+}
+
+/** Asks before the page is left, since it alone has the change. */
+function useQuestionOnLeaving(): void {
+  useEffect(() => {
+    const ask = (event: BeforeUnloadEvent) => event.preventDefault();
+    window.addEventListener('beforeunload', ask);
+    return () => window.removeEventListener('beforeunload', ask);
+  }, []);
+}
+
+function Question({ opened }: { readonly opened: OpenedLevel }) {
+  const [isTaking, setIsTaking] = useState(false);
+  useQuestionOnLeaving();
+  return (
+    <aside className="heldbar" aria-label="Change that waits">
+      <TriangleAlert size={16} />
+      <p className="heldbar__text" role="alert">
+        Another tab has this level open. Your change is only in this tab, and is not saved.
+      </p>
+      <Button
+        hint="Save it here; the other tab becomes read-only"
+        look="main"
+        disabled={isTaking}
+        onClick={() => {
+          setIsTaking(true);
+          opened.lock.takeOver();
+        }}
+      >
+        {isTaking ? 'Taking over…' : 'Take over and save'}
+      </Button>
+      <Button
+        hint="Show the level as the other tab has it; undo brings the change back"
+        look="outlined"
+        onClick={() => opened.dropHeld()}
+      >
+        Drop the change
+      </Button>
+    </aside>
+  );
+}
+
+/** What to do with a change of a level that another tab writes. It is kept until the user has chosen. */
+export function HeldBar() {
+  const { opened } = useLevel();
+  const isHolding = useStore(opened.holding);
+  return isHolding ? <Question opened={opened} /> : null;
 }

@@ -3,7 +3,7 @@ import { useDocument, useEditor, usePageTerms, useProof, useProofInPace, useSess
 import { objectsOf } from '../core/document/index.ts';
 import { endInWords, type LiveProof } from '../core/proof/index.ts';
 import { FEATURES, useProblemCount } from '../features/index.ts';
-import { AccuracySign } from './AccuracySign.tsx';
+import { AccuracySign } from './VerdictBadge.tsx';
 
 const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
 

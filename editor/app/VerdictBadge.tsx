@@ -1,14 +1,13 @@
-import { CircleCheck, CircleHelp, CircleX } from 'lucide-react';
+import { CircleCheck, CircleHelp, CircleX, Undo2 } from 'lucide-react';
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../check/index.ts';
 import { VERDICT_MEANS } from '../../check/words/index.ts';
-import { useDocument, useLevel, usePageTerms, useProof } from '../core/context/index.ts';
+import { useDocument, useEditor, useLevel, usePageTerms, useProof } from '../core/context/index.ts';
 import { plural } from '../core/figures/index.ts';
 import { endInWords } from '../core/proof/index.ts';
 import { isOtherAccuracy, termsInWords } from '../core/terms/index.ts';
-import { Hint } from '../core/ui/index.ts';
+import { Button, Hint } from '../core/ui/index.ts';
 import { useVerdict } from '../core/verdict/index.ts';
-import { AccuracySign } from './AccuracySign.tsx';
 
 const LOOKS = {
   completable: { Icon: CircleCheck, text: 'completable' },
@@ -91,5 +90,26 @@ export function VerdictBadge() {
         </output>
       )}
     </>
+  );
+}
+
+/**
+ * Says so while the level is shown at another accuracy than that of the folder, and leads back to it.
+ * @param isShort beside the verdict, where there is little room
+ */
+export function AccuracySign({ isShort = false }: { readonly isShort?: boolean }) {
+  const { settings } = useEditor();
+  const terms = usePageTerms();
+  if (!isOtherAccuracy(terms)) return null;
+  const { folder, shown } = terms;
+  return (
+    <Button
+      hint={`The level is shown ${termsInWords(terms)}. Return to ${folder.accuracy.name}`}
+      look="outlined"
+      icon={<Undo2 size={13} />}
+      onClick={() => settings.setState({ otherAccuracy: null })}
+    >
+      {isShort ? `at ${shown.accuracy.name}` : termsInWords(terms)}
+    </Button>
   );
 }

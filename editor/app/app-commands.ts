@@ -2,7 +2,7 @@ import type { Command } from '../core/commands/index.ts';
 import type { Editor } from '../core/context/index.ts';
 import { listHistoryOf } from '../core/levels/index.ts';
 import { showLayer } from '../core/session/index.ts';
-import { LAYERS } from './layers.ts';
+import { LAYERS } from './panels.tsx';
 
 /** Commands that work whatever is shown. */
 export function appCommands(editor: Editor): readonly Command[] {

@@ -5,17 +5,8 @@ import { attemptsAt } from '../core/attempts/index.ts';
 import { createCommands } from '../core/commands/index.ts';
 import { type Analysis, attemptGhosts, type Editor, type OpenLevel, putGhosts } from '../core/context/index.ts';
 import { createSelection, type ObjectKey } from '../core/document/index.ts';
-import {
-  createOpeningMarks,
-  createWorkspace,
-  errorInWords,
-  type LevelStorage,
-  type Link,
-  type OpenedLevel,
-  pageSurroundings,
-  tabName,
-} from '../core/files/index.ts';
-import { openHeldBack } from '../core/levels/index.ts';
+import { createOpeningMarks, createWorkspace, type OpenedLevel, pageSurroundings, tabName } from '../core/files/index.ts';
+import { openFirst, openHeldBack } from '../core/levels/index.ts';
 import { createNotices } from '../core/notices/index.ts';
 import { createProofStore } from '../core/proof/index.ts';
 import { createSession } from '../core/session/index.ts';
@@ -23,8 +14,8 @@ import { createSettings } from '../core/settings/index.ts';
 import { createPageTerms } from '../core/terms/index.ts';
 import { FEATURES } from '../features/index.ts';
 import { createWorkers, spawnPageWorker } from '../workers/index.ts';
-import { followConfiguration } from './follow-configuration.ts';
-import { LAYERS } from './layers.ts';
+import { followConfiguration, followSurroundings, offerLateLevels } from './page-notices.ts';
+import { LAYERS } from './panels.tsx';
 
 /** A storage of the page, or null where the browser refuses access. */
 function pageStorage(name: 'localStorage' | 'sessionStorage'): Storage | null {
@@ -85,19 +76,6 @@ function openParts(editor: Editor, opened: OpenedLevel): { level: OpenLevel; clo
   return { level, close };
 }
 
-/** What to do when the folder can't be reached, and where unsaved work is kept: browsers keep it per host and port. */
-function linkInWords(link: Exclude<Link, 'up'>, isKept: boolean): string {
-  const { host, port } = window.location;
-  const gone = 'gq edit does not answer. Start it again in the same folder and open the address that it prints.';
-  const other = 'gq edit was restarted, and this page belongs to the previous start: it can no longer save.';
-  if (link === 'gone') {
-    const kept = `Until then, your changes are kept in this browser for ${host}. They are not found under another port: start with gq edit --port ${port} to use this one.`;
-    return `${gone} ${isKept ? kept : 'Your changes are lost when this page is closed: download the level first.'}`;
-  }
-  const comes = `Open the address that gq edit prints now. Unsaved changes are kept in this browser for ${host} and are restored if the new address has the same host and port.`;
-  return `${other} ${isKept ? comes : 'Unsaved changes are lost when this page is closed: download the level, then open the address that gq edit prints now.'}`;
-}
-
 /**
  * ms that the page must stay responsive after a level is drawn. Work that starts once the level rests begins within this time.
  */
@@ -117,37 +95,6 @@ function onceDrawn(call: () => void): () => void {
   };
 }
 
-/** Called when the browser's database answers late: offers its levels together with those made in the meantime. */
-function offerLateLevels(editor: Editor, found: LevelStorage): void {
-  const { workspace, notices } = editor;
-  const takeOver = async () => {
-    await workspace.store.getState().opened?.saver.flush();
-    const list = await workspace.storage.list();
-    const there = await found.list();
-    if (!list.ok || !there.ok) return;
-    const ids = new Set(there.value.levels.map(({ id }) => id));
-    for (const { id } of list.value.levels) {
-      const read = await workspace.storage.read(id);
-      if (!read.ok || read.value.text === null) continue;
-      let name = id;
-      for (let i = 2; ids.has(name); i++) name = `${id}-${i}`;
-      const written = await found.write(name, read.value.text, null);
-      if (!written.ok) {
-        notices.show('error', errorInWords(written.error), { topic: 'late' });
-        return;
-      }
-      ids.add(name);
-    }
-    window.location.reload();
-  };
-  const text =
-    'The browser’s database is available now. It may have levels that are not listed here. The levels of this page will be added to them.';
-  notices.show('warning', text, {
-    topic: 'late',
-    actions: [{ title: 'Add them and reload', run: () => void takeOver() }],
-  });
-}
-
 /**
  * Builds the editor of this page: settings, session, journal, and the levels of `gq edit` or, without a server, of this
  * browser.
@@ -158,25 +105,6 @@ export async function createEditor(): Promise<Editor> {
   const workspace = createWorkspace(surroundings);
   const notices = createNotices();
   const { journal, versions } = surroundings;
-  let reportedLink = '';
-  const tellLink = (link: Link) => {
-    const text = link === 'up' ? '' : linkInWords(link, journal.state.getState().kind === 'working');
-    if (text === reportedLink) return;
-    reportedLink = text;
-    if (text === '') notices.settle('server');
-    else notices.show('warning', text, { topic: 'server' });
-  };
-  const tellJournal = () => {
-    const state = journal.state.getState();
-    tellLink(workspace.store.getState().link);
-    if (state.kind === 'working') notices.settle('journal');
-    else notices.show('warning', `${state.message}. ${state.hint}`, { topic: 'journal' });
-  };
-  journal.state.subscribe(tellJournal);
-  tellJournal();
-  workspace.store.subscribe(({ link }, before) => {
-    if (link !== before.link) tellLink(link);
-  });
   const editor: Editor = {
     settings,
     terms: createPageTerms(workspace, settings),
@@ -194,6 +122,7 @@ export async function createEditor(): Promise<Editor> {
     desk: { workers: createWorkers({ spawn: spawnPageWorker, after }), afterRest, after },
     open: createStore<OpenLevel | null>(() => null),
   };
+  followSurroundings(editor);
   let last: { opened: OpenedLevel; close: () => void } | null = null;
   workspace.store.subscribe(({ opened }) => {
     if (opened === (last?.opened ?? null)) return;
@@ -219,7 +148,7 @@ export async function createEditor(): Promise<Editor> {
         topic: 'unchecked',
         actions: [{ title: 'Turn checks on', run: on }],
       });
-    } else notices.settle('unchecked');
+    } else notices.clear('unchecked');
     last = { opened, close };
     editor.open.setState(parts.level, true);
   });
@@ -229,4 +158,28 @@ export async function createEditor(): Promise<Editor> {
   document.addEventListener('visibilitychange', () => document.visibilityState === 'hidden' && versions.flush());
   void lateLevels?.then((found) => offerLateLevels(editor, found));
   return editor;
+}
+
+/** The key of the level that was last open in this tab. */
+const LAST_LEVEL = 'gravity-quest-last-level';
+
+/**
+ * Opens the place that the page's address names, or else the level that was last open in this tab, or else the first valid one.
+ * Remembers each level opened from then on, and follows links to other places.
+ */
+export async function openFirstLevel(editor: Editor): Promise<void> {
+  const { workspace } = editor;
+  await workspace.start();
+  const storage = pageStorage('sessionStorage');
+  const last = storage?.getItem(LAST_LEVEL) ?? null;
+  workspace.store.subscribe(({ opened }) => {
+    if (opened === null) return;
+    try {
+      storage?.setItem(LAST_LEVEL, opened.id());
+    } catch {
+      // the storage is full
+    }
+  });
+  for (const { openNamed } of FEATURES) if (await openNamed?.(editor)) return;
+  await openFirst(editor, last);
 }

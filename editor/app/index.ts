@@ -1,3 +1,2 @@
 export { App } from './App.tsx';
-export { createEditor } from './create-editor.ts';
-export { openFirstLevel } from './first-level.ts';
+export { createEditor, openFirstLevel } from './create-editor.ts';

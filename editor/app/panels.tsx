@@ -1,4 +1,6 @@
 import type { ReactNode } from 'react';
+import type { Editor } from '../core/context/index.ts';
+import { CANVAS_LAYERS, type LayerSwitch } from '../core/session/index.ts';
 import { FEATURES, type Panel } from '../features/index.ts';
 
 /** A panel as it is shown. */
@@ -23,3 +25,14 @@ export const LEFT = at('left', 'tab');
 export const RIGHT = at('right', 'tab');
 
 export const PANELS: readonly SidePanel[] = [LEVELS, ...LEFT, ...RIGHT, PROBLEMS];
+
+/** Brings a panel to the front. @param id the id of a panel of a feature */
+export function showPanel({ session }: Pick<Editor, 'session'>, id: string): void {
+  const { panels } = session.getState();
+  const left = LEFT.some((panel) => panel.id === id) ? id : panels.left;
+  const right = RIGHT.some((panel) => panel.id === id) ? id : panels.right;
+  session.setState({ panels: { left, right, phone: id } });
+}
+
+/** All layers over the level that can be shown and hidden. */
+export const LAYERS: readonly LayerSwitch[] = [...CANVAS_LAYERS, ...FEATURES.flatMap(({ layers }) => layers ?? [])];

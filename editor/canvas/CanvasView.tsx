@@ -2,20 +2,17 @@ import { useEffect, useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../core/context/index.ts';
+import { EndReason, HiddenNote, HoverName, Measures, Message } from './CanvasLabels.tsx';
+import { CanvasMenu } from './CanvasMenu.tsx';
 import { createCanvasState } from './canvas-state.ts';
-import { EndReason } from './EndReason.tsx';
-import './canvas.css';
-import { CROSSHAIR_HELP } from './crosshair/index.ts';
-import { HiddenNote } from './HiddenNote.tsx';
-import { HoverName } from './HoverName.tsx';
-import { CanvasMenu } from './menu/index.ts';
-import { Minimap } from './minimap/index.ts';
+import { CROSSHAIR_HELP } from './crosshair-commands.ts';
+import { Minimap } from './Minimap.tsx';
 import { mountCanvas } from './mount-canvas.ts';
-import { NotePins } from './notes/index.ts';
+import { NotePins } from './NotePins.tsx';
 import type { NamedPart } from './part.ts';
 import { RepeatPanel } from './RepeatPanel.tsx';
-import { Rulers } from './rulers/index.ts';
-import { Measures, ToldLabel } from './ToldLabel.tsx';
+import { Rulers } from './Rulers.tsx';
+import './canvas.css';
 
 /** The canvas of the level. @param parts what features of the page show on it; the same list at every call */
 export function CanvasView({ parts }: { readonly parts: readonly NamedPart[] }) {
@@ -55,7 +52,7 @@ export function CanvasView({ parts }: { readonly parts: readonly NamedPart[] }) 
       {parts.map(({ name, labels: Labels }) => Labels && <Labels key={name} canvas={canvas} host={host} />)}
       <EndReason canvas={canvas} />
       <HoverName canvas={canvas} />
-      <ToldLabel canvas={canvas} />
+      <Message canvas={canvas} />
       <Measures canvas={canvas} />
       <Rulers canvas={canvas} host={host} />
       <Minimap canvas={canvas} />

@@ -3,8 +3,7 @@ import { useLevel } from '../core/context/index.ts';
 import { type Gesture, MOST_COPIES, type Repetition, repeatObjects, unlocked } from '../core/document/index.ts';
 import { Segments } from '../core/panel/index.ts';
 import { Button, NumberField } from '../core/ui/index.ts';
-import { extentOf } from './extent.ts';
-import { centreOf } from './selection-box/index.ts';
+import { centreOf, extentOf } from './extent.ts';
 
 /** px; no copy is farther away than this */
 const FAR = 1e6;

@@ -1,7 +1,4 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { Measure } from './measure.ts';
-import type { MenuPart } from './menu-entry.ts';
-import type { Guide } from './snapping.ts';
 import type { Box, Point, View } from './view.ts';
 
 /** What the canvas shows besides the level: the view, and the transient state of gestures. */
@@ -18,7 +15,7 @@ export interface CanvasState {
   /** Figures of a gesture in progress, beside places of the level. */
   readonly measures: readonly Measure[];
   /** What was said beside a place of the level; null: nothing. */
-  readonly told: Measure | null;
+  readonly message: Measure | null;
   /** The open menu, and where it stands, in px of the screen; null: none. */
   readonly menu: { readonly screen: Point; readonly parts: readonly MenuPart[] } | null;
   /** CSS cursor */
@@ -34,8 +31,41 @@ export function createCanvasState(): StoreApi<CanvasState> {
     crosshair: null,
     isRepeating: false,
     measures: [],
-    told: null,
+    message: null,
     menu: null,
     cursor: 'default',
   }));
 }
+
+/** A line that shows what an object snapped to: at `at` px on one axis, from `from` to `to` on the other. */
+export interface Guide {
+  /** `x`: a vertical line at this x */
+  readonly axis: 'x' | 'y';
+  readonly at: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** A figure or a message beside a place of the level. */
+export interface Measure {
+  readonly words: string;
+  readonly at: Point;
+}
+
+/** An action in the menu of a place. */
+export interface MenuAction {
+  readonly title: string;
+  /** The key, as it is displayed. */
+  readonly keys?: string;
+  readonly disabled?: boolean;
+  readonly run: () => void;
+}
+
+/** A menu within the menu. */
+interface SubMenu {
+  readonly title: string;
+  readonly entries: readonly MenuAction[];
+}
+
+/** null is a line */
+export type MenuPart = MenuAction | SubMenu | null;

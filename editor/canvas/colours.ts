@@ -73,6 +73,3 @@ export const COLOURS: Readonly<Record<Theme, Colours>> = {
     label: '#1b2436',
   },
 };
-
-/** How opaque a shade of the heat map of deaths is: there are fewer squares than in the map of a search, so they are stronger. */
-export const deathOpacity = (shade: number): number => Math.min(1, 0.1 + 1.1 * shade);

@@ -2,17 +2,16 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Editor, OpenLevel } from '../core/context/index.ts';
 import { chooseTool } from '../core/session/index.ts';
 import { canvasCommands } from './canvas-commands.ts';
-import { pictureOf } from './canvas-picture.ts';
 import type { CanvasState } from './canvas-state.ts';
-import { createCrosshair } from './crosshair/index.ts';
+import { paste } from './clipboard-commands.ts';
+import { createCrosshair } from './crosshair.ts';
 import { extentOf } from './extent.ts';
-import { menuEntries } from './menu/index.ts';
-import { objectChanges } from './object-changes.ts';
-import { stageOf } from './page-stage.ts';
+import { menuEntries } from './menu-entries.ts';
 import type { DrawnPart } from './part.ts';
-import { paste } from './paste.ts';
+import { pictureOf } from './picture.ts';
 import { type LastClick, listenToDrops, listenToPointer, type PointerContext } from './pointer/index.ts';
-import type { Stage } from './stage.ts';
+import { objectChanges } from './selection-changes.ts';
+import { type Stage, stageOf } from './stage.ts';
 import { fitBox, lookAt, type Point, type View } from './view.ts';
 
 interface MountParts {
@@ -59,7 +58,7 @@ export function mountCanvas({ element, editor, level, canvas, said, drawn }: Mou
       canvas.setState({ menu: { screen, parts: menuEntries({ editor, level, context, changes, pasteAt }, place) } });
     },
     measure: (measures) => canvas.setState({ measures }),
-    tell: (words, at) => canvas.setState({ told: { words, at } }),
+    say: (words, at) => canvas.setState({ message: { words, at } }),
     refused: (message) => notices.show('warning', message, { topic: 'refused' }),
   };
   const pointer = listenToPointer(element, context, () => session.getState().mode === 'edit');

@@ -16,7 +16,7 @@ export interface ChosenRenderer {
 const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
 /** The WebGL that is required: on a graphics card, or any. */
-export type WebglNeed = 'card' | 'any';
+type WebglNeed = 'card' | 'any';
 
 /** Whether the browser offers such a WebGL. If a graphics card is required, the slow setup of software rendering is avoided. */
 export function offersWebgl(document: Document, need: WebglNeed): boolean {

@@ -1,40 +1,11 @@
 import { CANVAS, Game, Scale, Scene, type Types, WEBGL } from 'phaser';
-import type { Box } from '../../engine/index.ts';
-import type { LevelFile } from '../../schema/index.ts';
-import type { Ghost, Pose } from '../core/context/index.ts';
-import type { ObjectKey } from '../core/document/index.ts';
-import type { LiveProof } from '../core/proof/index.ts';
-import type { CanvasState } from './canvas-state.ts';
+import { drawStarTiles, drawTextures } from '../../phaser/index.ts';
+import type { Editor } from '../core/context/index.ts';
 import { COLOURS, type Theme } from './colours.ts';
-import { isFrameDue } from './frame-pace.ts';
-import { AstronautLayer, ObjectLayer, OverlayLayer, SpaceScene, WayLayer } from './layers/index.ts';
+import { AstronautLayer, ObjectLayer, OverlayLayer, SpaceScene, starsOf, WayLayer } from './layers/index.ts';
 import type { Drawing, DrawnPart } from './part.ts';
-import type { RendererName } from './renderer.ts';
-import { drawTextures } from './textures/index.ts';
-
-/** Everything that a frame shows. Parts that are the same object as in the last frame are not drawn again. */
-export interface Picture {
-  readonly file: LevelFile;
-  /** The astronaut's collision box under the rules of the level; the same object while its size stays. */
-  readonly her: Box;
-  readonly proof: LiveProof;
-  readonly canvas: CanvasState;
-  readonly selected: readonly ObjectKey[];
-  readonly hovered: ObjectKey | null;
-  readonly layers: Readonly<Record<string, boolean>>;
-  /** px; null: no grid */
-  readonly grid: number | null;
-  readonly ghosts: readonly Ghost[];
-  /** What features of the page show, one for each drawn part; the same list until one of them changes. */
-  readonly parts: readonly unknown[];
-  readonly pose: Pose;
-  readonly editing: boolean;
-  /** Whether the path of the run is shown. */
-  readonly showsRun: boolean;
-  readonly theme: Theme;
-  /** Whether the user wants reduced motion. */
-  readonly calm: boolean;
-}
+import { isFrameDue, type Picture } from './picture.ts';
+import { type ChosenRenderer, chooseRenderer, offersWebgl, type RendererName } from './renderer.ts';
 
 /** The layers, drawn in one theme. */
 interface Layers {
@@ -116,7 +87,9 @@ class LevelScene extends Scene {
     const { overlay, way, astronaut, parts } = this.layers ?? {};
     for (const layer of [overlay, way, astronaut, ...(parts ?? [])]) layer?.destroy();
     objects.clear();
-    drawTextures(this.textures, theme);
+    // textures of the previous theme are drawn again in place, so that images that use them stay valid
+    drawTextures(this.textures, theme, (name) => name);
+    drawStarTiles(this.textures, theme, starsOf(theme, 'far'), starsOf(theme, 'near'));
     space.dress(theme);
     return {
       theme,
@@ -161,7 +134,7 @@ class PacedGame extends Game {
  * Phaser only draws: its physics, sound and input are off, as the engine, the editor and the user move things.
  * @param drawn what features of the page draw into every level
  */
-export function createStage(renderer: RendererName, drawn: readonly DrawnPart[]): Stage {
+function createStage(renderer: RendererName, drawn: readonly DrawnPart[]): Stage {
   const level = new LevelScene(drawn);
   const canvas = document.createElement('canvas');
   const game = new PacedGame(
@@ -203,3 +176,29 @@ export function createStage(renderer: RendererName, drawn: readonly DrawnPart[])
     resize: (width, height) => game.scale.resize(Math.max(1, width), Math.max(1, height)),
   };
 }
+
+interface PageStage {
+  readonly stage: Stage;
+  readonly renderer: ChosenRenderer;
+}
+
+/** one stage per editor, for as long as the page lives */
+const stages = new WeakMap<Editor, PageStage>();
+
+/**
+ * The stage of the page, created when the first level is shown. Shows a notice if it can't use the requested renderer.
+ * @param drawn what features of the page draw; the same at every call
+ */
+export function stageOf(editor: Editor, drawn: readonly DrawnPart[]): Stage {
+  const known = stages.get(editor);
+  if (known !== undefined) return known.stage;
+  const { settings, notices } = editor;
+  const renderer = chooseRenderer(settings.getState().renderer, window.location.search, (need) => offersWebgl(document, need));
+  if (renderer.complaint !== null) notices.show('warning', renderer.complaint, { topic: 'renderer' });
+  const stage = createStage(renderer.name, drawn);
+  stages.set(editor, { stage, renderer });
+  return stage;
+}
+
+/** The renderer of this page; null before anything is drawn. */
+export const rendererOf = (editor: Editor): ChosenRenderer | null => stages.get(editor)?.renderer ?? null;

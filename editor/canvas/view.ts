@@ -97,3 +97,70 @@ export function fitBox(view: View, box: Box, most = 2): View {
   const y = (box.top + box.bottom) / 2 - TOOLS / 2 / zoom;
   return { ...view, x: (box.left + box.right) / 2, y, zoom };
 }
+
+/** How the level is shown on the minimap: px of the map per px of the level, and the point of the level in its middle. */
+export interface MapView extends Point {
+  readonly scale: number;
+}
+
+/** px of the map around the level */
+const MAP_MARGIN = 8;
+
+/** Shows a box of the level completely. @param width px @param height px */
+export function mapViewOf({ left, top, right, bottom }: Box, width: number, height: number): MapView {
+  const scale = Math.min(
+    (width - 2 * MAP_MARGIN) / Math.max(1, right - left),
+    (height - 2 * MAP_MARGIN) / Math.max(1, bottom - top),
+  );
+  return { x: (left + right) / 2, y: (top + bottom) / 2, scale };
+}
+
+/** Whether all of a box is in view: then a minimap says nothing. */
+export function isAllInView({ left, top, right, bottom }: Box, view: View): boolean {
+  const [halfWidth, halfHeight] = [view.width / 2 / view.zoom, view.height / 2 / view.zoom];
+  const isWithin = left >= view.x - halfWidth && right <= view.x + halfWidth;
+  return isWithin && top >= view.y - halfHeight && bottom <= view.y + halfHeight;
+}
+
+/** The point of the level at a point of the map, px from its top left. */
+export const fromMap = (map: MapView, at: Point, width: number, height: number): Point => ({
+  x: map.x + (at.x - width / 2) / map.scale,
+  y: map.y + (at.y - height / 2) / map.scale,
+});
+
+/** A tick of a ruler. */
+interface Tick {
+  /** px of the level */
+  readonly value: number;
+  /** px of screen from the start of the ruler */
+  readonly at: number;
+  /** Whether it has a number. */
+  readonly isLong: boolean;
+}
+
+/** px of screen between two numbers at least */
+const ROOM = 64;
+/** short ticks per number */
+const PARTS = 5;
+
+/** The round step whose numbers have room: 1, 2 or 5 times a power of ten, at least 1 px. @param zoom px of screen per px of the level */
+export function stepFor(zoom: number): number {
+  const least = Math.max(1, ROOM / zoom);
+  const power = 10 ** Math.floor(Math.log10(least));
+  return ([1, 2, 5, 10].find((factor) => factor * power >= least) ?? 10) * power;
+}
+
+/**
+ * The ticks of a ruler.
+ * @param from px of the level at its start
+ * @param length px of screen
+ * @param zoom px of screen per px of the level
+ */
+export function ticksOf(from: number, length: number, zoom: number): Tick[] {
+  const small = stepFor(zoom) / PARTS;
+  const ticks: Tick[] = [];
+  for (let k = Math.ceil(from / small); (k * small - from) * zoom <= length; k++) {
+    ticks.push({ value: k * small + 0, at: (k * small - from) * zoom, isLong: k % PARTS === 0 });
+  }
+  return ticks;
+}

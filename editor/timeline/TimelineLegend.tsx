@@ -1,10 +1,16 @@
 import { CircleQuestionMark, Flag, X } from 'lucide-react';
 import { Popover } from 'radix-ui';
+import type { ReactNode } from 'react';
 import { useTouch } from '../core/context/index.ts';
 import { NEAR } from '../core/proof/index.ts';
 import { Button } from '../core/ui/index.ts';
-import { looksLike, markedAs } from './legend-signs.tsx';
 import type { LegendEntry, TimelinePart } from './part.ts';
+
+/** A sign of the legend as it is written on the timeline: `A2`. */
+const markedAs = (text: string): ReactNode => <span className="legend__mark">{text}</span>;
+
+/** A sign of the legend that is drawn as what it explains. @param name of its look: `legend__look--NAME` in a style sheet */
+export const looksLike = (name: string): ReactNode => <span className={`legend__look legend__look--${name}`} />;
 
 interface TimelineLegendProps {
   /** What features of the page show in the timeline, and what it means. */

@@ -4,8 +4,8 @@ import { useDocument, useEditor, useProof, useSession } from '../core/context/in
 import { endInWords } from '../core/proof/index.ts';
 import { RATE_NAMES, RATES } from '../core/session/index.ts';
 import { Button } from '../core/ui/index.ts';
+import { holdsInWords, type Reached } from './holds.ts';
 import type { NamedPart } from './part.ts';
-import { holdsInWords, type Reached } from './reached.ts';
 import { TimelineLegend } from './TimelineLegend.tsx';
 
 /** The shown moment in words; a component of its own, as it changes with every frame of a scrub. */

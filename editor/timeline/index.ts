@@ -1,4 +1,4 @@
-export { looksLike } from './legend-signs.tsx';
 export type { Beside, OnTimeline, TimelinePart } from './part.ts';
 export { toX } from './scale.ts';
 export { Timeline } from './Timeline.tsx';
+export { looksLike } from './TimelineLegend.tsx';

@@ -2,7 +2,7 @@ import { type PointerEvent, type RefObject, useRef } from 'react';
 import type { Hold } from '../../schema/index.ts';
 import { useEditor, useLevel } from '../core/context/index.ts';
 import { addHold, type Gesture, moveHold, type Recipe, splitHold, stretchHold } from '../core/document/index.ts';
-import { type Grip, gripAt } from './grip.ts';
+import { type Grip, gripAt } from './holds.ts';
 import { type Scale, toTick } from './scale.ts';
 
 const NONE: readonly number[] = [];

@@ -21,7 +21,6 @@ export {
   type Solving,
   type Thumbnail,
 } from './jobs/index.ts';
-export type { JobKind, Requests, Results } from './kinds.ts';
 export {
   CELL_NUMBERS,
   type CellState,
@@ -30,5 +29,5 @@ export {
   type Reach,
   stateOfCode,
 } from './leeway/index.ts';
-export { spawnPageWorker } from './page-worker.ts';
-export { createWorkers, type JobEnd, type Running, type WorkerPort, type Workers } from './workers.ts';
+export type { JobKind, Requests, Results } from './runner.ts';
+export { createWorkers, type JobEnd, type Running, spawnPageWorker, type WorkerPort, type Workers } from './workers.ts';

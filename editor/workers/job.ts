@@ -64,3 +64,17 @@ export function createPacer(now: () => number): (advance: (ticks: number) => voi
     ticks = Math.round(Math.min(MOST_TICKS, Math.max(FEWEST_TICKS, ticks * Math.min(2, Math.max(0.25, factor)))));
   };
 }
+
+/**
+ * Paces reports.
+ * @param start when the job began, by the same clock
+ * @returns whether a report is due: at news, and otherwise `ms` after the last one
+ */
+export function createReporting(ms: number, start: number, now: () => number): (isNews?: boolean) => boolean {
+  let last = start;
+  return (isNews = false) => {
+    const isDue = isNews || now() - last >= ms;
+    if (isDue) last = now();
+    return isDue;
+  };
+}

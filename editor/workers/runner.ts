@@ -1,8 +1,8 @@
-import type { Job, Steps } from './job.ts';
-import { JOBS, type JobKind } from './kinds.ts';
-import type { FromWorker, ToWorker } from './protocol.ts';
+import type { AnswerOf, AskedOf, Job, ProgressOf, Steps, Work } from './job.ts';
+import * as jobs from './jobs/index.ts';
+import type { FromWorker, ToWorker } from './workers.ts';
 
-export interface RunnerOptions {
+interface RunnerOptions {
   readonly post: (message: FromWorker) => void;
   /** Calls back after the messages that have already arrived. */
   readonly later: (call: () => void) => void;
@@ -63,3 +63,23 @@ export function createRunner({ post, later, now }: RunnerOptions): (message: ToW
     post({ type: 'cancelled', job: message.job });
   };
 }
+
+/** All records of jobs, by name. */
+type Records = { [K in keyof typeof jobs as (typeof jobs)[K] extends Job ? K : never]: (typeof jobs)[K] };
+
+export type JobKind = keyof Records;
+
+/** What is asked of a worker, by kind. */
+export type Requests = { [K in JobKind]: AskedOf<Records[K]> };
+/** What it answers. */
+export type Results = { [K in JobKind]: AnswerOf<Records[K]> };
+/** What it reports on the way. */
+type Progresses = { [K in JobKind]: ProgressOf<Records[K]> };
+
+const all: readonly unknown[] = Object.values(jobs);
+const isWork = (value: unknown): value is Work<Job> => typeof value === 'object' && value !== null && 'steps' in value;
+
+/** How each job is done. Only a worker loads it. */
+export const JOBS = Object.fromEntries(all.filter(isWork).map(({ of, steps }) => [of.name, steps])) as {
+  readonly [K in JobKind]: (asked: Requests[K], now: () => number) => Generator<Progresses[K] | null, Results[K], void>;
+};

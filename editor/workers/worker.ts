@@ -1,5 +1,5 @@
-import type { FromWorker, ToWorker } from './protocol.ts';
 import { createRunner } from './runner.ts';
+import type { FromWorker, ToWorker } from './workers.ts';
 
 // a message to itself is received after earlier messages, and sooner than a timer fires
 const turn = new MessageChannel();

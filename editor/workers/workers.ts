@@ -1,5 +1,4 @@
 import type { Job } from './job.ts';
-import type { FromWorker, ToWorker } from './protocol.ts';
 
 /** The part of a Worker that is needed. */
 export interface WorkerPort {
@@ -33,7 +32,7 @@ export interface Workers {
   close(): void;
 }
 
-export interface WorkersOptions {
+interface WorkersOptions {
   readonly spawn: () => WorkerPort;
   /** Calls back after `ms`. @returns cancels it */
   readonly after: (ms: number, call: () => void) => () => void;
@@ -47,7 +46,7 @@ interface Task {
   readonly job: Job;
   readonly request: unknown;
   readonly onProgress: (progress: unknown) => void;
-  readonly settle: (end: JobEnd<unknown>) => void;
+  readonly resolve: (end: JobEnd<unknown>) => void;
 }
 
 /** One worker and its tasks, in order. */
@@ -74,7 +73,7 @@ class Queue {
   cancel(id: number): void {
     const task = this.remove(id);
     if (task === null) return;
-    task.settle({ kind: 'cancelled' });
+    task.resolve({ kind: 'cancelled' });
     this.port?.postMessage({ type: 'cancel', job: id });
     this.cancelling.set(
       id,
@@ -83,7 +82,7 @@ class Queue {
   }
 
   close(): void {
-    for (const task of this.tasks) task.settle({ kind: 'cancelled' });
+    for (const task of this.tasks) task.resolve({ kind: 'cancelled' });
     this.tasks = [];
     this.time();
     this.end();
@@ -107,7 +106,7 @@ class Queue {
     if (first === undefined || most === null) return;
     const stop = this.options.after(most, () => {
       this.remove(first.id);
-      first.settle({ kind: 'gaveUp', message: `work limit: stopped after ${most / 1000} s` });
+      first.resolve({ kind: 'gaveUp', message: `work limit: stopped after ${most / 1000} s` });
       this.renew();
     });
     this.timed = { id: first.id, stop };
@@ -129,7 +128,7 @@ class Queue {
       const culprit = this.cancelling.size > 0 ? undefined : this.tasks[0];
       if (culprit !== undefined) this.remove(culprit.id);
       this.renew();
-      culprit?.settle({ kind: 'failed', message });
+      culprit?.resolve({ kind: 'failed', message });
     });
     return port;
   }
@@ -142,9 +141,9 @@ class Queue {
       return;
     }
     const task = this.remove(message.job);
-    if (message.type === 'done') task?.settle({ kind: 'done', result: message.result });
-    else if (message.type === 'failed') task?.settle({ kind: 'failed', message: message.message });
-    else task?.settle({ kind: 'cancelled' });
+    if (message.type === 'done') task?.resolve({ kind: 'done', result: message.result });
+    else if (message.type === 'failed') task?.resolve({ kind: 'failed', message: message.message });
+    else task?.resolve({ kind: 'cancelled' });
   }
 
   private end(): void {
@@ -185,7 +184,7 @@ export function createWorkers(options: WorkersOptions): Workers {
           job,
           request,
           onProgress: onProgress as (progress: unknown) => void,
-          settle: resolve as (end: JobEnd<unknown>) => void,
+          resolve: resolve as (end: JobEnd<unknown>) => void,
         });
       });
       return { end, cancel: () => queue.cancel(id) };
@@ -195,3 +194,29 @@ export function createWorkers(options: WorkersOptions): Workers {
     },
   };
 }
+
+/** Starts a worker of the page. */
+export function spawnPageWorker(): WorkerPort {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  return {
+    postMessage: (message) => worker.postMessage(message),
+    onMessage: (listener) => worker.addEventListener('message', ({ data }) => listener(data)),
+    onDeath(listener) {
+      worker.addEventListener('error', ({ message }) => listener(message || 'the worker could not be loaded'));
+      worker.addEventListener('messageerror', () => listener('an answer could not be read'));
+    },
+    terminate: () => worker.terminate(),
+  };
+}
+
+/** What the page tells a worker. */
+export type ToWorker =
+  | { readonly type: 'start'; readonly job: number; readonly kind: string; readonly request: unknown }
+  | { readonly type: 'cancel'; readonly job: number };
+
+/** What a worker tells the page. */
+export type FromWorker =
+  | { readonly type: 'progress'; readonly job: number; readonly progress: unknown }
+  | { readonly type: 'done'; readonly job: number; readonly result: unknown }
+  | { readonly type: 'failed'; readonly job: number; readonly message: string }
+  | { readonly type: 'cancelled'; readonly job: number };

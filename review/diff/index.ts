@@ -1,14 +1,13 @@
 export { applyDiff } from './apply-diff.ts';
 export type { Change } from './change.ts';
-export { diffLevels } from './diff-levels.ts';
+export { diffLevels, marksOf } from './diff-levels.ts';
 export { levelInLines } from './level-lines.ts';
-export { marksOf } from './marks.ts';
 export {
   assessLevel,
   playAlike,
   renamedStanding,
-  type Standing,
   type StandingRun,
+  type VersionStanding,
 } from './standing.ts';
 export { takeBack } from './take-back.ts';
 export { changesInWords, effectsInWords, standingInWords } from './words/index.ts';

@@ -22,7 +22,7 @@ export interface StandingRun extends Pick<Run, 'outcome' | 'with' | 'time' | 'ti
 }
 
 /** What is true of a version of a level. */
-export interface Standing {
+export interface VersionStanding {
   readonly verdict: Exclude<Verdict, 'invalid' | 'crashed'>;
   /** The number of minerals in the level. */
   readonly mineralCount: number;
@@ -40,7 +40,7 @@ export interface AssessOptions {
 const MOST_SLACK_WORK = 2_000_000;
 
 /** Judges a level by its own runs, as a check does. The result is plain data. */
-export function assessLevel(level: Level, { terms, slack }: AssessOptions): Standing {
+export function assessLevel(level: Level, { terms, slack }: AssessOptions): VersionStanding {
   const { scene, verdict, shown, run: played, budget } = brief(level, terms);
   if (shown === null || played === null) return { verdict, mineralCount: level.minerals.length, run: null };
   const { name, holds } = level.runs[shown];
@@ -81,7 +81,7 @@ export function playAlike(before: Level, after: Level): boolean {
 }
 
 /** The same standing for a version that plays alike. */
-export const renamedStanding = (standing: Standing, before: Level, after: Level): Standing => {
+export const renamedStanding = (standing: VersionStanding, before: Level, after: Level): VersionStanding => {
   if (standing.run === null) return standing;
   const index = before.runs.findIndex(({ name }) => name === standing.run?.name);
   return { ...standing, run: { ...standing.run, name: after.runs[index].name } };

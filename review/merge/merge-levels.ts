@@ -17,16 +17,17 @@ import {
   fromGroups,
   inList,
   type Json,
+  keysInOrder,
   type Listed,
   listedIn,
   type MergedList,
+  mergeOrder,
   OBJECTS,
   RUNS,
   type Together,
   toGroups,
   togetherIn,
 } from './merged-lists.ts';
-import { keysInOrder, mergeOrder } from './order.ts';
 
 export interface Merged {
   readonly file: LevelFile;

@@ -1,5 +1,5 @@
 import type { About, Blocker } from './proof.ts';
-import type { Disc, Setting } from './setting.ts';
+import type { Setting, Spot } from './setting.ts';
 
 /** A circle that is deadly to touch and covers at least this area at all times; px from the start. */
 export interface StandingCircle {
@@ -10,7 +10,7 @@ export interface StandingCircle {
 }
 
 /** A disc in which her centre cannot be while the run goes on. */
-export interface BlockingDisc extends Disc {
+export interface BlockingDisc extends Spot {
   readonly of: Blocker;
 }
 
@@ -45,7 +45,7 @@ export function blockingDiscs(setting: Setting, about: About): BlockingDisc[] {
 }
 
 /** The discs of the range; she is lost outside all of them. Between two observations she may cut a corner. */
-export function rangeDiscs({ level, drift, jump }: Setting): Disc[] {
+export function rangeDiscs({ level, drift, jump }: Setting): Spot[] {
   return level.asteroids.map(({ x, y }, i) => ({
     x: x - level.astronaut.x,
     y: y - level.astronaut.y,

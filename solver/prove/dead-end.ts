@@ -1,11 +1,11 @@
 import { type Box, boxCircleGap } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/basics/index.ts';
 import { speedAfter, unbentSpeed } from './assumptions.ts';
 import type { StandingCircle } from './blockers.ts';
 import { between, convexHull, type Vertex } from './convex.ts';
 import type { DeadEnd, Direction } from './proof.ts';
-import { type RimDisc, rimDiscs } from './rims.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
-import type { Setting, Thing } from './setting.ts';
+import { rimDiscs, type Setting, type Thing } from './setting.ts';
 
 /** Distance between two lines across the axis, px. */
 const STEP = 1;
@@ -36,11 +36,6 @@ const MOST_COMPARISONS = 400_000;
 
 /** Ranges of directions of her box with a smaller chord are not divided any further. */
 const FINEST_TURN = 0.002;
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
 
 /** Least and greatest. */
 type Span = readonly [least: number, most: number];
@@ -96,7 +91,7 @@ export function findDeadEnd(
   const pulled = { x: way.x / far, y: way.y / far };
   for (const part of [0.5, 0, 1]) {
     const axis = unit({ x: ahead.x + part * (pulled.x - ahead.x), y: ahead.y + part * (pulled.y - ahead.y) });
-    if (axis !== null && new March(setting, goal, circles, apex, ahead, before, takers, axis).isShut())
+    if (axis !== null && new Propagation(setting, goal, circles, apex, ahead, before, takers, axis).isShut())
       return { axis, step: STEP };
   }
   return null;
@@ -117,10 +112,10 @@ export function placesIn(
   before: number,
   { axis }: DeadEnd,
 ): Place[][] {
-  const march = new March(setting, goal, circles, apex, ahead, before, takersAt(setting, apex, before), axis);
-  march.isShut();
+  const propagation = new Propagation(setting, goal, circles, apex, ahead, before, takersAt(setting, apex, before), axis);
+  propagation.isShut();
   const [ux, uy] = axis;
-  return march.pieces.map(({ line, before: [from, to], after: [low, high] }) =>
+  return propagation.pieces.map(({ line, before: [from, to], after: [low, high] }) =>
     [
       [line, from],
       [line + STEP, low],
@@ -138,7 +133,7 @@ function takersAt({ level: { asteroids, astronaut } }: Setting, apex: Place, bef
 }
 
 /** Propagates everything that she may do beyond the apex. Places are px from the apex, along the axis and across. */
-class March {
+class Propagation {
   private readonly range: number;
   private readonly strongest: number;
   private readonly unbent: number;
@@ -149,8 +144,8 @@ class March {
   private readonly asteroids: readonly Place[];
   private readonly before: number;
   private readonly takers: readonly number[];
-  private readonly fields: readonly (Place & { readonly radius: number })[];
-  private readonly rims: readonly RimDisc[];
+  private readonly fields: readonly Disc[];
+  private readonly rims: readonly Disc[];
   private readonly ahead: Place;
   private comparisons = 0;
   /** All slopes of her path so far. */

@@ -1,10 +1,9 @@
 import { TICK } from '../../engine/index.ts';
-import { followFan } from './fan.ts';
-import type { About, Blocker, FanGrid, Proof } from './proof.ts';
+import { followBoxes } from './boxes.ts';
+import type { About, FanGrid, Proof } from './proof.ts';
 import { distance } from './rounding.ts';
-import { subject, thing } from './say.ts';
-import { ALL_ACCURACIES, CONTINUOUS, type Setting, type Thing } from './setting.ts';
-import { startsMoving } from './soon-over.ts';
+import { soonOverReason } from './say.ts';
+import { ALL_ACCURACIES, CONTINUOUS, type Setting, startsMoving, type Thing } from './setting.ts';
 
 /** Grids to try by fineness: ticks per step, and sides of the squares in px and px/s. The coarse one usually suffices. */
 const GRIDS = [
@@ -25,16 +24,16 @@ const LONGEST = 8;
 const MOST_BOXES = [10_000, 20_000] as const;
 
 /** How far the reachable set is followed on a grid; the farthest of all without a fineness. */
-export const mostOf = ({ frames }: FanGrid, fineness = FINEST_FAN) => ({
+export const mostOf = ({ frames }: FanGrid, fineness = FINEST_BOXES) => ({
   steps: Math.floor(LONGEST / (frames * TICK)),
-  boxes: MOST_BOXES[Math.min(fineness, FINEST_FAN)],
+  boxes: MOST_BOXES[Math.min(fineness, FINEST_BOXES)],
 });
 
 /** Farther out than this, px, places are rounded too coarsely in frames. */
 const FAR_OUT = 1e6;
 
 /** The greatest fineness at which `doomed` differs from a lower one. */
-export const FINEST_FAN = GRIDS.length - 1;
+export const FINEST_BOXES = GRIDS.length - 1;
 
 /** Whether `doomed` may find a proof. */
 export const mayDoom = ({ level }: Setting): boolean => startsMoving(level);
@@ -43,7 +42,7 @@ export const mayDoom = ({ level }: Setting): boolean => startsMoving(level);
  * `doomed`: from a moving start, every run ends at a hazard or out of range within seconds, whatever is pressed, and none comes
  * near the object.
  *
- * It computes the reachable set with interval arithmetic ({@link followFan}): boxes in place and velocity that contain every
+ * It computes the reachable set with interval arithmetic ({@link followBoxes}): boxes in place and velocity that contain every
  * state of every run, at the start and after each step. In one step a box grows by all accelerations that are possible at the
  * places it passes. That covers every method, because each adds up accelerations of places on the path, with positive weights of
  * the right sum (lemma `pushes`). Only where frames are asked for do boxes contain what frames do. The certificate holds all boxes, so nobody has to trust how
@@ -55,9 +54,9 @@ export function proveDoomed(setting: Setting, about: About, goal: Thing, finenes
   const { level, maxTime, jump } = setting;
   if (!mayDoom(setting)) return null;
   const isFarOut = Math.max(Math.abs(level.astronaut.x), Math.abs(level.astronaut.y)) > FAR_OUT;
-  for (const sizes of GRIDS[Math.min(fineness, FINEST_FAN)]) {
+  for (const sizes of GRIDS[Math.min(fineness, FINEST_BOXES)]) {
     const grid: FanGrid = { ...sizes, axis: startAxis(setting) };
-    const { closed, layers, endedBy } = followFan(setting, about, goal, grid, mostOf(grid, fineness));
+    const { closed, layers, endedBy } = followBoxes(setting, about, goal, grid, mostOf(grid, fineness));
     if (!closed) continue;
     return {
       code: 'doomed',
@@ -82,19 +81,4 @@ export function startAxis({ level: { asteroids, astronaut } }: Setting): readonl
     axis = [(a.x - astronaut.x) / d, (a.y - astronaut.y) / d];
   }
   return axis;
-}
-
-/** Lists in words what ends the runs. */
-function whatEnds(endedBy: readonly Blocker[]): string {
-  const names = endedBy.map((by) => (by.kind === 'range' ? 'the edge of the range' : thing(by)));
-  const last = names.pop();
-  return names.length > 0 ? `${names.join(', ')} or ${last}` : `${last}`;
-}
-
-/** Why the object is out of reach when every run ends within some seconds. */
-export function soonOverReason(about: About, seconds: number, endedBy: readonly Blocker[]): string {
-  return (
-    `${subject(about)} is never reached: with her velocity at the start, every run ends within ${Math.ceil(seconds * 10) / 10} s ` +
-    `at ${whatEnds(endedBy)}, whatever the player presses: start slower, elsewhere or in another direction, or clear her path`
-  );
 }

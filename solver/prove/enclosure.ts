@@ -1,12 +1,11 @@
 import type { WorkBudget } from '../../engine/index.ts';
+import type { Disc } from '../../schema/basics/index.ts';
 import { type BlockingDisc, blockingDiscs, rangeDiscs } from './blockers.ts';
-import { type OutlinePiece, outlinesOf } from './outline.ts';
 import type { About, BarrierEdge, Blocker, Proof } from './proof.ts';
-import { type Cell, type Judge, Quadtree, reachesInto } from './quadtree.ts';
-import { exitOf, mouthDiscs, type RimDisc } from './rims.ts';
+import { type Cell, type Judge, type OutlinePiece, outlinesOf, Quadtree, reachesInto } from './quadtree.ts';
 import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
-import { ALL_ACCURACIES, CONTINUOUS, type Disc, type Setting, type Thing } from './setting.ts';
+import { ALL_ACCURACIES, CONTINUOUS, exitOf, mouthDiscs, type Setting, type Spot, type Thing } from './setting.ts';
 
 /**
  * Side of the smallest cell, px. Gaps are decided only if they differ by more than this from the ones that she fits through.
@@ -31,10 +30,10 @@ interface Plane {
   readonly left: number;
   readonly bottom: number;
   readonly discs: readonly BlockingDisc[];
-  readonly ranges: readonly Disc[];
-  readonly goal: Disc;
+  readonly ranges: readonly Spot[];
+  readonly goal: Spot;
   /** Where a wormhole may move her, in units of the quadtree; the other end of mouth i is mouth `exitOf(i)`. */
-  readonly mouths: readonly RimDisc[];
+  readonly mouths: readonly Disc[];
 }
 
 /**
@@ -83,10 +82,10 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
 
 function planeAround(
   { level, jump }: Setting,
-  reached: readonly Disc[],
+  reached: readonly Spot[],
   discs: readonly BlockingDisc[],
-  ranges: readonly Disc[],
-  goal: Disc,
+  ranges: readonly Spot[],
+  goal: Spot,
 ): Plane & { size: number } {
   const left = reached.reduce((least, d) => Math.min(least, d.x - d.r), 0) - 4 * UNIT;
   const right = reached.reduce((most, d) => Math.max(most, d.x + d.r), 0) + 4 * UNIT;
@@ -237,7 +236,7 @@ function flood(tree: Quadtree, start: Cell, search: number, plane: Plane): { end
 }
 
 /** Whether a disc reaches out of a square with a corner at the origin. */
-const isOutside = ({ x, y, radius }: RimDisc, size: number): boolean => Math.min(x, y) < radius || Math.max(x, y) > size - radius;
+const isOutside = ({ x, y, radius }: Disc, size: number): boolean => Math.min(x, y) < radius || Math.max(x, y) > size - radius;
 
 function passesMixed(end: Cell): boolean {
   for (let cell: Cell | null = end; cell !== null; cell = cell.from) if (cell.state === 'mixed') return true;
@@ -276,7 +275,7 @@ function leadsThrough({ level, jump }: Setting, barrier: readonly BarrierEdge[],
 }
 
 /** Whether the start and the object lie on different sides of a closed line. */
-function separates(edges: readonly BarrierEdge[], goal: Disc): boolean {
+function separates(edges: readonly BarrierEdge[], goal: Spot): boolean {
   return isInside(edges, 0, 0) !== isInside(edges, goal.x, goal.y);
 }
 

@@ -1,8 +1,9 @@
 import { TICK } from '../../engine/index.ts';
 import { easySpeed, recoilBlur } from './assumptions.ts';
-import { soonOverReason, startAxis } from './doomed.ts';
+import { startAxis } from './doomed.ts';
 import { followPipes } from './pipe.ts';
 import type { About, PipeGrid, Proof } from './proof.ts';
+import { soonOverReason } from './say.ts';
 import { CONTINUOUS, type Setting, type Thing } from './setting.ts';
 
 /** Ticks per step, and the number of parts of half a turn by which sets are separated. */

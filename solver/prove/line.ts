@@ -4,10 +4,9 @@ import { speedAfter, unbentSpeed } from './assumptions.ts';
 import { type StandingCircle, standingCircles } from './blockers.ts';
 import { findDeadEnd } from './dead-end.ts';
 import type { About, Blocker, Drift, LineEnd, Proof } from './proof.ts';
-import { rimDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
-import { ALL_ACCURACIES, CONTINUOUS, EXACT, type Setting, type Thing } from './setting.ts';
+import { ALL_ACCURACIES, CONTINUOUS, EXACT, rimDiscs, type Setting, type Thing } from './setting.ts';
 import { swingDrift } from './swing-drift.ts';
 
 /**

@@ -1,9 +1,9 @@
 import { boxOf } from '../../engine/index.ts';
-import { type Level, rulesOf } from '../../schema/basics/index.ts';
+import { type Disc, type Level, type Place, rulesOf } from '../../schema/basics/index.ts';
 import { standingCircles } from './blockers.ts';
+import { followBoxes } from './boxes.ts';
 import { placesIn } from './dead-end.ts';
 import { mostOf } from './doomed.ts';
-import { followFan } from './fan.ts';
 import { MOST_PIPES } from './flowpipe.ts';
 import { followOrbits, MOST_ORBITS } from './orbits/index.ts';
 import { followPipes } from './pipe.ts';
@@ -13,11 +13,6 @@ import { settingOf, thingOf } from './setting.ts';
 
 /** Side of the squares that show where an orbit may lead, px. */
 const SQUARE = 8;
-
-interface Place {
-  readonly x: number;
-  readonly y: number;
-}
 
 /**
  * The meaning of a drawn disc or line:
@@ -71,7 +66,7 @@ export function proofPicture(level: Level, { about, certificate, covers, maxTime
     case 'starts-in-hazard':
       return { discs: [...blocked([certificate.hazard], 0), touch], lines: [] };
     case 'covered': {
-      const near = (c: Place & { radius: number }) => distance(c, thing) < touch.radius + c.radius;
+      const near = (c: Disc) => distance(c, thing) < touch.radius + c.radius;
       const hazards = [...level.novae, ...level.asteroids.filter(({ hot }) => hot)].filter(near);
       return { discs: [...hazards.map(({ x, y, radius }) => ({ x, y, radius, role: 'blocked' as const })), touch], lines: [] };
     }
@@ -148,7 +143,7 @@ export function proofPicture(level: Level, { about, certificate, covers, maxTime
       const goal = thingOf(level, thing);
       const { squares, endedBy } =
         certificate.kind === 'doomed'
-          ? followFan(
+          ? followBoxes(
               settingOf(level, maxTime, covers.includes('arcade')),
               about,
               goal,
@@ -170,11 +165,8 @@ export function proofPicture(level: Level, { about, certificate, covers, maxTime
 }
 
 /** The circles of the named objects, each once. */
-function circlesOf(
-  level: Level,
-  things: readonly { readonly kind: string; readonly index?: number }[],
-): (Place & { radius: number })[] {
-  const lists: Readonly<Record<string, readonly (Place & { radius: number })[]>> = {
+function circlesOf(level: Level, things: readonly { readonly kind: string; readonly index?: number }[]): Disc[] {
+  const lists: Readonly<Record<string, readonly Disc[]>> = {
     nova: level.novae,
     asteroid: level.asteroids,
     alien: level.aliens,

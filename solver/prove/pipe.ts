@@ -1,9 +1,9 @@
 import { type Box, TICK } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/basics/index.ts';
 import { bendWithin, driftAfter, recoilBlur } from './assumptions.ts';
 import { type ChaserDisc, chase, joinedChasers } from './chaser.ts';
 import type { About, Blocker, Flowpipe, PipeGrid, PipePart, PipeStep, Strip, ThingRef } from './proof.ts';
-import { RIM_SLACK, rimDiscs } from './rims.ts';
-import type { Setting, Thing } from './setting.ts';
+import { RIM_SLACK, rimDiscs, type Setting, type Spot, type Thing } from './setting.ts';
 
 /** The directions in which sets of places are bounded, in eighths of a turn. Direction m + 4 is opposite to direction m. */
 const DIAGONAL = Math.sqrt(0.5);
@@ -38,15 +38,6 @@ const WIDE = 1.6;
 /** Bisections that find how much of a set a hazard takes off, and the least width that is worth a strip, px. */
 const BISECTIONS = 8;
 const WORTH = 0.001;
-
-/** A circle along the grid's axes, px from the start. */
-interface Circle {
-  readonly x: number;
-  readonly y: number;
-  readonly r: number;
-}
-
-type Point = Pick<Circle, 'x' | 'y'>;
 
 /** Possible angles of her box: a direction of its x axis, and the largest deviation from it as a chord; 2 allows any angle. */
 interface Turn {
@@ -83,7 +74,7 @@ export interface PipeResult {
   /** What ended runs. */
   readonly endedBy: readonly Blocker[];
   /** The squares through which she may come: their lower left corners along the grid's axes, px. */
-  readonly squares: readonly Point[];
+  readonly squares: readonly Place[];
 }
 
 /**
@@ -91,7 +82,7 @@ export interface PipeResult {
  * push a(s) shifts the drift place of moment t by the integral of (t - s) a(s). After each step, strips that certainly overlap
  * a hazard are cut off; the angle of her box is known well enough for that, because it points at the target since the last
  * press. Sets are cut along a grid over the drift places of two moments, and joined in its cells.
- * @param watch told the sets at the start of each step, which is numbered from 0
+ * @param watch called with the sets at the start of each step, which is numbered from 0
  */
 export function followPipes(
   setting: Setting,
@@ -101,9 +92,9 @@ export function followPipes(
   most: { readonly sets: number; readonly parts: number },
   watch?: (pipes: readonly Pipe[], step: number) => void,
 ): PipeResult {
-  const fan = new PipeFan(setting, about, goal, grid);
+  const reach = new PipeReach(setting, about, goal, grid);
   const layers: (readonly [PipeStep, PipeStep])[][] = [];
-  let pipes = [fan.start()];
+  let pipes = [reach.start()];
   let sets = 0;
   let parts = 0;
   watch?.(pipes, 0);
@@ -111,19 +102,19 @@ export function followPipes(
     const next: Layer = { pipes: [], inCells: new Map() };
     const taken: (readonly [PipeStep, PipeStep])[] = [];
     for (const pipe of pipes) {
-      const steps = fan.advance(pipe, layers.length + 1, next);
-      if (steps === null) return fan.result(false, true, layers);
+      const steps = reach.advance(pipe, layers.length + 1, next);
+      if (steps === null) return reach.result(false, true, layers);
       parts += steps[0].parts.length + steps[1].parts.length;
-      if (sets + next.pipes.length > most.sets || parts > most.parts) return fan.result(false, true, layers);
+      if (sets + next.pipes.length > most.sets || parts > most.parts) return reach.result(false, true, layers);
       taken.push(steps);
     }
     layers.push(taken);
     pipes = next.pipes;
     watch?.(pipes, layers.length);
     sets += pipes.length;
-    if (pipes.length === 0) return fan.result(true, false, layers);
+    if (pipes.length === 0) return reach.result(true, false, layers);
   }
-  return fan.result(false, false, layers);
+  return reach.result(false, false, layers);
 }
 
 /** The sets after a step, and which of them lies in which cell. */
@@ -132,7 +123,7 @@ interface Layer {
   readonly inCells: Map<number, number>;
 }
 
-class PipeFan {
+class PipeReach {
   private readonly setting: Setting;
   private readonly grid: PipeGrid;
   /** Length of a step, s. */
@@ -140,14 +131,14 @@ class PipeFan {
   /** The two moments whose drift places the grid cuts. */
   private readonly early: number;
   private readonly late: number;
-  private readonly goal: Circle;
-  private readonly rocks: readonly Circle[];
-  private readonly fields: readonly Circle[];
-  private readonly rims: readonly Circle[];
-  private readonly still: readonly (Circle & { readonly of: ThingRef; readonly asteroid: number })[];
+  private readonly goal: Spot;
+  private readonly rocks: readonly Spot[];
+  private readonly fields: readonly Spot[];
+  private readonly rims: readonly Spot[];
+  private readonly still: readonly (Spot & { readonly of: ThingRef; readonly asteroid: number })[];
   private readonly endedBy = new Set<string>();
   private readonly enders: Blocker[] = [];
-  private readonly squares = new Map<number, Point>();
+  private readonly squares = new Map<number, Place>();
   private readonly blur: number;
   private readonly pulls = new Float64Array(SIDES);
   private readonly pushes = new Float64Array(SIDES);
@@ -161,7 +152,7 @@ class PipeFan {
     this.blur = recoilBlur(setting);
     this.late = grid.steps;
     this.early = Math.floor(grid.steps / 3);
-    const circle = (c: Point & { radius: number }): Circle => ({
+    const circle = (c: Disc): Spot => ({
       ...this.turned({ x: c.x - astronaut.x, y: c.y - astronaut.y }),
       r: c.radius,
     });
@@ -180,7 +171,7 @@ class PipeFan {
     ];
   }
 
-  private turned({ x, y }: Point): Point {
+  private turned({ x, y }: Place): Place {
     const [ux, uy] = this.grid.axis;
     return { x: x * ux + y * uy, y: y * ux - x * uy };
   }
@@ -466,7 +457,7 @@ function takeOff(
   { halfWidth, halfHeight, halfDiagonal }: Box,
   far: Float64Array,
   moment: number,
-  hazard: Circle,
+  hazard: Spot,
   by: ThingRef,
   turn: Turn,
   off: Strip[],
@@ -566,7 +557,7 @@ function classOf({ x, y }: Turn, parts: number): number {
 }
 
 /** Whether all of a rectangle is nearer to another asteroid than to this one. */
-function isFartherAll(rock: Circle, other: Circle, [xa, xb, ya, yb]: Rectangle): boolean {
+function isFartherAll(rock: Spot, other: Spot, [xa, xb, ya, yb]: Rectangle): boolean {
   const dx = other.x - rock.x;
   const dy = other.y - rock.y;
   const x = dx > 0 ? xa : xb;
@@ -576,8 +567,8 @@ function isFartherAll(rock: Circle, other: Circle, [xa, xb, ya, yb]: Rectangle):
 
 const length = (x: number, y: number): number => Math.sqrt(x * x + y * y);
 
-const nearestTo = ({ x, y }: Point, [xa, xb, ya, yb]: Rectangle): number =>
+const nearestTo = ({ x, y }: Place, [xa, xb, ya, yb]: Rectangle): number =>
   length(Math.max(0, xa - x, x - xb), Math.max(0, ya - y, y - yb));
 
-const farthestFrom = ({ x, y }: Point, [xa, xb, ya, yb]: Rectangle): number =>
+const farthestFrom = ({ x, y }: Place, [xa, xb, ya, yb]: Rectangle): number =>
   length(Math.max(x - xa, xb - x), Math.max(y - ya, yb - y));

@@ -1,9 +1,8 @@
-import { proveNothingInRange, proveStartsInHazard } from './at-start.ts';
+import { proveNothingInRange, proveOutOfRange, proveStartsInHazard } from './by-distance.ts';
 import { proveCovered } from './covered.ts';
-import { FINEST_FAN, mayDoom, proveDoomed } from './doomed.ts';
+import { FINEST_BOXES, mayDoom, proveDoomed } from './doomed.ts';
 import { proveEnclosed } from './enclosure.ts';
 import { FINEST_PIPES, mayFlow, proveFlowpipe } from './flowpipe.ts';
-import { proveOutOfRange } from './islands.ts';
 import { proveDeadEnds, proveLineTrap } from './line.ts';
 import { FINEST_ORBITS, mayOrbit, proveOrbits } from './orbits/index.ts';
 import type { About, Proof, Prover } from './proof.ts';
@@ -50,7 +49,7 @@ export const PROVERS: Readonly<Record<Prover, ProverEntry>> = {
     takes: 'seconds',
     holdsFor: 'all states',
     within: 8,
-    finest: FINEST_FAN,
+    finest: FINEST_BOXES,
     mayApply: mayDoom,
   },
   flowpipe: {

@@ -1,12 +1,22 @@
-import { type AccuracyName, type Box, boxOf, DEFAULT_MAX_TIME, TICK, unlimited, type WorkBudget } from '../../engine/index.ts';
-import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
+import {
+  type AccuracyName,
+  type Box,
+  boxOf,
+  compile,
+  createSimulation,
+  DEFAULT_MAX_TIME,
+  TICK,
+  TICK_RATE,
+  unlimited,
+  type WorkBudget,
+} from '../../engine/index.ts';
+import { type Disc, type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
+import { createRandom } from '../random.ts';
 import { driftWithin, effectsOf, fastestFrame, speedAfter, strongestPush } from './assumptions.ts';
-import { exitOf, mouthDiscs } from './rims.ts';
 import { distance, surelyLess } from './rounding.ts';
-import { longestPlays } from './soon-over.ts';
 
 /** A circle around (x, y), px from the start. */
-export interface Disc {
+export interface Spot {
   readonly x: number;
   readonly y: number;
   readonly r: number;
@@ -189,3 +199,65 @@ function reachable(level: Level, drift: readonly number[], jump: number): Reacha
     return null;
   }
 }
+
+/** Whether she moves at the start, or a field or a wind moves her at once. At rest she can wait for any time. */
+export const startsMoving = ({ astronaut, repulsors, winds }: Level): boolean =>
+  astronaut.vx !== 0 ||
+  astronaut.vy !== 0 ||
+  [...repulsors, ...winds].some((field) => distance(field, astronaut) <= field.radius);
+
+/** Random plays that are sampled. */
+const PLAYS = 120;
+
+/**
+ * Returns a function that tells the length of the longest of some random plays, s, from which provers guess how far they have to
+ * follow her; null when one lasts longer than `most` seconds or completes the level, so that following all plays is hopeless.
+ * Several provers ask, so the plays are played again only for more seconds than before.
+ */
+function longestPlays(level: Level, budget: WorkBudget): (most: number) => number | null {
+  let asked = 0;
+  let known: number | null = null;
+  return (most) => {
+    if (known === null && most > asked) {
+      known = longestPlay(level, most, budget);
+      asked = most;
+    }
+    return known !== null && known <= most ? known : null;
+  };
+}
+
+function longestPlay(level: Level, most: number, budget: WorkBudget): number | null {
+  const simulation = createSimulation(compile(level), budget);
+  const random = createRandom(0);
+  const last = Math.floor(most * TICK_RATE);
+  let longest = 0;
+  for (let play = 0; play < PLAYS; play++) {
+    simulation.reset();
+    let held = play % 2 === 1;
+    // The first two plays are an endless hold and an endless drift.
+    const piece = play < 2 ? last : 8 << (play % 4);
+    while (simulation.ending === null && simulation.tick < last) {
+      simulation.advance(play < 2 ? piece : 1 + random.below(piece), held);
+      held = !held;
+    }
+    if (simulation.ending === null || simulation.ending.outcome === 'completed') return null;
+    longest = Math.max(longest, simulation.ending.time);
+  }
+  return longest;
+}
+
+/** The mouths of all wormholes: number 2 i lies at (x, y) of wormhole i, number 2 i + 1 at its other end. */
+export const mouthDiscs = ({ wormholes }: Level): readonly Disc[] =>
+  wormholes.flatMap(({ x, y, toX, toY, radius }) => [
+    { x, y, radius },
+    { x: toX, y: toY, radius },
+  ]);
+
+/** The mouth at the other end of the same wormhole. */
+export const exitOf = (mouth: number): number => (mouth % 2 === 0 ? mouth + 1 : mouth - 1);
+
+/** The discs of winds and mouths. Provers that follow neither keep clear of all of them. */
+export const rimDiscs = (level: Level): readonly Disc[] => [...level.winds, ...mouthDiscs(level)];
+
+/** How late the engine may notice that she crosses a rim, px, and a little more. */
+export const RIM_SLACK = 2e-6;

@@ -1,9 +1,9 @@
-import type { Rules } from '../../schema/basics/index.ts';
-import { apart, type Point } from './rounded.ts';
+import type { Place, Rules } from '../../schema/basics/index.ts';
+import { apart } from './geometry.ts';
 
 /** All places, or velocities, within a distance of a centre. */
-interface Disc {
-  readonly centre: Point;
+interface Ball {
+  readonly centre: Place;
   readonly within: number;
 }
 
@@ -13,9 +13,9 @@ interface Disc {
  */
 export interface Chaser {
   /** Possible places, px. */
-  readonly at: Disc;
+  readonly at: Ball;
   /** Possible velocities, px/s. */
-  readonly speed: Disc;
+  readonly speed: Ball;
   /** Radius of its circle, px. */
   readonly radius: number;
   /** Whether it is certainly there. */
@@ -30,7 +30,7 @@ interface Area {
 }
 
 const ROUNDING = 1e-7;
-const ORIGIN: Point = { x: 0, y: 0 };
+const ORIGIN: Place = { x: 0, y: 0 };
 
 /**
  * Lemma `chasers`: where aliens may be after some seconds, while she is anywhere in an area.
@@ -62,7 +62,7 @@ function moved(
   seconds: number,
   own: number,
 ): Chaser {
-  const her: Disc = {
+  const her: Ball = {
     centre: { x: (left + right) / 2, y: (low + high) / 2 },
     within: apart({ x: left, y: low }, { x: right, y: high }) / 2,
   };
@@ -71,9 +71,9 @@ function moved(
   const stands = speed.within === 0 && speed.centre.x === 0 && speed.centre.y === 0;
   if (stands && d - her.within - at.within > alienSight + ROUNDING) return chaser;
   const blur = her.within + own;
-  const anyPull: Disc = { centre: ORIGIN, within: alienPull };
+  const anyPull: Ball = { centre: ORIGIN, within: alienPull };
   const share = alienPull / d;
-  const towards: Disc = {
+  const towards: Ball = {
     centre: { x: share * (her.centre.x - at.centre.x), y: share * (her.centre.y - at.centre.y) },
     // If the sine of an angle is at most 1/2, its chord is at most 1.04 times the sine.
     within: 1.1 * share * blur,
@@ -82,7 +82,7 @@ function moved(
   const pulled = 2 * blur > d ? anyPull : maySleep ? orNothing(towards) : towards;
   const a = pulled.within > alienPull ? anyPull : pulled;
   const v = maySleep ? orNothing(speed) : speed;
-  const after = (p: Disc, by: Disc, times: number): Disc => ({
+  const after = (p: Ball, by: Ball, times: number): Ball => ({
     centre: { x: p.centre.x + by.centre.x * times, y: p.centre.y + by.centre.y * times },
     within: p.within + by.within * times + ROUNDING / 2,
   });
@@ -90,7 +90,7 @@ function moved(
 }
 
 /** A disc that contains another one and the origin. */
-const orNothing = ({ centre, within }: Disc): Disc => ({
+const orNothing = ({ centre, within }: Ball): Ball => ({
   centre: { x: centre.x / 2, y: centre.y / 2 },
   within: within + apart(centre, ORIGIN) / 2,
 });
@@ -98,10 +98,10 @@ const orNothing = ({ centre, within }: Disc): Disc => ({
 /** An alien that may be either of two. */
 export function eitherChaser(a: Chaser, b: Chaser): Chaser {
   if (a === b) return a;
-  return { ...a, at: eitherDisc(a.at, b.at), speed: eitherDisc(a.speed, b.speed), isThere: a.isThere && b.isThere };
+  return { ...a, at: eitherBall(a.at, b.at), speed: eitherBall(a.speed, b.speed), isThere: a.isThere && b.isThere };
 }
 
-function eitherDisc(a: Disc, b: Disc): Disc {
+function eitherBall(a: Ball, b: Ball): Ball {
   const d = apart(a.centre, b.centre);
   if (d + b.within <= a.within) return a;
   if (d + a.within <= b.within) return b;

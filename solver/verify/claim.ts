@@ -1,7 +1,8 @@
 import { type Box, boxOf, DEFAULT_MAX_TIME, TICK } from '../../engine/index.ts';
-import { type Level, type Rules, rulesOf } from '../../schema/basics/index.ts';
-import type { About } from '../prove/index.ts';
+import { type Disc, type Level, type Place, type Rules, rulesOf } from '../../schema/basics/index.ts';
+import type { About, Blocker } from '../prove/index.ts';
 import { driftIn, longestFrame, mostPush, stepBlur } from './assumptions.ts';
+import { isIndex } from './geometry.ts';
 
 /**
  * What a certificate is checked against: places relative to the start (which is 0, 0), and the numbers on which the arguments
@@ -100,4 +101,40 @@ export function claimOf(level: Level, about: About, maxTime: number | null, play
     const speed2 = astronaut.vx * astronaut.vx + astronaut.vy * astronaut.vy + 2 * push * way;
     return Math.min(longest, 1.001 * Math.sqrt(speed2) * TICK);
   }
+}
+
+/**
+ * The circle that a hazard covers at all times, wherever recoil moves it, px from the start; null when the object is no such
+ * hazard.
+ */
+export function standingHazard({ level, about, place, drift }: Claim, by: Blocker | undefined): Disc | null {
+  if (by?.kind === 'nova' && isIndex(by.index, level.novae)) return place(level.novae[by.index]);
+  if (by?.kind === 'asteroid' && isIndex(by.index, level.asteroids) && level.asteroids[by.index].hot) {
+    const { x, y, radius } = place(level.asteroids[by.index]);
+    return { x, y, radius: radius - drift(by.index) };
+  }
+  // Touching the black hole ends the run, so on the way to a mineral it blocks like a hazard.
+  return by?.kind === 'blackHole' && about.kind === 'mineral' ? place(level.blackHole) : null;
+}
+
+/** A mouth of a wormhole: a disc from which her centre is moved to another disc. Its centre is px from the start. */
+interface Mouth extends Place {
+  readonly radius: number;
+  /** Centre of the other mouth. She comes out at the same place relative to it. */
+  readonly exit: Place;
+}
+
+/** The mouths of the level: the near end of wormhole i is number 2 i, its far end 2 i + 1 (lemma `mouths`). */
+export function mouthsOf({
+  level,
+  place,
+}: Pick<Claim, 'place'> & { readonly level: Pick<Level, 'wormholes'> }): readonly Mouth[] {
+  return level.wormholes.flatMap(({ x, y, toX, toY, radius }) => {
+    const near = place({ x, y });
+    const far = place({ x: toX, y: toY });
+    return [
+      { ...near, radius, exit: far },
+      { ...far, radius, exit: near },
+    ];
+  });
 }

@@ -1,19 +1,16 @@
-import { boxGap, unit } from './box-gap.ts';
-import type { Claim } from './claim.ts';
-import { standingHazard } from './hazards.ts';
-import { apart, less, type Point } from './rounded.ts';
-
-const START = { x: 0, y: 0 };
+import type { Place } from '../../schema/basics/index.ts';
+import { type Claim, standingHazard } from './claim.ts';
+import { apart, boxGap, less, START, unit } from './geometry.ts';
 
 /** The most sets of poses to examine. */
 const MOST = 400_000;
 
 /** The places of a square, and directions of the box's x axis between two that are less than half a turn apart. */
 interface Poses {
-  readonly centre: Point;
+  readonly centre: Place;
   readonly half: number;
-  readonly from: Point;
-  readonly to: Point;
+  readonly from: Place;
+  readonly to: Place;
 }
 
 /**
@@ -33,7 +30,7 @@ export function checkCovered(claim: Claim): string | null {
     ...asteroids.map((_, index) => standingHazard(claim, { kind: 'asteroid', index })),
     standingHazard(claim, { kind: 'blackHole', index: 0 }),
   ].filter((hazard) => hazard !== null);
-  const quarter = (from: Point, to: Point): Poses => ({ centre: claim.thing, half: claim.touch, from, to });
+  const quarter = (from: Place, to: Place): Poses => ({ centre: claim.thing, half: claim.touch, from, to });
   // Half a turn does not change the box.
   const waiting = [quarter({ x: 1, y: 0 }, { x: 0, y: 1 }), quarter({ x: 0, y: 1 }, { x: -1, y: 0 })];
   for (let looked = 0; waiting.length > 0; looked++) {

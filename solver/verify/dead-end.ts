@@ -1,11 +1,9 @@
 import type { Box } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/basics/index.ts';
 import type { DeadEnd } from '../prove/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
-import { boxGap, type Circle, unit } from './box-gap.ts';
-import type { Claim } from './claim.ts';
-import { standingHazard } from './hazards.ts';
-import { mouthsOf } from './mouths.ts';
-import { apart, less, type Point } from './rounded.ts';
+import { type Claim, mouthsOf, standingHazard } from './claim.ts';
+import { apart, boxGap, less, unit } from './geometry.ts';
 
 /** Hazards are tested for pieces of this length across, px. */
 const STRIP = 1;
@@ -37,20 +35,20 @@ const FINEST_TURN = 0.0005;
 type Interval = readonly [number, number];
 
 /** A place across the axis, px, and the slope of her path to the axis. */
-interface Way {
+interface Crossing {
   readonly place: number;
   readonly slope: number;
 }
 
 /** The set of states in which she may cross a line: the convex hull of some ways, and the slopes of the x axis of her box. */
 interface Stage {
-  readonly ways: readonly Way[];
+  readonly ways: readonly Crossing[];
   readonly box: Interval;
 }
 
 /** A centre that pulls or pushes her at the places across from `low` to `high`. */
 interface Source {
-  readonly at: Point;
+  readonly at: Place;
   readonly pulls: boolean;
   readonly low: number;
   readonly high: number;
@@ -59,9 +57,9 @@ interface Source {
 /** Where she leaves the line along which she fell. */
 export interface Leaving {
   /** The place, px from the start. */
-  readonly apex: Point;
+  readonly apex: Place;
   /** Her direction, a unit vector. */
-  readonly ahead: Point;
+  readonly ahead: Place;
   /** Index of the asteroid that has pulled her so far. */
   readonly before: number;
   /** Length of the line, px. */
@@ -114,31 +112,31 @@ export function checkDeadEnd(claim: Claim, { axis, step }: DeadEnd, { apex, ahea
     stages = next;
   }
   const { takers, old } = scene;
-  const goesOn = (taker: Point) => slopes.every((slope) => less(old.x + slope * old.y, taker.x + slope * taker.y));
+  const goesOn = (taker: Place) => slopes.every((slope) => less(old.x + slope * old.y, taker.x + slope * taker.y));
   return takers.some(goesOn) ? null : 'the previous asteroid may be the nearest again';
 }
 
 interface Scene {
   readonly box: Box;
   readonly inner: number;
-  readonly thing: Point;
+  readonly thing: Place;
   readonly touch: number;
   readonly range: number;
-  readonly rocks: readonly Point[];
+  readonly rocks: readonly Place[];
   /** The old asteroid, and those that are equally near at the apex. */
-  readonly old: Point;
-  readonly takers: readonly Point[];
-  readonly pulling: readonly Point[];
-  readonly fields: readonly Circle[];
-  readonly hazards: readonly Circle[];
+  readonly old: Place;
+  readonly takers: readonly Place[];
+  readonly pulling: readonly Place[];
+  readonly fields: readonly Disc[];
+  readonly hazards: readonly Disc[];
   /** Winds and mouths of wormholes, with which this argument does not deal. */
-  readonly strange: readonly Circle[];
+  readonly strange: readonly Disc[];
 }
 
 /** The level as seen from the apex: x along the axis, y across. */
-function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Point, before: number): Scene {
+function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Place, before: number): Scene {
   const { level, place } = claim;
-  const seen = ({ x, y }: Point): Point => {
+  const seen = ({ x, y }: Place): Place => {
     const dx = x - apex.x;
     const dy = y - apex.y;
     return { x: dx * ux + dy * uy, y: dy * ux - dx * uy };
@@ -174,10 +172,10 @@ function sceneAlong(claim: Claim, [ux, uy]: readonly [number, number], apex: Poi
 /** The stage one step on, or why it cannot be determined. */
 function follow(scene: Scene, { ways, box }: Stage, x: number, step: number): Stage | string {
   const [low, high] = extent(ways.map(({ place }) => place));
-  const steepest = (list: readonly Way[]) => list.reduce((most, { slope }) => Math.max(most, Math.abs(slope)), 0);
+  const steepest = (list: readonly Crossing[]) => list.reduce((most, { slope }) => Math.max(most, Math.abs(slope)), 0);
   let swing = step * steepest(ways) + ROUNDING;
   for (;;) {
-    const mayEnter = ({ radius, ...c }: Circle) => {
+    const mayEnter = ({ radius, ...c }: Disc) => {
       const beside = { x: Math.max(0, x - c.x, c.x - x - step), y: Math.max(0, low - swing - c.y, c.y - high - swing) };
       return !less(radius + DEPTH, apart(beside, { x: 0, y: 0 }));
     };
@@ -240,9 +238,9 @@ function sourcesWithin(scene: Scene, x: number, step: number, low: number, high:
  * that interval never again. Her place moves by the step times the mean slope. The hull of the extremes contains all of it,
  * because they are linear in place and slope.
  */
-function widened(ways: readonly Way[], x: number, step: number, swing: number, sources: readonly Source[]) {
+function widened(ways: readonly Crossing[], x: number, step: number, swing: number, sources: readonly Source[]) {
   const [low, high] = extent(ways.map(({ place }) => place));
-  const next: Way[] = ways.map(({ place, slope }) => ({ place: place + step * slope, slope }));
+  const next: Crossing[] = ways.map(({ place, slope }) => ({ place: place + step * slope, slope }));
   const turned: Interval[] = [];
   const borders = new Set([low, high]);
   for (const source of sources) {
@@ -282,7 +280,7 @@ function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
   const [low, high] = extent(ways.map(({ place }) => place));
   const near = scene.hazards.filter((hazard) => Math.abs(hazard.x - x) <= hazard.radius + scene.box.halfDiagonal);
   const [from, to] = box.map((slope) => unit({ x: 1, y: slope }));
-  const isStopped = (a: Point, b: Point): boolean => {
+  const isStopped = (a: Place, b: Place): boolean => {
     if (near.some((hazard) => stops(scene, hazard, a, b, from, to))) return true;
     return scene.rocks.every((rock) => {
       const nearest = { x, y: Math.max(a.y, Math.min(b.y, rock.y)) };
@@ -307,7 +305,7 @@ function survivors(scene: Scene, { ways, box }: Stage, x: number): Stage[] {
 }
 
 /** Whether a hazard overlaps her box at all places between two, with its axis in any direction between two unit vectors. */
-function stops(scene: Scene, hazard: Circle, a: Point, b: Point, from: Point, to: Point): boolean {
+function stops(scene: Scene, hazard: Disc, a: Place, b: Place, from: Place, to: Place): boolean {
   const { halfDiagonal } = scene.box;
   const far = Math.max(apart(a, hazard), apart(b, hazard));
   if (less(far, hazard.radius + scene.inner - DEPTH)) return true;
@@ -321,7 +319,7 @@ function stops(scene: Scene, hazard: Circle, a: Point, b: Point, from: Point, to
 }
 
 /** The part of a hull between two places. */
-function within(ways: readonly Way[], low: number, high: number): Way[] {
+function within(ways: readonly Crossing[], low: number, high: number): Crossing[] {
   const [least, most] = extent(ways.map(({ place }) => place));
   if (low <= least && high >= most) return [...ways];
   const inside = ways.filter(({ place }) => place >= low && place <= high);
@@ -341,11 +339,11 @@ function within(ways: readonly Way[], low: number, high: number): Way[] {
 }
 
 /** The corners of the hull: the ways that do not lie between others. */
-function corners(ways: readonly Way[]): Way[] {
+function corners(ways: readonly Crossing[]): Crossing[] {
   const least = ways.reduce((a, b) => (b.place < a.place || (b.place === a.place && b.slope < a.slope) ? b : a));
   const most = ways.reduce((a, b) => (b.place > a.place || (b.place === a.place && b.slope > a.slope) ? b : a));
-  const beyond = (a: Way, b: Way, list: readonly Way[]): Way[] => {
-    const height = (p: Way) => (b.place - a.place) * (p.slope - a.slope) - (b.slope - a.slope) * (p.place - a.place);
+  const beyond = (a: Crossing, b: Crossing, list: readonly Crossing[]): Crossing[] => {
+    const height = (p: Crossing) => (b.place - a.place) * (p.slope - a.slope) - (b.slope - a.slope) * (p.place - a.place);
     const above = list.filter((p) => height(p) > 0);
     if (above.length === 0) return [];
     const top = above.reduce((p, q) => (height(q) > height(p) ? q : p));

@@ -1,16 +1,15 @@
 import { TICK } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/basics/index.ts';
 import type { BoxNumbers, Doomed, FanGrid, ThingRef } from '../prove/index.ts';
 import { farFromLimit } from './assumptions.ts';
-import type { Claim } from './claim.ts';
-import { standingHazard } from './hazards.ts';
-import type { Point } from './rounded.ts';
-import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
+import { type Claim, standingHazard } from './claim.ts';
+import { isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
 
 /** All numbers between two. */
 type Interval = readonly [number, number];
 
 /** A set of states: intervals of place and velocity along both axes of the grid, px and px/s. */
-export interface Box {
+export interface StateBox {
   readonly x: Interval;
   readonly y: Interval;
   readonly vx: Interval;
@@ -18,7 +17,7 @@ export interface Box {
 }
 
 /** A set of places, px. */
-export type Rectangle = Pick<Box, 'x' | 'y'>;
+export type Rectangle = Pick<StateBox, 'x' | 'y'>;
 
 /** Far more than the rounding error of one step, px and px/s. */
 const ROUNDING = 1e-7;
@@ -69,7 +68,7 @@ export function checkDoomed(claim: Claim, { grid, layers }: Doomed): string | nu
   const push = claim.push + claim.blur;
   if (!(fastest + push * (seconds + TICK) <= claim.rules.speedLimit)) return 'she may reach the speed limit within a step';
   const blocked = blockedDiscs(claim, scene);
-  let after: Box[] = [startOf(scene)];
+  let after: StateBox[] = [startOf(scene)];
   let looked = 0;
   for (let n = 0; n <= layers.length; n++) {
     const boxes = (layers[n] ?? []).map(boxOf);
@@ -110,11 +109,16 @@ function areLayers(layers: Doomed['layers'] | undefined): layers is Doomed['laye
   return layers.reduce((sum, { length }) => sum + length, 0) <= MOST_BOXES && layers.flat().every(isBox);
 }
 
-const boxOf = ([xa, xb, ya, yb, va, vb, wa, wb]: BoxNumbers): Box => ({ x: [xa, xb], y: [ya, yb], vx: [va, vb], vy: [wa, wb] });
+const boxOf = ([xa, xb, ya, yb, va, vb, wa, wb]: BoxNumbers): StateBox => ({
+  x: [xa, xb],
+  y: [ya, yb],
+  vx: [va, vb],
+  vy: [wa, wb],
+});
 
 const aboutZero: Interval = [-ROUNDING, ROUNDING];
 
-const startOf = ({ velocity }: TurnedScene): Box => ({
+const startOf = ({ velocity }: TurnedScene): StateBox => ({
   x: aboutZero,
   y: aboutZero,
   vx: [velocity.x - ROUNDING, velocity.x + ROUNDING],
@@ -122,7 +126,7 @@ const startOf = ({ velocity }: TurnedScene): Box => ({
 });
 
 /** The discs in which her centre cannot be, because her box contains a circle around its centre. */
-function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
+function blockedDiscs(claim: Claim, { turn }: TurnedScene): Disc[] {
   const { novae, asteroids } = claim.level;
   const refs: ThingRef[] = [
     ...novae.map((_, index) => ({ kind: 'nova' as const, index })),
@@ -136,14 +140,14 @@ function blockedDiscs(claim: Claim, { turn }: TurnedScene): Circle[] {
 }
 
 /** All places within the next `seconds`: the straight path, and how far any push can bend it. */
-export function placesWithin({ x, y, vx, vy }: Box, seconds: number, push: number): Rectangle {
+export function placesWithin({ x, y, vx, vy }: StateBox, seconds: number, push: number): Rectangle {
   const bend = 0.5 * push * seconds * (seconds + TICK);
   const along = (p: Interval, v: Interval) => add(add(p, times(v, [0, seconds])), [-bend, bend]);
   return { x: along(x, vx), y: along(y, vy) };
 }
 
 /** The same with the places where she was up to `lag` seconds before, drifting. */
-export function withPlacesBefore(way: Rectangle, { x, y, vx, vy }: Box, lag: number): Rectangle {
+export function withPlacesBefore(way: Rectangle, { x, y, vx, vy }: StateBox, lag: number): Rectangle {
   const before = (p: Interval, v: Interval) => add(p, times(v, [-lag, 0]));
   return { x: hull(way.x, before(x, vx)), y: hull(way.y, before(y, vy)) };
 }
@@ -152,7 +156,7 @@ export function withPlacesBefore(way: Rectangle, { x, y, vx, vy }: Box, lag: num
  * Computes v t + a t² / 2 with an acceleration that may vary within its bounds. Frames push half a frame earlier or later.
  * @param missing for how long nothing has pushed her at first, s
  */
-export function advance({ x, y, vx, vy }: Box, ax: Interval, ay: Interval, seconds: number, missing: number): Box {
+export function advance({ x, y, vx, vy }: StateBox, ax: Interval, ay: Interval, seconds: number, missing: number): StateBox {
   const weight: Interval = [0.5 * seconds * (seconds - TICK), 0.5 * seconds * (seconds + TICK)];
   const place = (p: Interval, v: Interval, a: Interval) => add(add(p, times(v, [seconds, seconds])), times(a, weight));
   const velocity = (v: Interval, a: Interval) => add(v, times(a, [seconds - missing, seconds]));
@@ -213,7 +217,7 @@ export function accelerations(
  * direction is possible.
  */
 function central(
-  centre: Point,
+  centre: Place,
   { x, y }: Rectangle,
   [near, far]: Interval,
   perPx: (d: number) => number,
@@ -232,13 +236,13 @@ function central(
 }
 
 /** Whether every place of a rectangle ends the run: it lies in one hazard, or out of range of all asteroids. */
-function isOver({ asteroids, drift }: TurnedScene, blocked: readonly Circle[], places: Rectangle, seconds: number): boolean {
+function isOver({ asteroids, drift }: TurnedScene, blocked: readonly Disc[], places: Rectangle, seconds: number): boolean {
   if (blocked.some((disc) => distances(disc, places)[1] < disc.radius - ROUNDING)) return true;
   return asteroids.every((asteroid, i) => distances(asteroid, places)[0] > asteroid.radius + drift(i, seconds) + ROUNDING);
 }
 
 /** Distances from a place to the nearest and the farthest place of a rectangle. */
-function distances(p: Point, { x, y }: Rectangle): Interval {
+function distances(p: Place, { x, y }: Rectangle): Interval {
   const nearX = Math.max(0, x[0] - p.x, p.x - x[1]);
   const nearY = Math.max(0, y[0] - p.y, p.y - y[1]);
   const farX = Math.max(p.x - x[0], x[1] - p.x);
@@ -247,7 +251,7 @@ function distances(p: Point, { x, y }: Rectangle): Interval {
 }
 
 /** Boxes, cut at the multiples of the grid's sizes. */
-function* pieces(boxes: readonly Box[], { cell, bin }: FanGrid): Generator<Box> {
+function* pieces(boxes: readonly StateBox[], { cell, bin }: FanGrid): Generator<StateBox> {
   for (const box of boxes) {
     for (const x of cut(box.x, cell)) {
       for (const y of cut(box.y, cell)) {
@@ -263,10 +267,11 @@ function* cut([from, to]: Interval, size: number): Generator<Interval> {
 }
 
 /** The cell of the grid that contains the middle of a box. */
-function cellOf({ x, y, vx, vy }: Box, { cell, bin }: FanGrid): string {
+function cellOf({ x, y, vx, vy }: StateBox, { cell, bin }: FanGrid): string {
   const at = ([from, to]: Interval, size: number) => Math.floor((from + to) / 2 / size);
   return `${at(x, cell)} ${at(y, cell)} ${at(vx, bin)} ${at(vy, bin)}`;
 }
 
 const within = (a: Interval, b: Interval): boolean => a[0] <= b[0] && b[1] <= a[1];
-const holds = (a: Box, b: Box): boolean => within(a.x, b.x) && within(a.y, b.y) && within(a.vx, b.vx) && within(a.vy, b.vy);
+const holds = (a: StateBox, b: StateBox): boolean =>
+  within(a.x, b.x) && within(a.y, b.y) && within(a.vx, b.vx) && within(a.vy, b.vy);

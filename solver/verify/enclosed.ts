@@ -1,11 +1,7 @@
-import { objectName } from '../../schema/basics/index.ts';
+import { objectName, type Place } from '../../schema/basics/index.ts';
 import type { BarrierEdge, Blocker } from '../prove/index.ts';
-import type { Claim } from './claim.ts';
-import { standingHazard } from './hazards.ts';
-import { mouthsOf } from './mouths.ts';
-import { apart, less, type Point } from './rounded.ts';
-
-const START = { x: 0, y: 0 };
+import { type Claim, mouthsOf, standingHazard } from './claim.ts';
+import { apart, less, START } from './geometry.ts';
 
 /**
  * Checks `enclosed`: a closed barrier separates the start from the object. No point of it can be the place of her centre,
@@ -33,19 +29,19 @@ export function checkEnclosed(claim: Claim, barrier: readonly BarrierEdge[]): st
   return checkMouths(claim, corners);
 }
 
-function checkMouths(claim: Claim, corners: readonly Point[]): string | null {
+function checkMouths(claim: Claim, corners: readonly Place[]): string | null {
   for (const mouth of mouthsOf(claim)) {
     if (isInside(corners, mouth) !== isInside(corners, mouth.exit)) return 'a wormhole leads through the barrier';
     // In frames she moves on from there before she is observed.
     const reach = mouth.radius + claim.jump;
-    const isNear = (a: Point, i: number) => !less(reach, distanceToSegment(mouth, a, corners[(i + 1) % corners.length]));
+    const isNear = (a: Place, i: number) => !less(reach, distanceToSegment(mouth, a, corners[(i + 1) % corners.length]));
     if (corners.some(isNear)) return 'a mouth of a wormhole lies on the barrier';
   }
   return null;
 }
 
 /** The whole edge is out of range of every asteroid. Between two observations she may cut half a jump off a corner. */
-function checkOutside(claim: Claim, a: Point, b: Point): string | null {
+function checkOutside(claim: Claim, a: Place, b: Place): string | null {
   const near = claim.level.asteroids.findIndex((asteroid, i) => {
     const reach = claim.level.range + claim.drift(i) + claim.jump / 2;
     return !less(reach, distanceToSegment(claim.place(asteroid), a, b));
@@ -57,7 +53,7 @@ function checkOutside(claim: Claim, a: Point, b: Point): string | null {
  * Both ends of the edge, and so all of it, lie in the disc around a hazard in which her box overlaps it at any angle. The
  * segment between two observations outside a disc enters it no deeper than a chord of that length (lemma `chord`).
  */
-function checkHazard(claim: Claim, by: Blocker, a: Point, b: Point): string | null {
+function checkHazard(claim: Claim, by: Blocker, a: Place, b: Place): string | null {
   const hazard = standingHazard(claim, by);
   if (hazard === null) return 'it names something other than a hazard that stands still';
   const r = hazard.radius + claim.inner;
@@ -66,7 +62,7 @@ function checkHazard(claim: Claim, by: Blocker, a: Point, b: Point): string | nu
   return less(apart(a, hazard), radius) && less(apart(b, hazard), radius) ? null : 'it leaves the hazard it names';
 }
 
-function distanceToSegment(p: Point, a: Point, b: Point): number {
+function distanceToSegment(p: Place, a: Place, b: Place): number {
   const dx = b.x - a.x;
   const dy = b.y - a.y;
   const length2 = dx * dx + dy * dy;
@@ -75,7 +71,7 @@ function distanceToSegment(p: Point, a: Point, b: Point): number {
 }
 
 /** Whether a place lies inside a closed line: a ray to the right crosses the line an odd number of times. */
-function isInside(corners: readonly Point[], p: Point): boolean {
+function isInside(corners: readonly Place[], p: Place): boolean {
   return corners.reduce((inside, a, i) => {
     const b = corners[(i + 1) % corners.length];
     const crosses = a.y > p.y !== b.y > p.y && p.x < a.x + ((p.y - a.y) / (b.y - a.y)) * (b.x - a.x);

@@ -1,11 +1,11 @@
 import { TICK } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/basics/index.ts';
 import type { Flowpipe, PipeGrid, PipePart, PipeStep, Strip } from '../prove/index.ts';
 import { farFromLimit } from './assumptions.ts';
 import { afterChase, type Chaser, eitherChaser } from './chasers.ts';
-import type { Claim } from './claim.ts';
-import { standingHazard } from './hazards.ts';
-import { apart, isIndex, type Point } from './rounded.ts';
-import { type Circle, isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
+import { type Claim, standingHazard } from './claim.ts';
+import { apart, isIndex } from './geometry.ts';
+import { isAxis, isCount, isFrom, type TurnedScene, turnedScene } from './turned-scene.ts';
 
 /** Far more than the rounding error of one step, px. */
 const ROUNDING = 1e-7;
@@ -20,7 +20,7 @@ const LARGEST = 1e9;
 /** The number of directions; direction n + 4 is opposite to direction n. */
 const AROUND = 8;
 const HALF_ROOT = Math.sqrt(0.5);
-const COMPASS: readonly Point[] = [
+const COMPASS: readonly Place[] = [
   { x: 1, y: 0 },
   { x: HALF_ROOT, y: HALF_ROOT },
   { x: 0, y: 1 },
@@ -45,7 +45,7 @@ interface Area {
  * direction is within 2.
  */
 interface Aim {
-  readonly to: Point;
+  readonly to: Place;
   readonly off: number;
 }
 
@@ -91,7 +91,7 @@ export function checkFlowpipe(claim: Claim, { grid, layers }: Flowpipe): string 
     const ways = new Map([...bundles].map(([k, bundle]) => [k, wayTo(bundle, step, seconds, claim.push + claim.blur)]));
     for (const way of ways.values()) {
       if (!(distances(scene.thing, way).least > claim.touch + ROUNDING)) return `she may touch it in step ${step}`;
-      const mayEnter = (disc: Circle) => !(distances(disc, way).least > disc.radius + ON_RIM);
+      const mayEnter = (disc: Disc) => !(distances(disc, way).least > disc.radius + ON_RIM);
       if (scene.winds.some(mayEnter)) return `a wind may act on her in step ${step}`;
       if (scene.mouths.some(mayEnter)) return `she may enter a wormhole in step ${step}`;
     }
@@ -329,7 +329,7 @@ function withoutStrips(scene: Scene, bundle: Bundle, off: readonly Strip[], step
 }
 
 /** The circle that a hazard covers after so many seconds; null when the object is no hazard or may be gone. */
-function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip['by'], seconds: number): Circle | null {
+function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip['by'], seconds: number): Disc | null {
   if (by?.kind === 'alien') {
     if (!isIndex(by.index, chasers) || !chasers[by.index].isThere) return null;
     const { at, radius } = chasers[by.index];
@@ -343,9 +343,9 @@ function hazardAt({ claim, turn, drift }: Scene, { chasers }: Bundle, by: Strip[
  * Whether her box overlaps a circle at all places between some corners, either by the circle in her box or by the box at its
  * possible angles. In both cases these places form a convex set, so it contains everything between its corners.
  */
-function overlapsAll({ box, inner }: Claim, { x, y, radius }: Circle, corners: readonly Point[], { to, off }: Aim): boolean {
-  const inCircle = (p: Point) => apart(p, { x, y }) < radius + inner - ROUNDING;
-  const inBox = (p: Point) => {
+function overlapsAll({ box, inner }: Claim, { x, y, radius }: Disc, corners: readonly Place[], { to, off }: Aim): boolean {
+  const inCircle = (p: Place) => apart(p, { x, y }) < radius + inner - ROUNDING;
+  const inBox = (p: Place) => {
     const way = { x: x - p.x, y: y - p.y };
     const beyond = {
       x: Math.max(0, Math.abs(dot(way, to)) - box.halfWidth),
@@ -385,13 +385,13 @@ function eitherAim(a: Aim, b: Aim): Aim {
   return { to, off: Math.min(2, Math.max(apart(to, a.to) + a.off, apart(to, other) + b.off) + 1e-12) };
 }
 
-const dot = (a: Point, b: Point): number => a.x * b.x + a.y * b.y;
-const middleOf = ({ left, right, low, high }: Area): Point => ({ x: (left + right) / 2, y: (low + high) / 2 });
+const dot = (a: Place, b: Place): number => a.x * b.x + a.y * b.y;
+const middleOf = ({ left, right, low, high }: Area): Place => ({ x: (left + right) / 2, y: (low + high) / 2 });
 const halfDiagonal = ({ left, right, low, high }: Area): number => apart({ x: left, y: low }, { x: right, y: high }) / 2;
-const cornersOf = ({ left, right, low, high }: Area): Point[] => [left, right].flatMap((x) => [low, high].map((y) => ({ x, y })));
+const cornersOf = ({ left, right, low, high }: Area): Place[] => [left, right].flatMap((x) => [low, high].map((y) => ({ x, y })));
 
 /** Distances from a place to the nearest and to the farthest place of an area. */
-function distances(p: Point, area: Area): { least: number; most: number } {
+function distances(p: Place, area: Area): { least: number; most: number } {
   const beside = { x: Math.max(0, area.left - p.x, p.x - area.right), y: Math.max(0, area.low - p.y, p.y - area.high) };
   return { least: apart(beside, { x: 0, y: 0 }), most: Math.max(...cornersOf(area).map((corner) => apart(corner, p))) };
 }

@@ -2,16 +2,15 @@ import { type AccuracyName, isAccuracyName } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import type { Certificate, Proof } from '../prove/index.ts';
 import { whyNotKnown } from './assumptions.ts';
-import { checkNothingInRange, checkStartsInHazard } from './at-start.ts';
+import { checkNothingInRange, checkOutOfRange, checkStartsInHazard } from './by-distance.ts';
 import { type Claim, claimOf, type Play } from './claim.ts';
 import { checkCovered } from './covered.ts';
 import { checkDoomed } from './doomed.ts';
 import { checkEnclosed } from './enclosed.ts';
 import { checkFlowpipe } from './flowpipe.ts';
+import { isIndex } from './geometry.ts';
 import { checkLineTrap } from './line-trap.ts';
 import { checkOrbits } from './orbits/index.ts';
-import { checkOutOfRange } from './out-of-range.ts';
-import { isIndex } from './rounded.ts';
 
 /** The result of checking a proof. */
 export type Verification =

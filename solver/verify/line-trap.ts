@@ -1,15 +1,11 @@
 import { TICK } from '../../engine/index.ts';
-import { objectName } from '../../schema/basics/index.ts';
+import { objectName, type Place } from '../../schema/basics/index.ts';
 import type { Drift, LineEnd, LineTrap } from '../prove/index.ts';
 import { speedAfter, unlimited } from './assumptions.ts';
-import type { Claim } from './claim.ts';
+import { type Claim, mouthsOf, standingHazard } from './claim.ts';
 import { checkDeadEnd } from './dead-end.ts';
 import { offLine } from './fall.ts';
-import { standingHazard } from './hazards.ts';
-import { mouthsOf } from './mouths.ts';
-import { apart, isIndex, less, type Point } from './rounded.ts';
-
-const START = { x: 0, y: 0 };
+import { apart, isIndex, less, START } from './geometry.ts';
 
 /**
  * How far she may be from the exact line, px, and how far the corners of her box may be turned away from it. Rounding is far
@@ -29,9 +25,9 @@ interface Line {
   readonly nearest: number;
   readonly farthest: number;
   /** The coordinate of a place along the line, px from the start. */
-  along(p: Point): number;
+  along(p: Place): number;
   /** The distance of a place from the line, px. */
-  aside(p: Point): number;
+  aside(p: Place): number;
 }
 
 /**
@@ -297,7 +293,7 @@ function checkHazard(claim: Claim, line: Line, { at, by }: LineEnd): string | nu
  * Distance from a place to a box swept along the line, px; `halfAlong` is half its length along the line, `halfAside` half its
  * width.
  */
-function gap(line: Line, p: Point, from: number, to: number, halfAlong: number, halfAside: number): number {
+function gap(line: Line, p: Place, from: number, to: number, halfAlong: number, halfAside: number): number {
   const dx = Math.max(0, line.along(p) - to - halfAlong, from - halfAlong - line.along(p));
   return apart({ x: dx, y: Math.max(0, line.aside(p) - halfAside) }, START);
 }

@@ -1,32 +1,28 @@
 import { TICK } from '../../engine/index.ts';
+import type { Disc, Place } from '../../schema/basics/index.ts';
 import type { Direction } from '../prove/index.ts';
 import { driftIn } from './assumptions.ts';
-import type { Claim } from './claim.ts';
-import { mouthsOf } from './mouths.ts';
-import type { Point } from './rounded.ts';
-
-/** A circle, px from the start along the axes of a certificate. */
-export type Circle = Point & { readonly radius: number };
+import { type Claim, mouthsOf } from './claim.ts';
 
 /** A disc in which a constant acceleration is added to all others, px/s² along the axes of a certificate. */
-export interface Wind extends Circle {
+export interface Wind extends Disc {
   readonly ax: number;
   readonly ay: number;
 }
 
 /** A level along the axes of a certificate; places are px from the start. */
 export interface TurnedScene {
-  readonly thing: Point;
+  readonly thing: Place;
   /** Her velocity at the start, px/s. */
-  readonly velocity: Point;
+  readonly velocity: Place;
   /** The asteroids; the radius is the range. */
-  readonly asteroids: readonly Circle[];
-  readonly fields: readonly Circle[];
+  readonly asteroids: readonly Disc[];
+  readonly fields: readonly Disc[];
   readonly winds: readonly Wind[];
   /** The mouths of wormholes. */
-  readonly mouths: readonly Circle[];
+  readonly mouths: readonly Disc[];
   /** Converts from the level's axes to these. */
-  turn(p: Point): Point;
+  turn(p: Place): Place;
   /** How far recoil can have carried an asteroid after so many seconds, px. */
   drift(asteroid: number, seconds: number): number;
 }
@@ -34,7 +30,7 @@ export interface TurnedScene {
 /** The level with the given direction as its x axis. */
 export function turnedScene(claim: Claim, [ux, uy]: Direction): TurnedScene {
   const { level, rules, thing, place } = claim;
-  const turn = ({ x, y }: Point): Point => ({ x: x * ux + y * uy, y: y * ux - x * uy });
+  const turn = ({ x, y }: Place): Place => ({ x: x * ux + y * uy, y: y * ux - x * uy });
   return {
     thing: turn(thing),
     velocity: turn({ x: level.astronaut.vx, y: level.astronaut.vy }),

@@ -23,8 +23,7 @@ function filesThatName(kind: string, many = `${kind}s`): string[] {
 
 /** Where a kind of object and its effect may be named: its own files, and a line or two in the tables. */
 const mayName = (kind: string): string[] => [
-  `editor/canvas/kinds/${kind}.ts`,
-  'editor/canvas/kinds/index.ts',
+  'editor/canvas/kinds.ts',
   'engine/effects/index.ts',
   'engine/effects/order.ts',
   'engine/effects/parts.ts',
@@ -36,8 +35,7 @@ const mayName = (kind: string): string[] => [
   'picture/kinds/index.ts',
   'schema/basics/kinds.ts',
   'schema/level.schema.json',
-  'solver/make/generate/placed/index.ts',
-  `solver/make/generate/placed/${kind}.ts`,
+  'solver/make/generate/placed.ts',
 ];
 
 /** A way to prove that follows an effect, or keeps out of it, and its check: they understand it by name, or refuse it. */

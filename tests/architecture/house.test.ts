@@ -11,17 +11,17 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-  files: { goal: 1150, now: 1360 },
+  files: { goal: 1150, now: 1133 },
   /** their lines */
-  lines: { goal: 121_000, now: 131_290 },
+  lines: { goal: 121_000, now: 130_674 },
   /** lines of a file in the median, at least */
-  median: { goal: 80, now: 79 },
+  median: { goal: 80, now: 99 },
   /** % of files under 30 lines */
-  short: { goal: 20, now: 19.3 },
+  short: { goal: 20, now: 12.3 },
   /** faces that forward one file */
-  faces: { goal: 0, now: 6 },
+  faces: { goal: 0, now: 0 },
   /** lines of bench/ */
-  bench: { goal: 9500, now: 9290 },
+  bench: { goal: 9500, now: 9289 },
 } as const;
 
 const sources = execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })

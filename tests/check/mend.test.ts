@@ -7,6 +7,7 @@ import { formatLevel, type LevelFile, readLevel, resolveLevel, withIds } from '.
 import { findSlack } from '../../solver/index.ts';
 import { arbitraryFile } from '../editor/arbitrary-file.ts';
 import '../fast-check.ts';
+import { itQuick } from '../depth.ts';
 import { shippedFile } from './shipped-file.ts';
 
 const NO_RULES = {};
@@ -50,7 +51,7 @@ const novaeAt = (first: number, second = 420): LevelFile => ({
 });
 
 describe('what mends a change', () => {
-  it('takes an object back as little as is enough, in the direction from which it came', () => {
+  itQuick('takes an object back as little as is enough, in the direction from which it came', () => {
     const after = novaeAt(320);
     const [first] = finish(mendOf(FALL, after)).found;
     expect(first.how.kind).toBe('back');
@@ -62,7 +63,7 @@ describe('what mends a change', () => {
     expect(outcomeOf(novaeAt(y - 1), 'solution').outcome).toBe('collided');
   });
 
-  it('takes one of several changes back where that is enough, and all of them by the same share', () => {
+  itQuick('takes one of several changes back where that is enough, and all of them by the same share', () => {
     const after = novaeAt(330, 400);
     const words = finish(mendOf(FALL, after))
       .found.filter(({ how }) => how.kind === 'back')
@@ -94,7 +95,7 @@ describe('what mends a change', () => {
     }
   });
 
-  it('shifts as few presses and releases as is enough, changes something else, or is another run', () => {
+  itQuick('shifts as few presses and releases as is enough, changes something else, or is another run', () => {
     const before = shippedFile('15-three-swings');
     const [run] = (before.runs ?? []).map(({ name }) => name);
     const [first, second, third] = before.asteroids ?? [];

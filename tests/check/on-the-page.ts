@@ -10,7 +10,7 @@ import {
   toProve,
 } from '../../editor/core/proof/index.ts';
 import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import type { Terms } from '../../engine/index.ts';
 import type { Problem } from '../../schema/index.ts';
 

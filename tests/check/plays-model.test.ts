@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Attempt, collectStatistics, compareWithModel, statisticsOf } from '../../check/plays/index.ts';
 import { decreasing, explainingNoise } from '../../check/plays/model.ts';
-import { chooseReference } from '../../check/plays/reference.ts';
+import { chooseReference } from '../../check/plays/routes.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/measure/robustness/index.ts';

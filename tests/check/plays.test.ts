@@ -1,18 +1,18 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { alignEdges } from '../../check/plays/alignment.ts';
-import { dbscan, type Point } from '../../check/plays/clusters.ts';
+import { alignEdges, Tally } from '../../check/plays/edges.ts';
+import { dbscan } from '../../check/plays/failures.ts';
 import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
-import { Tally } from '../../check/plays/quartiles.ts';
 import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
+import type { Place } from '../../schema/basics/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 import { noisy, playedBy, shippedLevel } from './played.ts';
 
 /** DBSCAN as its authors wrote it, but that border points choose the nearest core point: every pair is compared. */
-function plainDbscan(points: readonly Point[], reach: number, least: number): number[] {
-  const squared = (a: Point, b: Point) => (a.x - b.x) ** 2 + (a.y - b.y) ** 2;
-  const isNear = (a: Point, b: Point) => squared(a, b) <= reach * reach;
+function plainDbscan(points: readonly Place[], reach: number, least: number): number[] {
+  const squared = (a: Place, b: Place) => (a.x - b.x) ** 2 + (a.y - b.y) ** 2;
+  const isNear = (a: Place, b: Place) => squared(a, b) <= reach * reach;
   const isCore = points.map((a) => points.filter((b) => isNear(a, b)).length >= least);
   const labels = points.map(() => -1);
   let next = 0;
@@ -44,7 +44,7 @@ const renumbered = (labels: Iterable<number>): number[] => {
 };
 
 describe('dbscan', () => {
-  const at = (x: number, y: number): Point => ({ x, y });
+  const at = (x: number, y: number): Place => ({ x, y });
   const place = fc.record({ x: fc.integer({ min: -60, max: 60 }), y: fc.integer({ min: -60, max: 60 }) });
 
   it('finds the clusters that a comparison of all pairs finds', () => {

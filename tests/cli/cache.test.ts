@@ -11,7 +11,7 @@ import { ANYWHERE } from '../../cli/check/level-cache.ts';
 import { accuracyOf, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { importGraph } from '../architecture/import-graph.ts';
-import { describeDeep, itDeep } from '../depth.ts';
+import { describeDeep, itDeep, itQuick } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped } from './levels.ts';
 
@@ -293,7 +293,7 @@ describe('the fingerprint of the code that decides', () => {
     expect(seen.slice(-2)).toEqual([seen[6], seen[6]]);
   });
 
-  it('covers every module and package that a report of a level depends on', () => {
+  itQuick('covers every module and package that a report of a level depends on', () => {
     const root = fileURLToPath(new URL('../../', import.meta.url));
     const sources = readdirSync(root, { recursive: false, encoding: 'utf8' })
       .filter((name) => ['schema', 'engine', 'solver', 'check', 'picture', 'review', 'cli', 'editor'].includes(name))
@@ -341,7 +341,7 @@ itDeep('a check whose reports are all known loads neither the engine nor zod', a
 });
 
 describe('the folder', () => {
-  it('is beside the packages of the nearest project that has some', async () => {
+  itQuick('is beside the packages of the nearest project that has some', async () => {
     const project = makeFiles({
       'package.json': '{}',
       'node_modules/x/package.json': '{}',

@@ -2,7 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeEach, describe, expect, it } from 'vitest';
-import { someOf } from '../depth.ts';
+import { itQuick, someOf } from '../depth.ts';
 import { once } from '../once.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
@@ -212,7 +212,7 @@ describe('gq check --changed in a job', () => {
     expect(stderr).toMatch(/^all 3 levels checked: \S.*\n$/);
   });
 
-  it('checks all in a shallow clone whose branch is that of the remote, whatever runs it', async () => {
+  itQuick('checks all in a shallow clone whose branch is that of the remote, whatever runs it', async () => {
     write('a');
     push(work);
     const job = checkout('main', 1);
@@ -225,7 +225,7 @@ describe('gq check --changed in a job', () => {
     expect(await check(checkout('main', 0), {})).toMatchObject({ code: 0, names: [] });
   });
 
-  it('compares a pull request with the branch into which it goes', async () => {
+  itQuick('compares a pull request with the branch into which it goes', async () => {
     git(work, 'checkout', '-qb', 'topic');
     write('a');
     const last = push(work);
@@ -262,7 +262,7 @@ describe('gq check --changed in a job', () => {
     expect((await check(checkout('main', 0), env)).names).toEqual(NAMES);
   });
 
-  it('compares a merge request with the commit that GitLab names, else with its branch', async () => {
+  itQuick('compares a merge request with the commit that GitLab names, else with its branch', async () => {
     const base = head();
     git(work, 'checkout', '-qb', 'topic');
     write('a');

@@ -6,7 +6,7 @@ import { inOrderOfPlay } from '../../cli/io/level-names.ts';
 import { encodePlay, playToText } from '../../game/index.ts';
 import { type DifficultyReport, difficultyReportSchema, type Hold, readLevel } from '../../schema/index.ts';
 import { playedBy } from '../check/played.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 function levelOf(text: string) {
@@ -79,7 +79,7 @@ async function difficulty(...args: string[]): Promise<Reported> {
 }
 
 describe('gq difficulty --plays', () => {
-  it('counts plays of the accuracy at which it measures, and names the others', async () => {
+  itQuick('counts plays of the accuracy at which it measures, and names the others', async () => {
     const counted = async (...args: string[]) => {
       const { stderr, report } = await difficulty('pack/second.level.json', '--plays', 'two', ...args);
       const [{ players }] = report.levels;
@@ -91,33 +91,36 @@ describe('gq difficulty --plays', () => {
     expect(await counted('--max-time', '1')).toMatchObject({ attempts: 0, refused: ['other-accuracy', 'too-long'] });
   });
 
-  it('says how players fare, takes folders for players in natural order, and has the same result for any number of threads', async () => {
-    const args = ['pack/first.level.json', '--plays', 'plays'];
-    const { code, stdout, report } = await difficulty(...args, '--jobs', '1');
-    expect(code).toBe(0);
-    expect((await difficulty(...args, '--jobs', '3')).stdout).toBe(stdout);
-    expect(report.plays).toMatchObject({ found: 9, ignoredFiles: 1 });
-    // other.gqr and the one for the second level
-    expect(report.plays?.elsewhere.map(({ count }) => count)).toEqual([1, 1]);
-    expect(report.plays?.refused.map(({ play, verdict }) => [play, verdict])).toEqual([['plays/ann/11.gqr', 'malformed']]);
-    const [{ players }] = report.levels;
-    expect(players).toMatchObject({ attempts: 5, successes: 3, share: 0.6, players: 2, playersWhoSucceed: 2 });
-    expect(players?.refused.map(({ play, verdict }) => [play, verdict])).toEqual([['plays/ann/12.gqr', 'claim-differs']]);
-    expect(players?.byAttempt.map(({ attempts, successes, first: once }) => [attempts, successes, once])).toEqual([
-      [2, 1, 1],
-      [1, 0, 0],
-      [1, 1, 1],
-    ]);
-    expect(players?.failures.map(({ play, cause, tick }) => [play, cause.kind, tick])).toEqual([
-      ['plays/ann/1.gqr', 'left', 30],
-      ['plays/ann/2.gqr', 'left', 90],
-    ]);
-    // one press of two players in five attempts: the fit says how little it rests on
-    expect(players?.fit).toMatchObject({ players: 2, attempts: 4, forecast: { parameters: { motorMs: 20 } } });
-    expect(players?.fit?.scale.low).toBeLessThanOrEqual(players?.fit?.scale.value ?? 0);
-    expect(players?.fit?.scale.low).toBeLessThan(players?.fit?.scale.high ?? 0);
-    expect(players?.reference).toEqual({ name: 'hold', holds: report.levels[0].measured?.run.holds });
-  });
+  itQuick(
+    'says how players fare, takes folders for players in natural order, and has the same result for any number of threads',
+    async () => {
+      const args = ['pack/first.level.json', '--plays', 'plays'];
+      const { code, stdout, report } = await difficulty(...args, '--jobs', '1');
+      expect(code).toBe(0);
+      expect((await difficulty(...args, '--jobs', '3')).stdout).toBe(stdout);
+      expect(report.plays).toMatchObject({ found: 9, ignoredFiles: 1 });
+      // other.gqr and the one for the second level
+      expect(report.plays?.elsewhere.map(({ count }) => count)).toEqual([1, 1]);
+      expect(report.plays?.refused.map(({ play, verdict }) => [play, verdict])).toEqual([['plays/ann/11.gqr', 'malformed']]);
+      const [{ players }] = report.levels;
+      expect(players).toMatchObject({ attempts: 5, successes: 3, share: 0.6, players: 2, playersWhoSucceed: 2 });
+      expect(players?.refused.map(({ play, verdict }) => [play, verdict])).toEqual([['plays/ann/12.gqr', 'claim-differs']]);
+      expect(players?.byAttempt.map(({ attempts, successes, first: once }) => [attempts, successes, once])).toEqual([
+        [2, 1, 1],
+        [1, 0, 0],
+        [1, 1, 1],
+      ]);
+      expect(players?.failures.map(({ play, cause, tick }) => [play, cause.kind, tick])).toEqual([
+        ['plays/ann/1.gqr', 'left', 30],
+        ['plays/ann/2.gqr', 'left', 90],
+      ]);
+      // one press of two players in five attempts: the fit says how little it rests on
+      expect(players?.fit).toMatchObject({ players: 2, attempts: 4, forecast: { parameters: { motorMs: 20 } } });
+      expect(players?.fit?.scale.low).toBeLessThanOrEqual(players?.fit?.scale.value ?? 0);
+      expect(players?.fit?.scale.low).toBeLessThan(players?.fit?.scale.high ?? 0);
+      expect(players?.reference).toEqual({ name: 'hold', holds: report.levels[0].measured?.run.holds });
+    },
+  );
 
   itDeep('reads the same from lines, with the player that each line names', async () => {
     const folder = await difficulty('pack/first.level.json', '--plays', 'plays', '--jobs', '1');
@@ -148,7 +151,7 @@ describe('gq difficulty --plays', () => {
     for (const level of report.levels) expect(Object.keys(level)).not.toContain('players');
   });
 
-  it('prints what players teach below the difficulty, and names plays that do not count', async () => {
+  itQuick('prints what players teach below the difficulty, and names plays that do not count', async () => {
     const { code, stdout, stderr } = await gq(['difficulty', 'pack/first.level.json', '--plays', 'plays', '--jobs', '1'], {
       cwd,
     });
@@ -176,7 +179,7 @@ describe('gq difficulty --plays', () => {
     ]);
   });
 
-  it('counts and names a play once, for two files with the same level, too', async () => {
+  itQuick('counts and names a play once, for two files with the same level, too', async () => {
     const args = ['difficulty', 'pack/first.level.json', 'twin.level.json', '--plays', 'plays/ann', '--jobs', '1'];
     const { stdout, stderr } = await gq(args, { cwd });
     expect(
@@ -186,7 +189,7 @@ describe('gq difficulty --plays', () => {
     expect(stderr.match(/ann\/12\.gqr: claim-differs/g)).toHaveLength(1);
   });
 
-  it('draws where players fail, with a ring around each cluster', async () => {
+  itQuick('draws where players fail, with a ring around each cluster', async () => {
     const many = Object.fromEntries(
       [0, 1, 2, 3, 4].map((i): [string, Uint8Array] => [`${i}.gqr`, encodePlay(first(NONE, 30 + i))]),
     );
@@ -202,7 +205,7 @@ describe('gq difficulty --plays', () => {
     expect(svg).toMatch(/data-kind="failure-rings"[^>]*><circle [^>]*><circle /);
   });
 
-  it('draws no play that succeeds', async () => {
+  itQuick('draws no play that succeeds', async () => {
     const args = ['difficulty', 'pack/first.level.json', '--plays', 'plays', '--picture', 'few.svg', '--jobs', '1'];
     expect((await gq(args, { cwd })).code).toBe(0);
     const [drawn] = /data-kind="failures".*?<\/g>/.exec(readFileSync(join(cwd, 'few.svg'), 'utf8')) ?? [''];
@@ -221,7 +224,7 @@ describe('gq difficulty --plays', () => {
     expect(report.levels[0].measured).not.toBeNull();
   });
 
-  it('ends with exit code 2 for a play that can not be read, and counts the others', async () => {
+  itQuick('ends with exit code 2 for a play that can not be read, and counts the others', async () => {
     symlinkSync('nowhere', join(cwd, 'plays/bob/broken.gqr'));
     const { code, stderr, report } = await difficulty('pack/first.level.json', '--plays', 'plays/bob', '--jobs', '1');
     expect([code, report.levels[0].players?.attempts]).toEqual([2, 1]);

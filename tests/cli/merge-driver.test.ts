@@ -3,7 +3,7 @@ import { cpSync, existsSync, readFileSync, realpathSync, writeFileSync } from 'n
 import { join } from 'node:path';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, MAIN, makeFiles } from './gq.ts';
 
@@ -248,7 +248,7 @@ describe('git, set up by gq git-setup', () => {
     expect(levelIn('levels/new.level.json').minerals).toHaveLength(1);
   });
 
-  it('stops at a conflict with a valid file, and at a deleted one as ever', () => {
+  itQuick('stops at a conflict with a valid file, and at a deleted one as ever', () => {
     fork(moved, level(novae(600, -400)));
     const { status, said } = run('merge', '--no-edit', 'other');
     expect(status).toBe(1);

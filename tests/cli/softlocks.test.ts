@@ -6,7 +6,7 @@ import { softlockLines } from '../../cli/reporters/pretty.ts';
 import { compile, simulate, TICK } from '../../engine/index.ts';
 import { type CheckReport, REPORT_SCHEMAS, reportJsonSchema, resolveLevel } from '../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON } from '../../solver/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { gq, makeFiles } from './gq.ts';
 
 /** She drifts into the black hole unless the weak gun bends her way; past it she is too fast to come back. */
@@ -73,7 +73,7 @@ describe('gq check --softlocks', () => {
     );
   });
 
-  it('says in text what is proved and what was not found, apart, and warns only of what is proved', async () => {
+  itQuick('says in text what is proved and what was not found, apart, and warns only of what is proved', async () => {
     const { code, stdout } = await run(`check past.level.json --softlocks ${EFFORT} --max-warnings 0`);
     expect(code).toBe(1);
     expect(await wholeReport()).toMatchObject({ summary: { completable: 1 } });

@@ -5,7 +5,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { COMMANDS } from '../../cli/commands/index.ts';
 import { createPlayer, encodePlay, playOf } from '../../game/index.ts';
 import { readLevel } from '../../schema/index.ts';
-import { isDeep, itDeep } from '../depth.ts';
+import { describeDeep, describeQuick, itDeep } from '../depth.ts';
 import { type Ended, gq, makeFiles } from './gq.ts';
 
 // She swings around an asteroid past a nova, whose place decides between accuracies.
@@ -313,8 +313,7 @@ const usually = (name: string): Promise<Said> => {
   return known;
 };
 
-// gq accuracy measures every accuracy, for seconds
-describe.each(Object.keys(PROBES).filter((name) => isDeep || name !== 'accuracy'))('gq %s', (name) => {
+const answersUnderOtherTerms = (name: string): void => {
   const { ask, kinds, onlyConfigured = ['rules'] } = PROBES[name];
 
   it.each(kinds)('answers under other terms: %s', async (kind) => {
@@ -331,7 +330,11 @@ describe.each(Object.keys(PROBES).filter((name) => isDeep || name !== 'accuracy'
     const asked = await ask(folderWith(OTHERWISE[kind]), options);
     expect(asked.answer).toEqual(configured.answer);
   });
-});
+};
+
+// gq accuracy measures every accuracy, for seconds
+describeDeep.each(['accuracy'])('gq %s', answersUnderOtherTerms);
+describeQuick.each(Object.keys(PROBES).filter((name) => name !== 'accuracy'))('gq %s', answersUnderOtherTerms);
 
 /** Configurations that an option has to win over. */
 const OTHERWISE: Readonly<Record<Kind, object>> = {

@@ -13,7 +13,7 @@ import {
   setLevelProperty,
 } from '../../editor/core/document/index.ts';
 import { createJournal } from '../../editor/core/journal/index.ts';
-import { createMemoryStore } from '../../editor/core/journal/memory-store.ts';
+import { createMemoryStore } from '../../editor/core/journal/journal-store.ts';
 import type { Hold, LevelFile } from '../../schema/index.ts';
 import '../fast-check.ts';
 

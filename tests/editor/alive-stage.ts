@@ -4,7 +4,7 @@ import { createSettings } from '../../editor/core/settings/index.ts';
 import { aliveOf } from '../../editor/features/alive/index.ts';
 import { keepAlive } from '../../editor/features/alive/keep-alive.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 

@@ -24,7 +24,7 @@ import {
 } from '../../editor/features/compare/compared.ts';
 import { poseOf, raceOf } from '../../editor/features/compare/racers.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';

@@ -5,7 +5,7 @@ import { createSession } from '../../editor/core/session/index.ts';
 import { createFixSession } from '../../editor/features/solver/fix-session.ts';
 import { createSearchSettings } from '../../editor/features/solver/search-task.ts';
 import type { Fixing, JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { createRepair, proveImpossible } from '../../solver/index.ts';
@@ -85,7 +85,7 @@ describe('proposals in the editor', () => {
     for (const proposal of await found()) {
       fixes.preview(proposal);
       expect(proof.proof()).toMatchObject({ verdict: 'completable', run: { outcome: 'completed', time: proposal.run.time } });
-      expect(document.settledFile()).toBe(before);
+      expect(document.committedFile()).toBe(before);
       expect(document.store.getState().steps).toBe(0);
       expect(fixes.store.getState()).toMatchObject({ previewed: proposal, isOld: false });
     }

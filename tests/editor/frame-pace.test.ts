@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { isFrameDue } from '../../editor/canvas/frame-pace.ts';
+import { isFrameDue } from '../../editor/canvas/picture.ts';
 
 const picture = (calm: boolean) => ({ file: {}, pose: {}, onion: null as object | null, moment: 0, calm });
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { linesOf } from '../../editor/canvas/layers/ghost-lines.ts';
-import { poseAt } from '../../editor/canvas/run-pose.ts';
+import { linesOf } from '../../editor/canvas/layers/way-layer.ts';
+import { poseAt } from '../../editor/canvas/picture.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
 import { pathOfHolds } from '../../editor/features/solver/ghosts.ts';
 import { everyTick } from '../../editor/features/solver/robustness-watch.ts';

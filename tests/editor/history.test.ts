@@ -80,7 +80,7 @@ describe('the history', () => {
     const drag = level.begin('Drag');
     const first = level.file();
     drag.set(named('b'));
-    expect(level.settledFile()).toBe(first);
+    expect(level.committedFile()).toBe(first);
     drag.set(named('c'));
     expect([seen.length, kept.length]).toEqual([2, 0]);
     drag.commit();
@@ -95,7 +95,7 @@ describe('the history', () => {
         patches: diffFiles(first, level.file()),
       },
     ]);
-    expect(level.settledFile()).toBe(level.file());
+    expect(level.committedFile()).toBe(level.file());
     drag.cancel();
     drag.commit();
     expect(drag.set(named('d'))).toEqual({ ok: true, added: [] });
@@ -132,7 +132,7 @@ describe('the history', () => {
       other(level);
       expect(drag.isLive).toBe(false);
       expect(level.labels()[0]).toBe('Drag');
-      expect(level.settledFile().novae?.[0].x).toBe(7);
+      expect(level.committedFile().novae?.[0].x).toBe(7);
       drag.cancel();
       expect(level.file().novae?.[0].x).toBe(7);
     }
@@ -196,7 +196,7 @@ describe('the history', () => {
     level.seal();
     expect([level.file().name, level.labels()]).toEqual(['plain', []]);
     level.change('later', named('later'));
-    expect(level.settledFile().name).toBe('later');
+    expect(level.committedFile().name).toBe('later');
   });
 
   it('returns files that are frozen', () => {

@@ -5,6 +5,7 @@ import { moveObjects, type ObjectKey, objectsOf, replaceHolds, setLevelProperty 
 import { aliveInWords } from '../../editor/features/alive/index.ts';
 import { formatLevel, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
 import '../fast-check.ts';
+import { itQuick } from '../depth.ts';
 import { aliveStage, outcomeOf } from './alive-stage.ts';
 
 const LEVELS = new URL('../../levels/', import.meta.url);
@@ -154,7 +155,7 @@ describe('a run that is kept alive', () => {
     expect(jobs()).toBe(0);
   });
 
-  it('says so where no shift within the limit completes the level', async () => {
+  itQuick('says so where no shift within the limit completes the level', async () => {
     const { document, store, settle } = aliveStage(SWINGS);
     document.change('Move', moveObjects(['@blackHole'], 4000, 4000));
     await settle();
@@ -202,7 +203,7 @@ const KICKBACK: LevelFile = withIds({
 const up = (by: number) => moveObjects(['o06tc5'], 0, -by);
 
 describe('a run that can not be kept alive', () => {
-  it('has the holds of its author after a drag that had found others on the way', async () => {
+  itQuick('has the holds of its author after a drag that had found others on the way', async () => {
     const { document, store, work, settle, proof } = aliveStage(KICKBACK);
     const drag = document.begin('Move');
     const found = new Set<string>();
@@ -327,7 +328,7 @@ describe('whatever is done, in any order', () => {
           else document.change('Rename', setLevelProperty('name', `${document.labels().length}`));
           const { start } = last;
           if (start === null) continue;
-          const now = document.settledFile();
+          const now = document.committedFile();
           for (const run of now.runs ?? []) {
             const former = start.runs?.find(({ name }) => name === run.name);
             if (JSON.stringify(run) !== JSON.stringify(former)) expect(outcomeOf(now, run.name)).toBe('completed');

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { labelPlace } from '../../editor/canvas/label-place.ts';
+import { labelPlace } from '../../editor/canvas/label-places.ts';
 
 const view = { width: 800, height: 500 };
 const label = { width: 200, height: 40 };

@@ -15,7 +15,7 @@ import { leewayWork } from '../../editor/workers/jobs/leeway.ts';
 import { latticeFor, movedLevel, Survey } from '../../editor/workers/leeway/index.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { type LevelFile, LIMITS, resolveLevel, withIds } from '../../schema/index.ts';
-import { expectDeep } from '../depth.ts';
+import { expectDeep, itQuick } from '../depth.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 import { SWING } from './swing-level.ts';
 
@@ -243,7 +243,7 @@ describe('the survey', () => {
   /** Allowed inside a disc, with a slit. */
   const disc = (i: number, j: number) => (i * i + j * j <= 900 && Math.abs(i - 3) > 1 ? 'completes' : 'fails');
 
-  it('covers what it examines without gaps and overlaps, at every step', () => {
+  itQuick('covers what it examines without gaps and overlaps, at every step', () => {
     const survey = new Survey({
       sampleAt: disc,
       sampleBy: disc,

@@ -16,10 +16,11 @@ import {
 import { LOST_SQUARE, lostPictureOf, squaresOf } from '../../editor/features/lost/lost-picture.ts';
 import { watchLost } from '../../editor/features/lost/watch-lost.ts';
 import type { JobKind, Losing, Loss, Losses, LostMoment, Requests } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
+import { itQuick } from '../depth.ts';
 import { type FakeJob, FakeWorkers } from './fake-desk.ts';
 
 /** She drifts into the black hole unless the weak gun bends her way; past it she is too fast to come back. */
@@ -311,7 +312,7 @@ describe('the jobs of a worker', () => {
     expect(bytes).toBeLessThan(100_000);
   });
 
-  it('date the loss of a run within what is known: it is open before, and the proof holds until the end', () => {
+  itQuick('date the loss of a run within what is known: it is open before, and the proof holds until the end', () => {
     const traced: Hold[][] = [[[0, 600]], []];
     const { losses } = finish(JOBS.losses({ ...played, traced, effort: 3_000_000 }, () => 0)).result;
     const [held, drifted] = losses;

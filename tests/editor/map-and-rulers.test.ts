@@ -1,8 +1,16 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { fromMap, isAllInView, mapViewOf } from '../../editor/canvas/minimap/map-view.ts';
-import { stepFor, ticksOf } from '../../editor/canvas/rulers/ticks.ts';
-import { type Box, toScreen, type View, ZOOM_LIMITS } from '../../editor/canvas/view.ts';
+import {
+  type Box,
+  fromMap,
+  isAllInView,
+  mapViewOf,
+  stepFor,
+  ticksOf,
+  toScreen,
+  type View,
+  ZOOM_LIMITS,
+} from '../../editor/canvas/view.ts';
 
 const zoom = fc.double({ min: ZOOM_LIMITS.least, max: ZOOM_LIMITS.most, noNaN: true });
 const from = fc.integer({ min: -100_000, max: 100_000 });

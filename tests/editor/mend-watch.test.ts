@@ -7,7 +7,7 @@ import { createSettings } from '../../editor/core/settings/index.ts';
 import type { AliveState } from '../../editor/features/alive/index.ts';
 import { type MendSession, mendSessionOf, watchMend } from '../../editor/features/mend/watch-mend.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { outcomeOf } from './alive-stage.ts';
@@ -164,7 +164,7 @@ describe('what mends a level on the page', () => {
     expect(found.length).toBeGreaterThanOrEqual(3);
     for (const one of mend.store.getState().mending?.found ?? []) {
       mend.preview(one);
-      expect(document.settledFile()).toBe(broken);
+      expect(document.committedFile()).toBe(broken);
       expect(document.store.getState().steps).toBe(1);
       expect(proof.proof()).toMatchObject({
         verdict: 'completable',

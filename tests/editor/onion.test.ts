@@ -68,7 +68,7 @@ describe('the comparison with what was before', () => {
     for (const dx of [4, 40, -90]) gesture.set(moveObjects(['bjzg'], dx, 0));
     const { former, phase } = shown();
     expect(phase).toBe('held');
-    expect(former?.file).toBe(document.settledFile());
+    expect(former?.file).toBe(document.committedFile());
     expect(former?.figures.end?.time).toBe(before.time);
     expect(proof.proof().run.time).not.toBe(before.time);
     const points = former?.points ?? new Float32Array();

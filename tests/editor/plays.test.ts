@@ -4,9 +4,8 @@ import type { Attempt } from '../../editor/core/attempts/attempts.ts';
 import { causeInWords } from '../../editor/core/attempts/index.ts';
 import { groupPlays, refusedInWords } from '../../editor/core/plays/open-plays.ts';
 import { playFileName } from '../../editor/core/plays/play-files.ts';
-import { deathMapOf, deathsNear } from '../../editor/core/shelf/death-map.ts';
 import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/core/shelf/given.ts';
-import { createShelf, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
+import { createShelf, deathMapOf, deathsNear, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
 import {
   type AttemptRow,
   attemptRows,
@@ -15,8 +14,8 @@ import {
   SHOWN,
   SORTS,
 } from '../../editor/features/attempts/attempt-rows.ts';
-import { pathWork } from '../../editor/workers/jobs/path.ts';
 import { playsWork } from '../../editor/workers/jobs/plays.ts';
+import { pathWork } from '../../editor/workers/jobs/trajectory.ts';
 import { compile, DEFAULT_TERMS, simulate } from '../../engine/index.ts';
 import { decodePlay, levelHash, PLAY_LIMITS, playToText } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';

@@ -6,8 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { firstDifference } from '../../check/runs/index.ts';
 import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/core/document/index.ts';
 import { createProofStore, createProver, type LiveProof } from '../../editor/core/proof/index.ts';
-import { March } from '../../editor/core/proof/march.ts';
-import { MarchRoom } from '../../editor/core/proof/march-room.ts';
+import { March, MarchRoom } from '../../editor/core/proof/march.ts';
 import type { Tracks } from '../../editor/core/proof/tracks.ts';
 import {
   ACCURACIES,

@@ -28,7 +28,7 @@ import { fixQuestion } from '../../editor/features/solver/fix-session.ts';
 import { fanQuestion, robustnessQuestion } from '../../editor/features/solver/robustness-watch.ts';
 import { hopelessQuestion, solveQuestion } from '../../editor/features/solver/search-task.ts';
 import { createWorkers, type WorkerPort } from '../../editor/workers/index.ts';
-import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
+import type { FromWorker, ToWorker } from '../../editor/workers/workers.ts';
 import { ACCURACIES, DEFAULT_TERMS, type Terms } from '../../engine/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';

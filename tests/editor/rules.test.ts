@@ -106,7 +106,7 @@ describe('the proof', () => {
       expect(shown(proof)).toEqual(end({ ...SWING, rules: { pull } }));
     }
     expect(proof.proof().verdict).toBe('broken');
-    expect(level.settledFile().rules).toBeUndefined();
+    expect(level.committedFile().rules).toBeUndefined();
     gesture.commit();
     expect([level.labels(), level.file().rules]).toEqual([['Set pull'], { pull: 46 }]);
     level.undo();

@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { snapMove, snapTargets } from '../../editor/canvas/snapping.ts';
-import { equalSpacing } from '../../editor/canvas/spacing.ts';
+import { equalSpacing, snapMove, snapTargets } from '../../editor/canvas/snapping.ts';
 import type { Box } from '../../editor/canvas/view.ts';
 import { boxOf } from '../../engine/index.ts';
 import { DEFAULT_RULES, type LevelFile } from '../../schema/index.ts';

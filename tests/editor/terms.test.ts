@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { brief, proveGoalImpossible } from '../../check/index.ts';
 import type { JobKind, Requests, Results } from '../../editor/workers/index.ts';
-import { JOBS } from '../../editor/workers/kinds.ts';
+import { JOBS } from '../../editor/workers/runner.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS, simulate, type Terms } from '../../engine/index.ts';
 import { formatLevel, type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { isDeep } from '../depth.ts';

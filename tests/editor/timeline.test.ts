@@ -5,8 +5,7 @@ import { createAttempts } from '../../editor/core/attempts/attempts.ts';
 import { createEditedLevel, moveObjects, replaceHolds } from '../../editor/core/document/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { TEMPLATES } from '../../editor/core/templates/index.ts';
-import { gripAt } from '../../editor/timeline/grip.ts';
-import { holdsInWords, reachedBy } from '../../editor/timeline/reached.ts';
+import { gripAt, holdsInWords, reachedBy } from '../../editor/timeline/holds.ts';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
 

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { handleAt, handlesOf, scalingOf, selectionBox } from '../../editor/canvas/selection-box/index.ts';
+import { selectionBox } from '../../editor/canvas/extent.ts';
+import { handleAt, handlesOf, scalingOf } from '../../editor/canvas/selection-handles.ts';
 import {
   createEditedLevel,
   groupsIn,

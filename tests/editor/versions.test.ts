@@ -2,13 +2,12 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel, type EditedLevel, moveObjects } from '../../editor/core/document/index.ts';
 import { createMemoryVersions, type Version, type VersionStore } from '../../editor/core/versions/index.ts';
-import { fromStored, toStored } from '../../editor/core/versions/stored-text.ts';
-import { deltaBetween, withDelta } from '../../editor/core/versions/text-delta.ts';
+import { deltaBetween, fromStored, toStored, withDelta } from '../../editor/core/versions/stored-text.ts';
 import { STAGES, thin } from '../../editor/core/versions/thinning.ts';
 import { checkOf } from '../../editor/core/versions/version.ts';
 import { movedHeads } from '../../editor/core/versions/version-store.ts';
 import { formatLevel, type LevelFile } from '../../schema/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 import { FILE, passingVersions } from './stage.ts';
@@ -101,7 +100,7 @@ describe('the history of a level', () => {
     expect((await listed(all)).at(-1)).toMatchObject({ number: 3, by: 'other', labels: ['More'] });
   });
 
-  it('takes in thousands of versions at once, each bit for bit, and knows them the second time', async () => {
+  itQuick('takes in thousands of versions at once, each bit for bit, and knows them the second time', async () => {
     const all = begin();
     const text = (x: number) => formatLevel({ ...FILE, blackHole: { ...FILE.blackHole, x } });
     const past = Array.from({ length: 2000 }, (_, i) => ({
@@ -169,7 +168,7 @@ describe('the history of a level', () => {
     expect(size).toBeLessThan(30 * formatLevel(level.file()).length);
   });
 
-  it('loses no other version by one damaged row, and only its own if that held its text alone', async () => {
+  itQuick('loses no other version by one damaged row, and only its own if that held its text alone', async () => {
     const all = begin({ ...FILE, asteroids: Array.from({ length: 40 }, (_, i) => ({ id: `a${i}`, x: i, y: 0, radius: 9 })) });
     const { level, versions, store } = all;
     const texts: string[] = [];

@@ -12,8 +12,8 @@ import {
   type WorkerPort,
 } from '../../editor/workers/index.ts';
 import { createPacer } from '../../editor/workers/job.ts';
-import type { FromWorker, ToWorker } from '../../editor/workers/protocol.ts';
 import { createRunner } from '../../editor/workers/runner.ts';
+import type { FromWorker, ToWorker } from '../../editor/workers/workers.ts';
 import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { assessLevel, effectsInWords, standingInWords } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { Hash } from '../../engine/hash.ts';
+import { itQuick } from '../depth.ts';
 
 const hashOf = (values: ArrayLike<number>) => {
   const hash = new Hash();
@@ -50,7 +51,7 @@ describe('hash', () => {
     expect(textHash('lost')).not.toBe(textHash('tsol'));
   });
 
-  it('has no collision among 100,000 neighbours', () => {
+  itQuick('has no collision among 100,000 neighbours', () => {
     const seen = new Set<string>();
     for (let i = 0; i < 100_000; i++) seen.add(hashOf([1 + i * Number.EPSILON, 0.5]));
     expect(seen.size).toBe(100_000);

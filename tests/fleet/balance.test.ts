@@ -6,7 +6,7 @@ import { expect, it } from 'vitest';
 import { balance, Costs, MOST_ASSIGNED, NumberTable } from '../../cli/fleet/balance.ts';
 import { keyOfHash } from '../../cli/fleet/digest.ts';
 import { gq } from '../cli/gq.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { levelTexts, makeSet, merge, planSet, resultLines, runShard } from './sets.ts';
 
 const hashOf = (text: string): Buffer => createHash('sha256').update(text).digest();
@@ -82,7 +82,7 @@ it('a table of numbers has what a Map has', () => {
   );
 });
 
-it('gq plan --costs takes results and reports, and the merged report stays the same', async () => {
+itQuick('gq plan --costs takes results and reports, and the merged report stays the same', async () => {
   const set = await makeSet(levelTexts(30));
   try {
     await planSet(set, 2);

@@ -7,7 +7,7 @@ import { challengeFor, levelHash, playToText } from '../../game/index.ts';
 import { difficultyReportSchema, solveSetReportSchema, type VerifyReport, verifyReportSchema } from '../../schema/index.ts';
 import { fallThrough, gq, makeFiles } from '../cli/gq.ts';
 import { changed as changedPlay, playOfRun } from '../cli/plays.ts';
-import { isDeep, isHunt, itDeep } from '../depth.ts';
+import { isDeep, isHunt, itDeep, itQuick } from '../depth.ts';
 import { shipped } from '../levels/shipped-pack.ts';
 import { changed, placesIn } from './mistakes.ts';
 
@@ -126,7 +126,7 @@ describe('gq difficulty on a set', () => {
     expect(withoutPlaces(packed)).toEqual(withoutPlaces(named));
   });
 
-  it('says how many levels have which grade', async () => {
+  itQuick('says how many levels have which grade', async () => {
     const stdout = await run(1, 'difficulty', 'set.ndjson', ...EFFORT);
     expect(stdout).toMatch(/^5 levels: 3 measured: \d gentle, \d easy, \d medium, \d hard, \d brutal$/m);
     expect(stdout).toMatch(/^set\.ndjson#4: not measured: proved impossible: /m);
@@ -153,7 +153,7 @@ describe('gq verify on a set', () => {
       .slice(0, -1)
       .map((line) => verifyReportSchema.parse(JSON.parse(line)));
 
-  it('gives the lines of gq verify on files and on standard input, byte by byte, for any number of shards', async () => {
+  itQuick('gives the lines of gq verify on files and on standard input, byte by byte, for any number of shards', async () => {
     const direct = await run(1, 'verify', 'plays', '--format', 'json');
     expect(linesOf(direct).map(({ verdict }) => verdict)).toEqual(['ok', 'claim-differs', 'malformed', 'stale-level', 'ok']);
     // a stale play is not tried on other levels, as which of them are tried would depend on the shard
@@ -179,7 +179,7 @@ describe('gq verify on a set', () => {
     expect(stdout).toMatch(/\n5 plays: 2 ok, 1 claim-differs, 1 malformed, 1 stale-level\n$/);
   });
 
-  it('compares with the levels and the key that were planned, and with no others', async () => {
+  itQuick('compares with the levels and the key that were planned, and with no others', async () => {
     const secret = new TextEncoder().encode(KEY);
     const challenged = playOfRun('first-pull', 0, challengeFor(secret, levelHash(first.level), 2000, 'ann'));
     writeFileSync(

@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { create } from 'tar';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { fallThrough, gq } from '../cli/gq.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { changed, placesIn } from './mistakes.ts';
 import {
   doAll,
@@ -137,7 +137,7 @@ describe('a merge', () => {
     );
   });
 
-  it('turns no red level green when all good results are repeated', async () => {
+  itQuick('turns no red level green when all good results are repeated', async () => {
     for (let shard = 0; shard < SHARDS; shard++) {
       const bad = recordsOf(shard).filter(({ result }) => result.verdict !== 'completable');
       const [good] = recordsOf(shard).filter(({ result }) => result.verdict === 'completable');
@@ -358,7 +358,7 @@ describe('a run that a search has found', () => {
     return merge(searched, '--replay', 'all');
   }
 
-  it('is played, and everything that follows from it is compared', async () => {
+  itQuick('is played, and everything that follows from it is compared', async () => {
     const solve = ['--solve', '--effort', '200000'];
     const truth = await mergeChanged((result) => result, ...solve);
     expect(truth.stderr).toContain('3 good results repeated: as recorded');

@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { SetDigest } from '../../cli/fleet/digest.ts';
 import { readPlan } from '../../cli/fleet/plan.ts';
 import { gq } from '../cli/gq.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import {
   doAll,
   levelTexts,
@@ -57,7 +57,7 @@ describe('a set in shards', () => {
     expect(JSON.parse(first!).levels.map(({ file }: { file: string }) => file)).toEqual(set.names);
   });
 
-  it('gives each level to the shard that the hash of its bytes names', async () => {
+  itQuick('gives each level to the shard that the hash of its bytes names', async () => {
     rmSync(join(set.directory, 'out'), { recursive: true, force: true });
     await doAll(set, 5, [0, 1, 2, 3, 4]);
     for (let shard = 0; shard < 5; shard++) {
@@ -72,7 +72,7 @@ describe('a set in shards', () => {
     }
   });
 
-  it('gives files their own report in the other formats, too', async () => {
+  itQuick('gives files their own report in the other formats, too', async () => {
     for (const format of ['pretty', 'junit', 'markdown', 'sarif', 'github']) {
       const merged = await merge(set, '--format', format);
       expect(merged.code, format).toBe(1);
@@ -80,7 +80,7 @@ describe('a set in shards', () => {
     }
   });
 
-  it('a large set lists the levels that fail, and counts all', async () => {
+  itQuick('a large set lists the levels that fail, and counts all', async () => {
     const large = await makeSet(levelTexts(1002));
     try {
       const { stdout, code } = await gq(['check', ...large.paths.slice(1)], { cwd: large.directory });
@@ -100,7 +100,7 @@ describe('a set in shards', () => {
 });
 
 describe('a plan', () => {
-  it('notices every change of the set, and names the level', async () => {
+  itQuick('notices every change of the set, and names the level', async () => {
     rmSync(join(set.directory, 'out'), { recursive: true, force: true });
     await planSet(set, 3);
     const file = join(set.directory, 'levels/0003.level.json');
@@ -127,7 +127,7 @@ describe('a plan', () => {
     expect((await runShard(set, 1)).code).toBe(0);
   });
 
-  it('is refused when anything in it was changed', async () => {
+  itQuick('is refused when anything in it was changed', async () => {
     await planSet(set, 3, '-o', 'doctored.json');
     const path = join(set.directory, 'doctored.json');
     const text = readFileSync(path, 'utf8');

@@ -12,6 +12,7 @@ import {
   WorkBudget,
 } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { itQuick } from '../depth.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { once } from '../once.ts';
@@ -273,7 +274,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
     expect(leaves(still)).toBe(1);
   });
 
-  it('touches objects at the rim when her box does', () => {
+  itQuick('touches objects at the rim when her box does', () => {
     const bare = onRim({ astronaut: { x: -48, y: 0, vy: 12 } });
     const gap = (time: number) => {
       const { x, y, rock } = slideByAngle(bare, time, 'gun', 2e-4);

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { settle } from '../../editor/core/document/index.ts';
+import { normalize } from '../../editor/core/document/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import { formatLevel, isSame, type LevelFile, OBJECT_LISTS, readLevel, withIds } from '../../schema/index.ts';
 import { arbitraryFile } from '../editor/arbitrary-file.ts';
@@ -134,7 +134,7 @@ describe('merging', () => {
         // merging again changes nothing
         expect(isSame(mergeLevels(mine, one.file, mine).file, one.file)).toBe(true);
         expect(mergeLevels(theirs, one.file, theirs).conflicts).toEqual([]);
-        expect(settle(one.file, null)).toMatchObject({ ok: true });
+        expect(normalize(one.file, null)).toMatchObject({ ok: true });
         // the additions of both sides are there
         for (const list of OBJECT_LISTS) {
           const kept = new Set(one.file[list]?.map(({ id }) => id));
@@ -151,7 +151,7 @@ describe('merging', () => {
     fc.assert(
       fc.property(arbitraryFile, arbitraryFile, arbitraryFile, (base, mine, theirs) => {
         const { file, conflicts } = mergeLevels(base, mine, theirs);
-        expect(settle(file, null)).toMatchObject({ ok: true });
+        expect(normalize(file, null)).toMatchObject({ ok: true });
         const chosen = mergeLevels(base, mine, theirs, new Map(conflicts.map(({ key }) => [key, 'theirs'])));
         expect(chosen.conflicts.map(({ key }) => key)).toEqual(conflicts.map(({ key }) => key));
         // the values that they have are theirs everywhere

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { readLevel } from '../../schema/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { gqEdit } from './command.ts';
 import { levelPath, levelText, makeFolder, type Page, pageOf, serve } from './running.ts';
 
@@ -88,7 +88,7 @@ describe('writers at the same time', () => {
     made.remove();
   });
 
-  it('create a new level only once', async () => {
+  itQuick('create a new level only once', async () => {
     const made = makeFolder({});
     const servers = await Promise.all([serve(made.folder), serve(made.folder)]);
     for (let round = 0; round < 10; round++) {

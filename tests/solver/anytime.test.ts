@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import { createAnytimeProof, createDecider, verifyProof, verifyRun } from '../../solver/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 
 const DOOMED = LEVELS.doomed;
@@ -32,7 +32,7 @@ describe('a proof with ever finer sets', () => {
     expect(proving.proof).toBeNull();
   });
 
-  it('is about a mineral where all minerals are wanted', () => {
+  itQuick('is about a mineral where all minerals are wanted', () => {
     const far = level({ astronaut: { x: 0, y: 0, vx: 60 }, asteroids: [at(150, 100)], minerals: [{ x: 0, y: 90 }] });
     const options = { accuracy: 'precise' } as const;
     const all = createAnytimeProof(far, { ...options, goal: { minerals: 'all' } });
@@ -89,7 +89,7 @@ describe('a proof with ever finer sets', () => {
 });
 
 describe('a search for a run and for a proof side by side', () => {
-  it('ends with the proof where there is no run', () => {
+  itQuick('ends with the proof where there is no run', () => {
     const decider = createDecider(compile(DOOMED), { objective: 'first', effort: 10_000_000 });
     while (!decider.finished) decider.advance(50_000);
     expect(decider.finished).toBe(true);

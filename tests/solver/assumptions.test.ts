@@ -6,7 +6,7 @@ import { PROVERS, type Proof, proveBy, proveImpossible, proveMineralsUnreachable
 import { effectsOf, whyNotTried } from '../../solver/prove/assumptions.ts';
 import { mayProve } from '../../solver/prove/index.ts';
 import type { Prover } from '../../solver/prove/proof.ts';
-import { isDeep } from '../depth.ts';
+import { isDeep, itQuick } from '../depth.ts';
 import { ALSO, LEVELS } from './impossible-levels.ts';
 
 // A force of which the proofs know nothing: the game suddenly has it, and levels call for it. What was proved without it may
@@ -50,7 +50,7 @@ describe.each(KINDS)('%s', (kind) => {
     expect(mayProve(kind, level)).toBe(false);
   });
 
-  it('has a proof without the wind and none with it, and the checker refuses the old one', () => {
+  itQuick('has a proof without the wind and none with it, and the checker refuses the old one', () => {
     const proof = proveBy(kind, level, HOLE) as Proof;
     expect(proof.code).toBe(certificateKind(kind));
     expect(verifyProof(level, proof)).toEqual({ ok: true });

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { type Difficulty, findRuns, measureDifficulty, successProbability, verifyRun } from '../../solver/index.ts';
-import { itDeep } from '../depth.ts';
+import { itDeep, itQuick } from '../depth.ts';
 import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;
@@ -24,7 +24,7 @@ function tightened(slug: string): { level: ReturnType<typeof shippedLevel>; tigh
 }
 
 describe('the run that is measured', () => {
-  it('is the one that forgives most, whatever the order of the runs', () => {
+  itQuick('is the one that forgives most, whatever the order of the runs', () => {
     const { level, tight } = tightened('07-nova-lane');
     const scene = compile(level);
     const good = level.runs[0].holds;
@@ -45,7 +45,7 @@ describe('the run that is measured', () => {
     }
   });
 
-  it('is found by the search where the level has only one that forgives little, and grades the level easier', () => {
+  itQuick('is found by the search where the level has only one that forgives little, and grades the level easier', () => {
     const { level, tight } = tightened('07-nova-lane');
     const scene = compile({ ...level, minerals: [], runs: [{ ...level.runs[0], holds: tight }] });
     const alone = measureDifficulty(scene, tight, QUICK)!;
@@ -87,7 +87,7 @@ describe('the run that is measured', () => {
     }
   });
 
-  it('keeps a hold that goes on beyond the end, as a player would hold on', () => {
+  itQuick('keeps a hold that goes on beyond the end, as a player would hold on', () => {
     const level = shippedLevel('22-vault');
     const scene = compile(level);
     const { tick } = verifyRun(scene, level.runs[0].holds, ANY)!;
@@ -106,7 +106,7 @@ describe('the difficulty', () => {
     expect(measured(2)).not.toEqual(measured(1));
   });
 
-  it('has a forecast of players who aim at the measured run, unless nothing is spent on it', () => {
+  itQuick('has a forecast of players who aim at the measured run, unless nothing is spent on it', () => {
     const { forecast } = measured(1);
     expect(forecast!.players).toBeGreaterThan(2);
     expect(forecast!.attempts).toHaveLength(10);

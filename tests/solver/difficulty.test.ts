@@ -3,8 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { compile, simulate } from '../../engine/index.ts';
 import { GRADE_WORDS, measureDifficulty, successProbability } from '../../solver/index.ts';
 import { type GradeInput, gradeOf } from '../../solver/measure/difficulty/grade.ts';
-import { playAtRandom } from '../../solver/measure/difficulty/random-play.ts';
+import { playAtRandom } from '../../solver/measure/difficulty/luck.ts';
 import { findSigmaAtHalf } from '../../solver/measure/difficulty/sigma-at-half.ts';
+import { itQuick } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 import { shippedLevel } from './shipped-level.ts';
 
@@ -78,7 +79,7 @@ describe('random play', () => {
 });
 
 describe('the difficulty of a run', () => {
-  it('has its sigma at P = 0.5 where P crosses 0.5', () => {
+  itQuick('has its sigma at P = 0.5 where P crosses 0.5', () => {
     const level = shippedLevel('04-slingshot');
     const scene = compile(level);
     const difficulty = measureDifficulty(scene, level.runs[0].holds, { ...QUICK, seed: 5 });
@@ -91,7 +92,7 @@ describe('the difficulty of a run', () => {
     expect(p(ms + 4)).toBeLessThan(0.5);
   });
 
-  it('finds the same sigma, within 4 ms, whatever was measured before', () => {
+  itQuick('finds the same sigma, within 4 ms, whatever was measured before', () => {
     const level = shippedLevel('16-firewalk');
     const scene = compile(level);
     const { holds } = level.runs[0];
@@ -106,13 +107,13 @@ describe('the difficulty of a run', () => {
     expect(findSigmaAtHalf(compile(easy), easy.runs[0].holds, ANY, options)).toMatchObject({ ms: 500, capped: true });
   });
 
-  it('says when the certificate was cut short', () => {
+  itQuick('says when the certificate was cut short', () => {
     const level = shippedLevel('16-firewalk');
     const { robustness } = measureDifficulty(compile(level), level.runs[0].holds, { ...QUICK, samples: 40, games: 40 })!;
     expect(robustness).toMatchObject({ certifiedTicks: 2, decided: false });
   });
 
-  it('takes its numbers from the run', () => {
+  itQuick('takes its numbers from the run', () => {
     const level = shippedLevel('03-let-go');
     const { holds } = level.runs[0];
     const difficulty = measureDifficulty(compile(level), holds, QUICK)!;
@@ -127,7 +128,7 @@ describe('the difficulty of a run', () => {
     expect(measureDifficulty(compile(shippedLevel('03-let-go')), [], QUICK)).toBeNull();
   });
 
-  it("looks for better runs than the level has, and keeps the level's where it finds none", () => {
+  itQuick("looks for better runs than the level has, and keeps the level's where it finds none", () => {
     // Too little effort for a search from nothing.
     const little = { ...QUICK, effort: 100 };
     const level = shippedLevel('12-detour');
@@ -137,7 +138,7 @@ describe('the difficulty of a run', () => {
     expect(mineralsExtra!.run.minerals).toHaveLength(level.minerals.length);
   });
 
-  it('looks for a run when none is given, and compares it with one that collects all minerals', () => {
+  itQuick('looks for a run when none is given, and compares it with one that collects all minerals', () => {
     const level = shippedLevel('02-first-swing');
     const difficulty = measureDifficulty(compile(level), null, { ...QUICK, effort: 400_000 })!;
     expect(difficulty.run.holds.length).toBeGreaterThan(0);

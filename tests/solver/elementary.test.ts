@@ -1,7 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { exponential, logarithm } from '../../solver/measure/difficulty/player/elementary.ts';
-import { normalQuantile } from '../../solver/measure/difficulty/player/normal-quantile.ts';
+import { exponential, logarithm, normalQuantile } from '../../solver/measure/difficulty/player/elementary.ts';
 import { normalBeyondHalf } from '../../solver/measure/robustness/index.ts';
 
 describe('the portable exponential and logarithm', () => {

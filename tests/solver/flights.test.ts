@@ -4,9 +4,8 @@ import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../
 import { THEME_NAMES } from '../../solver/index.ts';
 import { drawFlights } from '../../solver/make/generate/flights.ts';
 import { specOf } from '../../solver/make/generate/generator-spec.ts';
-import { emptyLayout, type Layout } from '../../solver/make/generate/layout.ts';
+import { emptyLayout, type Layout, takesOver } from '../../solver/make/generate/layout.ts';
 import { toLevel } from '../../solver/make/generate/level-file.ts';
-import { takesOver } from '../../solver/make/generate/takes-over.ts';
 import { Site, THEMES } from '../../solver/make/generate/themes/index.ts';
 import { createRandom } from '../../solver/random.ts';
 import { expectDeep } from '../depth.ts';

@@ -1,13 +1,19 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type AccuracyName, boxCircleGap, boxOf, compile, createSimulation, simulate, TICK } from '../../engine/index.ts';
-import { DEFAULT_RULES, type Hold, type Level, NO_OBJECTS, type OwnRules, rulesOf } from '../../schema/index.ts';
+import { DEFAULT_RULES, type Disc, type Hold, type Level, NO_OBJECTS, type OwnRules, rulesOf } from '../../schema/index.ts';
 import { afterChase, type Chaser } from '../../solver/verify/chasers.ts';
-import { claimOf, type Play } from '../../solver/verify/claim.ts';
-import { accelerations, advance, type Box, placesWithin, type Rectangle, withPlacesBefore } from '../../solver/verify/doomed.ts';
+import { claimOf, mouthsOf, type Play } from '../../solver/verify/claim.ts';
+import {
+  accelerations,
+  advance,
+  placesWithin,
+  type Rectangle,
+  type StateBox,
+  withPlacesBefore,
+} from '../../solver/verify/doomed.ts';
 import { offLine } from '../../solver/verify/fall.ts';
-import { mouthsOf } from '../../solver/verify/mouths.ts';
-import { type Circle, turnedScene } from '../../solver/verify/turned-scene.ts';
+import { turnedScene } from '../../solver/verify/turned-scene.ts';
 import { expectDeep } from '../depth.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { accuracyNames } from '../levels/shipped-pack.ts';
@@ -365,7 +371,7 @@ describe('arcade-fall: on the way to the centre rounding takes her no farther of
 });
 
 /** Whether a disc overlaps a rectangle, or nearly so. */
-const isNear = ({ x, y, radius }: Circle, way: Rectangle): boolean =>
+const isNear = ({ x, y, radius }: Disc, way: Rectangle): boolean =>
   Math.hypot(Math.max(0, way.x[0] - x, x - way.x[1]), Math.max(0, way.y[0] - y, y - way.y[1])) < radius + 1e-6;
 
 /** The displacement of each wormhole, in either direction. */
@@ -445,7 +451,7 @@ describe('pushes: after some ticks her state is within what the pushes at the pl
           const [x, y, vx, vy] = all[i].s;
           // At the speed limit there is no proof.
           if (Math.hypot(vx, vy) + push * (seconds + TICK) > speedLimit) break;
-          const box: Box = { x: about(x), y: about(y), vx: about(vx), vy: about(vy) };
+          const box: StateBox = { x: about(x), y: about(y), vx: about(vx), vy: about(vy) };
           const way = placesWithin(box, seconds, push);
           if (scene.mouths.some((mouth) => isNear(mouth, way))) continue;
           // Nothing has pushed her before the start.

@@ -7,7 +7,7 @@ import { followOrbits } from '../../solver/prove/orbits/index.ts';
 import { NUMBERS } from '../../solver/prove/orbits/layer.ts';
 import { atan2, cos, sin } from '../../solver/prove/orbits/trigonometry.ts';
 import { settingOf, thingOf } from '../../solver/prove/setting.ts';
-import { expectDeep } from '../depth.ts';
+import { expectDeep, itQuick } from '../depth.ts';
 import { real } from '../real.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 
@@ -170,7 +170,7 @@ describe.each(Object.keys(FORCES))('each state of the engine lies in a box: %s',
 });
 
 describe('a proof', () => {
-  it('is found where neither doomed nor flowpipe finds one, at precise only', () => {
+  itQuick('is found where neither doomed nor flowpipe finds one, at precise only', () => {
     const proof = proveImpossible(LEVELS.orbits, { accuracy: 'precise' });
     expect(proof).toMatchObject({ code: 'orbits', covers: ['precise'], maxTime: null });
     expect(proof?.reason).toContain('at the edge of the range');
@@ -179,7 +179,7 @@ describe('a proof', () => {
     expect(proveImpossible(LEVELS.orbits, { accuracy: 'standard' })).toBeNull();
   });
 
-  it('has a picture in which every place of a run is marked', () => {
+  itQuick('has a picture in which every place of a run is marked', () => {
     const proof = proveBy('orbits', LEVELS.orbits, HOLE);
     if (proof === null) throw new Error('expected a proof');
     const squares = proofPicture(LEVELS.orbits, proof).lines.filter(({ role }) => role === 'reach');

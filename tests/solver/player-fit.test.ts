@@ -12,7 +12,7 @@ import {
   verifyRun,
 } from '../../solver/index.ts';
 import { Evidence } from '../../solver/measure/difficulty/player/evidence.ts';
-import { practiceTable, timeRun } from '../../solver/measure/difficulty/player/timing.ts';
+import { practiceTable, timeRun } from '../../solver/measure/difficulty/player/player.ts';
 import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;

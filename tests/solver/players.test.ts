@@ -3,8 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { compile, joinHolds } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { createPlayers, type PlayerParameters, playAsPlayers, UNCALIBRATED, verifyRun } from '../../solver/index.ts';
-import { practise } from '../../solver/measure/difficulty/player/timing.ts';
+import { practise } from '../../solver/measure/difficulty/player/player.ts';
 import { createTrials, judgeAll, shiftHolds, tickNoise } from '../../solver/measure/robustness/index.ts';
+import { itQuick } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 import { shippedLevel } from './shipped-level.ts';
 
@@ -53,7 +54,7 @@ describe('synthetic players', () => {
     }
   });
 
-  it('pass as often as all pairs of errors together, each with its probability', () => {
+  itQuick('pass as often as all pairs of errors together, each with its probability', () => {
     // motor noise alone, two edges far apart: every pair of shifts is simulated, none is drawn
     const level = shippedLevel('22-vault');
     const scene = compile(level);
@@ -153,7 +154,7 @@ describe('the errors of a player', () => {
   const play = (parameters: Partial<PlayerParameters>, attempts = 1) =>
     playAsPlayers(scene, holds, ANY, 3000, { parameters: { ...STEADY, ...parameters }, attempts, seed: 8 });
 
-  it('grow with the interval that is timed, up to how far ahead she is seen', () => {
+  itQuick('grow with the interval that is timed, up to how far ahead she is seen', () => {
     // 150 ticks before the press, 285 before the release
     const seen = (weber: number, lookaheadMs: number, edge: number) =>
       deviation(errorsOf(holds, play({ weber, lookaheadMs }), 0, edge));
@@ -168,7 +169,7 @@ describe('the errors of a player', () => {
     expect(releases(60_000) / (100 * Math.SQRT2)).toBeCloseTo(1, 1);
   });
 
-  it('shrink by the power law with practice, but for those of the finger', () => {
+  itQuick('shrink by the power law with practice, but for those of the finger', () => {
     const played = play({ planMs: 300, lookaheadMs: 1, learning: 0.5 }, 4);
     const first = deviation(errorsOf(holds, played, 0, 0));
     // those who have not failed before have practised three times

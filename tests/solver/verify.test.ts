@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
 import { createSearch, type Proof, proveImpossible, proveMineralsUnreachable, verifyProof } from '../../solver/index.ts';
-import { isDeep, itDeep } from '../depth.ts';
+import { isDeep, itDeep, itQuick } from '../depth.ts';
 import { ALSO, at, LEVELS, level } from './impossible-levels.ts';
 
 const proofOf = (name: string): Proof => {
@@ -124,7 +124,7 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
     );
   });
 
-  it('is about nothing else', () => {
+  itQuick('is about nothing else', () => {
     const other = { ...proof, about: { kind: 'mineral', index: 0 } as const };
     expect(verifyProof(LEVELS[code], other).ok).toBe(isTrue(LEVELS[code], other));
     expect(verifyProof(LEVELS[code], { ...proof, about: { kind: 'mineral', index: 2 } }).ok).toBe(false);

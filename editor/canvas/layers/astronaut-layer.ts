@@ -1,9 +1,9 @@
 import type { GameObjects, Scene } from 'phaser';
 import type { Box } from '../../../engine/index.ts';
+import { TEXTURE_UNIT } from '../../../phaser/index.ts';
 import type { Place } from '../../../schema/index.ts';
 import type { Pose } from '../../core/context/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-import { TEXTURE_UNIT } from '../textures/index.ts';
 
 /** px of half the box that her texture is drawn for */
 const DRAWN_WIDTH = 10;

@@ -1,12 +1,11 @@
 import type { Scene } from 'phaser';
-import type { Part } from '../../../phaser/index.ts';
+import { type Part, TEXTURE_UNIT } from '../../../phaser/index.ts';
 import { KINDS, type LevelFile } from '../../../schema/index.ts';
 import type { Pose } from '../../core/context/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf, visibleIn } from '../../core/document/index.ts';
-import { type Figure, ON_CANVAS, put } from '../kinds/index.ts';
-import { TEXTURE_UNIT } from '../textures/index.ts';
-import type { Thing } from '../thing.ts';
+import { type Figure, ON_CANVAS, put } from '../kinds.ts';
 import { ThingLayer } from './thing-layer.ts';
+import type { Thing } from './things.ts';
 
 /** above the grid and its overlays, below everything else */
 const DEPTH = 1;

@@ -12,11 +12,10 @@ import {
 } from '../../core/document/index.ts';
 import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
-import { boxesOf } from '../extent.ts';
+import { boxesOf, type SelectionBox, selectionBox } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
-import { selectionBox } from '../selection-box/index.ts';
+import { drawnBox, handlesOf } from '../selection-handles.ts';
 import { type Point, toLevel, type View } from '../view.ts';
-import { drawSelectionBox } from './draw-selection-box.ts';
 import { Rings } from './rings.ts';
 
 /** px of screen below which grid lines are too close to be drawn */
@@ -38,7 +37,7 @@ const HANDLES = [
 const DASH = 6;
 const MOST_DASHES = 200;
 
-export interface OverlayInput {
+interface OverlayInput {
   readonly file: LevelFile;
   /** The astronaut's box under the rules of the level. */
   readonly her: Box;
@@ -280,5 +279,31 @@ export class OverlayLayer {
       this.above.strokeCircle(x, y, 10 / view.zoom);
     }
     this.above.fillStyle(colourNumber(this.colours.select), 1).fillCircle(x, y, 1.5 / view.zoom);
+  }
+}
+
+/** px of screen: half of the side of a handle, and the radius of the one that turns */
+const HALF = 4;
+const ROUND = 5;
+
+/** Draws the box around the selection with its handles: squares scale it, the circle turns it. */
+function drawSelectionBox(graphics: GameObjects.Graphics, selection: SelectionBox | null, view: View, colour: number): void {
+  if (selection === null) return;
+  const { zoom } = view;
+  const { left, top, right, bottom } = drawnBox(selection, zoom);
+  graphics.lineStyle(1 / zoom, colour, 0.8).strokeRect(left, top, right - left, bottom - top);
+  for (const { handle, at } of handlesOf(selection, view)) {
+    graphics.lineStyle(1.5 / zoom, colour, 1);
+    if (handle.does === 'turn') {
+      graphics.lineBetween(at.x, at.y < top ? at.y + ROUND / zoom : at.y - ROUND / zoom, at.x, at.y < top ? top : bottom);
+      graphics
+        .fillStyle(0xffffff, 1)
+        .fillCircle(at.x, at.y, ROUND / zoom)
+        .strokeCircle(at.x, at.y, ROUND / zoom);
+      continue;
+    }
+    const half = HALF / zoom;
+    graphics.fillStyle(0xffffff, 1).fillRect(at.x - half, at.y - half, 2 * half, 2 * half);
+    graphics.strokeRect(at.x - half, at.y - half, 2 * half, 2 * half);
   }
 }

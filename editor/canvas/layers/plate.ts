@@ -1,4 +1,4 @@
-import { areMoreSeen, extentOf, type Lens, type Marks } from './marks.ts';
+import type { Box } from '../view.ts';
 
 /** frames in which the marks must stay the same before a picture is made */
 const STEADY = 2;
@@ -135,7 +135,7 @@ export class Plate {
   /** Continues a picture of all marks, no larger than the canvas. */
   private makeWhole(marks: Marks, lens: Lens, shift: Shift): void {
     if (this.making === null || !this.making.isWhole || !isAt(this.making, shift)) {
-      const { left, top, right, bottom } = extentOf(marks, lens);
+      const { left, top, right, bottom } = areaOf(marks, lens);
       const share = Math.min(1, this.size.width / (right - left), this.size.height / (bottom - top));
       const { a, b, c, d, e, f, alpha } = lens;
       const far = { a: a * share, b: b * share, c: c * share, d: d * share, e: (e - left) * share, f: (f - top) * share, alpha };
@@ -148,11 +148,11 @@ export class Plate {
   }
 
   /** The visible part of the marks, with a margin if they move. */
-  private clipped(marks: Marks, lens: Lens, shift: Shift): Box {
+  private clipped(marks: Marks, lens: Lens, shift: Shift): Clip {
     const { width, height } = this.size;
     // marks at rest need no margin
     const margin = shift.x === 0 && shift.y === 0 ? 0 : MARGIN;
-    const box = extentOf(marks, lens);
+    const box = areaOf(marks, lens);
     const isWhole = box.left >= -margin && box.top >= -margin && box.right <= width + margin && box.bottom <= height + margin;
     const left = Math.floor(Math.max(box.left, -margin));
     const top = Math.floor(Math.max(box.top, -margin));
@@ -167,7 +167,7 @@ export class Plate {
   }
 
   /** An empty picture. */
-  private begun(lens: Lens, shift: Shift, { left, top, width, height, reach, isWhole }: Box): Picture {
+  private begun(lens: Lens, shift: Shift, { left, top, width, height, reach, isWhole }: Clip): Picture {
     const used = [this.sharp?.canvas, this.whole?.canvas];
     let canvas = this.canvases.find((one) => !used.includes(one));
     if (canvas === undefined) {
@@ -182,7 +182,7 @@ export class Plate {
 }
 
 /** The part of a lens's canvas that a picture shows, px. */
-interface Box extends Pick<Picture, 'left' | 'top' | 'reach' | 'isWhole'>, Size {}
+interface Clip extends Pick<Picture, 'left' | 'top' | 'reach' | 'isWhole'>, Size {}
 
 /** Whether the marks are where they were when the picture was painted. */
 const isAt = ({ shift }: Picture, { x, y }: Shift): boolean => shift.x === x && shift.y === y;
@@ -229,4 +229,70 @@ function lay(context: CanvasRenderingContext2D, picture: Picture, lens: Lens, sh
     grown * (top - picture.lens.f) + lens.f + way.y,
   );
   context.drawImage(canvas, 0, 0);
+}
+
+/** From px of the level to px of a canvas, as a camera's matrix; the camera never rotates. */
+export interface Lens {
+  readonly a: number;
+  readonly b: number;
+  readonly c: number;
+  readonly d: number;
+  readonly e: number;
+  readonly f: number;
+  /** 0 to 1, for everything */
+  readonly alpha: number;
+}
+
+/** The square on the canvas that contains a mark at any rotation. */
+export interface Spot {
+  /** its centre */
+  x: number;
+  y: number;
+  /** half of its side */
+  reach: number;
+}
+
+/** Many things to paint alike: images, rings. Ordered from below to above. */
+export interface Marks {
+  readonly count: number;
+  /** Whether a picture of other marks can be used for these: they are the same, up to a common shift. */
+  looksLike(others: Marks): boolean;
+  spotOf(index: number, lens: Lens, into: Spot): Spot;
+  /** Paints the marks from one index up to another, exclusive. */
+  paint(context: CanvasRenderingContext2D, lens: Lens, from: number, to: number): void;
+}
+
+const spot: Spot = { x: 0, y: 0, reach: 0 };
+
+/** Whether more than `few` of the marks are visible on a canvas. */
+function areMoreSeen(
+  marks: Marks,
+  lens: Lens,
+  { width, height }: { readonly width: number; readonly height: number },
+  few: number,
+): boolean {
+  let seen = 0;
+  for (let i = 0; i < marks.count; i++) {
+    const { x, y, reach } = marks.spotOf(i, lens, spot);
+    if (x + reach >= 0 && x - reach <= width && y + reach >= 0 && y - reach <= height && ++seen > few) return true;
+  }
+  return false;
+}
+
+/** The area that all marks cover, px of the canvas. */
+function areaOf(marks: Marks, lens: Lens): Box {
+  let [left, top, right, bottom] = [
+    Number.POSITIVE_INFINITY,
+    Number.POSITIVE_INFINITY,
+    Number.NEGATIVE_INFINITY,
+    Number.NEGATIVE_INFINITY,
+  ];
+  for (let i = 0; i < marks.count; i++) {
+    const { x, y, reach } = marks.spotOf(i, lens, spot);
+    left = Math.min(left, x - reach);
+    top = Math.min(top, y - reach);
+    right = Math.max(right, x + reach);
+    bottom = Math.max(bottom, y + reach);
+  }
+  return { left, top, right, bottom };
 }

@@ -1,7 +1,6 @@
 import { type Cameras, GameObjects, type Renderer, type Scene, WEBGL } from 'phaser';
 import type { Disc } from '../../../schema/index.ts';
-import type { Lens, Marks, Spot } from './marks.ts';
-import { Plate, type Shift } from './plate.ts';
+import { type Lens, type Marks, Plate, type Shift, type Spot } from './plate.ts';
 
 type Canvas = Renderer.Canvas.CanvasRenderer;
 type Camera = Cameras.Scene2D.Camera;

@@ -1,12 +1,15 @@
 import { type GameObjects, Scene } from 'phaser';
+import { STAR_TILE } from '../../../phaser/index.ts';
 import { COLOURS, colourNumber, type Theme } from '../colours.ts';
-import { STAR_TILE, starsOf } from '../textures/index.ts';
 import type { View } from '../view.ts';
 
 /** the share of the view's motion that a layer of stars follows: less for the farther one */
 const PARALLAX = { far: 0.08, near: 0.22 } as const;
 /** the share of the view's zoom that stars follow */
 const ZOOM_SHARE = 0.15;
+
+/** Phaser keeps copies of the tiles, so each theme has its own, which is never redrawn. */
+export const starsOf = (theme: Theme, layer: 'far' | 'near'): string => `stars-${layer}-${theme}`;
 
 /** The stars behind the level; a scene of its own, as it neither zooms nor moves with the level. */
 export class SpaceScene extends Scene {

@@ -1,7 +1,6 @@
 import { type Cameras, GameObjects, type Renderer, type Scene } from 'phaser';
-import { type Drawn, Thing } from '../thing.ts';
-import { Things } from './draw-things.ts';
 import { Plate, type Shift } from './plate.ts';
+import { type Drawn, Thing, Things } from './things.ts';
 
 type Canvas = Renderer.Canvas.CanvasRenderer;
 type Camera = Cameras.Scene2D.Camera;

@@ -47,7 +47,7 @@ export function clickAt(context: PointerContext, input: Pick<PointerInput, 'plac
   const { unit, hit } = units[index];
   selection.select(unit);
   context.clicks.setState({ place: input.place, isSingle, hit, selected: selection.keys() }, true);
-  if (units.length > 1) context.tell(`${index + 1} of ${units.length} here: ${nameOfUnit(context, unit)}`, input.place);
+  if (units.length > 1) context.say(`${index + 1} of ${units.length} here: ${nameOfUnit(context, unit)}`, input.place);
 }
 
 function nameOfUnit({ document }: PointerContext, unit: Unit): string {

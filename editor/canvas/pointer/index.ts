@@ -1,5 +1,4 @@
 export { clickAgain, clickAt, hitsOf } from './click.ts';
-export { DRAGGED_TOOL, listenToDrops } from './drop.ts';
 export { listenToPointer, type PointerListening } from './listen.ts';
-export { placeFor } from './place-object.ts';
+export { DRAGGED_TOOL, listenToDrops, placeFor } from './place-object.ts';
 export { CLICK_SLOP, type LastClick, type PointerContext, type PointerInput } from './state.ts';

@@ -1,9 +1,7 @@
-import { type Point, toLevel } from '../view.ts';
+import { type Point, panBy, toLevel, type View, zoomAt } from '../view.ts';
 import { enterGroup } from './click.ts';
-import { longPress } from './long-press.ts';
 import { PointerMachine } from './pointer-machine.ts';
-import type { PointerContext, PointerInput } from './state.ts';
-import { pinched, wheeled } from './zoom-gestures.ts';
+import { hasMoved, type PointerContext, type PointerInput } from './state.ts';
 
 const MODIFIERS: readonly string[] = ['Shift', 'Alt', 'Control', 'Meta'];
 
@@ -55,7 +53,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
   });
   const onDown = (event: PointerEvent) => {
     if (!enabled()) return;
-    context.canvas.setState({ told: null });
+    context.canvas.setState({ message: null });
     element.focus({ preventScroll: true });
     element.setPointerCapture(event.pointerId);
     if (event.pointerType === 'touch') {
@@ -162,3 +160,62 @@ const modifiersOf = (event: MouseEvent | KeyboardEvent): Pick<PointerInput, 'shi
   alt: event.altKey,
   mod: event.ctrlKey || event.metaKey,
 });
+
+/** ms that a finger must rest to open the menu */
+const LONG = 500;
+
+interface LongPress {
+  begin(input: PointerInput): void;
+  /** A finger that moves does something else. */
+  move(input: PointerInput): void;
+  end(): void;
+}
+
+/** Calls back when a finger rests where it was put down. */
+function longPress(call: (input: PointerInput) => void): LongPress {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let from: PointerInput | null = null;
+  const end = () => {
+    clearTimeout(timer);
+    from = null;
+  };
+  return {
+    begin(input) {
+      end();
+      from = input;
+      timer = setTimeout(() => {
+        from = null;
+        call(input);
+      }, LONG);
+    },
+    move(input) {
+      if (from !== null && hasMoved(from, input)) end();
+    },
+    end,
+  };
+}
+
+/** zoom factor per px of wheel */
+const WHEEL_ZOOM = 1.0015;
+/** px of a wheel line, as some mice report */
+const WHEEL_LINE = 16;
+
+/** The view after two fingers have moved from two points of the screen to two others. */
+function pinched(view: View, [a, b]: readonly Point[], [c, d]: readonly Point[]): View {
+  const middle = (p: Point, q: Point) => ({ x: (p.x + q.x) / 2, y: (p.y + q.y) / 2 });
+  const apart = (p: Point, q: Point) => Math.max(1, Math.hypot(p.x - q.x, p.y - q.y));
+  const [from, to] = [middle(a, b), middle(c, d)];
+  return zoomAt(panBy(view, to.x - from.x, to.y - from.y), to, apart(c, d) / apart(a, b));
+}
+
+/**
+ * The view after a turn of the wheel: zoomed at the pointer, with Shift moved sideways. @param at returns the pointer's
+ * position, called only if needed
+ */
+function wheeled(view: View, event: WheelEvent, at: () => Point): View {
+  const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? WHEEL_LINE : 1;
+  if (event.shiftKey && !event.ctrlKey) return panBy(view, -(event.deltaX + event.deltaY) * unit, 0);
+  // a pinch on a touchpad is reported as a wheel with Ctrl, in small steps
+  const factor = WHEEL_ZOOM ** (-event.deltaY * unit * (event.ctrlKey ? 6 : 1));
+  return zoomAt(view, at(), factor);
+}

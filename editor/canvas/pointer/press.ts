@@ -1,15 +1,13 @@
-import { type ObjectKey, unitOf } from '../../core/document/index.ts';
-import { type Hit, hitTest, REACH } from '../hit-test.ts';
-import { cursorOf, type Grip, handleAt, selectionBox } from '../selection-box/index.ts';
+import { type ObjectKey, unitOf, withGroups } from '../../core/document/index.ts';
+import { selectionBox } from '../extent.ts';
+import { type Hit, hitTest, objectsIn, REACH } from '../hit-test.ts';
+import { cursorOf, type Grip, handleAt } from '../selection-handles.ts';
+import { panBy } from '../view.ts';
 import { clickAt, lastClickAt } from './click.ts';
-import { drawingMarquee } from './marquee.ts';
+import { resizingObjects, scalingSelection, turningSelection } from './drag-handles.ts';
 import { movingObjects } from './move-objects.ts';
-import { panning } from './pan.ts';
 import { placingObject } from './place-object.ts';
-import { resizingObjects } from './resize-objects.ts';
-import { scalingSelection } from './scale-selection.ts';
 import { hasMoved, type PointerContext, type PointerInput, type PointerState } from './state.ts';
-import { turningSelection } from './turn-selection.ts';
 
 /**
  * A press on an object: a click selects it with its group, a drag moves the selection, or resizes it if the rim was grabbed. With
@@ -111,4 +109,56 @@ export function hovered(context: PointerContext, input: PointerInput): { key: Ob
   );
   if (hit === null) return { key: null, cursor: 'default' };
   return { key: hit.key, cursor: hit.part === 'rim' ? 'nwse-resize' : 'grab' };
+}
+
+/** Selects what lies in a rectangle, with whole groups; with Shift it is added to the selection. */
+function drawingMarquee(context: PointerContext, from: PointerInput): PointerState {
+  const { document, selection, canvas } = context;
+  const before: readonly ObjectKey[] = selection.keys();
+  return {
+    name: 'marquee',
+    cursor: 'crosshair',
+    move({ place, shift }) {
+      const box = {
+        left: Math.min(from.place.x, place.x),
+        top: Math.min(from.place.y, place.y),
+        right: Math.max(from.place.x, place.x),
+        bottom: Math.max(from.place.y, place.y),
+      };
+      canvas.setState({ marquee: box });
+      const file = document.file();
+      selection.select([...(shift ? before : []), ...withGroups(file, objectsIn(file, context.her(), box))]);
+      return undefined;
+    },
+    up() {
+      canvas.setState({ marquee: null });
+      return undefined;
+    },
+    cancel() {
+      canvas.setState({ marquee: null });
+      selection.select(before);
+    },
+  };
+}
+
+/** Moves the view; the right button opens the menu of the place if it is released where it was pressed. */
+function panning(context: PointerContext, from: PointerInput): PointerState {
+  const before = context.view();
+  let isDrag = false;
+  return {
+    name: 'panning',
+    cursor: 'grabbing',
+    move(input) {
+      isDrag ||= hasMoved(from, input);
+      if (!isDrag) return undefined;
+      const { screen } = input;
+      context.setView(panBy({ ...context.view(), x: before.x, y: before.y }, screen.x - from.screen.x, screen.y - from.screen.y));
+      return undefined;
+    },
+    up() {
+      if (from.button === 2 && !isDrag) context.openMenu(from.place, from.screen);
+      return undefined;
+    },
+    cancel: () => context.setView({ ...context.view(), x: before.x, y: before.y }),
+  };
 }

@@ -2,9 +2,8 @@ import type { StoreApi } from 'zustand/vanilla';
 import type { Box as HerBox } from '../../../engine/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../../core/document/index.ts';
 import type { Tool } from '../../core/session/index.ts';
-import type { CanvasState } from '../canvas-state.ts';
+import type { CanvasState, Measure } from '../canvas-state.ts';
 import type { Device, Hit } from '../hit-test.ts';
-import type { Measure } from '../measure.ts';
 import type { SnapOptions } from '../snapping.ts';
 import type { Point, View } from '../view.ts';
 
@@ -57,7 +56,7 @@ export interface PointerContext {
   /** Shows figures of the gesture in progress; they are not read out. */
   measure(measures: readonly Measure[]): void;
   /** Says something beside a place, until the next press. */
-  tell(words: string, at: Point): void;
+  say(words: string, at: Point): void;
   /** Shows why a change was refused. */
   refused(message: string): void;
 }

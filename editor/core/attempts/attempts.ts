@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { outcomeAsPredicate, type RunEnd } from '../../../check/words/index.ts';
+import type { FailureCause } from '../../../check/plays/index.ts';
+import { bodyInWords, outcomeAsPredicate, type RunEnd } from '../../../check/words/index.ts';
 import { type AccuracyName, TICK } from '../../../engine/index.ts';
 import type { Hold, LevelFile, OwnRules } from '../../../schema/index.ts';
 import { keptWith } from '../kept/index.ts';
@@ -24,7 +25,7 @@ export interface Attempt {
 }
 
 /** A play as a file, and the level that it was played on. */
-export interface PlayedOn {
+interface PlayedOn {
   /** The content of its `.gqr` file. */
   readonly bytes: Uint8Array;
   /** The hash of the level, which does not depend on its name or runs. */
@@ -99,3 +100,11 @@ export const attemptsAt = keptWith<object, Attempts>(createAttempts);
 /** How an attempt ended, in words: `collides with nova 3 at 3.22 s`, `was left at 3.20 s`. @param range of the level, px */
 export const attemptInWords = ({ end, tick }: Pick<Attempt, 'end' | 'tick'>, range: number): string =>
   end === null ? `was left at ${(tick * TICK).toFixed(2)} s` : outcomeAsPredicate(end, range);
+
+/** Why she fails, to follow "she": `hits nova 3`, `is lost`. */
+export const causeInWords = ({ kind, index }: FailureCause): string => {
+  if (index !== null) return `hits ${bodyInWords({ kind, index })}`;
+  if (kind === 'lost') return 'is lost';
+  if (kind === 'timeout') return 'runs out of time';
+  return kind === 'left' ? 'is left before the end' : 'collects too few minerals';
+};

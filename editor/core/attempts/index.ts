@@ -1,4 +1,3 @@
 export { type AttemptKeeper, createAttemptKeeper } from './attempt-keeper.ts';
-export { type Attempt, type Attempts, attemptInWords, attemptsAt } from './attempts.ts';
-export { causeInWords } from './cause-in-words.ts';
-export { openIndexedDbAttempts } from './indexed-db-attempts.ts';
+export { openIndexedDbAttempts } from './attempt-store.ts';
+export { type Attempt, type Attempts, attemptInWords, attemptsAt, causeInWords } from './attempts.ts';

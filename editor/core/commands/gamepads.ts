@@ -1,8 +1,8 @@
-/** Buttons of the standard gamepad layout that start commands, by index: https://www.w3.org/TR/gamepad/#remapping */
-const INDICES = { A: 0, Select: 8, Start: 9, Up: 12, Down: 13, Left: 14, Right: 15 } as const;
+import { type Commands, needsOf, type PadButton } from './commands.ts';
+import { MODAL } from './keyboard.ts';
 
-/** A button of a gamepad with a name; the stick counts as the directions. */
-export type PadButton = keyof typeof INDICES;
+/** Buttons of the standard gamepad layout that start commands, by index: https://www.w3.org/TR/gamepad/#remapping */
+const INDICES: Readonly<Record<PadButton, number>> = { A: 0, Select: 8, Start: 9, Up: 12, Down: 13, Left: 14, Right: 15 };
 
 /** The face buttons, shoulders and triggers hold the gun, as in the game; the others are for menus. */
 const LAST_GUN_BUTTON = 7;
@@ -11,7 +11,7 @@ const LAST_GUN_BUTTON = 7;
 const TILTED = 0.6;
 
 /** A button that went down or up. */
-export interface PadPress {
+interface PadPress {
   /** Unique among all buttons of all gamepads. */
   readonly source: string;
   readonly isDown: boolean;
@@ -88,4 +88,19 @@ export function followGamepads(page: PadPage, onPress: (press: PadPress) => void
     if (frame !== null) page.cancelAnimationFrame(frame);
     releaseAllBut(new Map());
   };
+}
+
+/**
+ * Runs commands by buttons of gamepads.
+ * @param mode the current mode
+ * @returns stops listening
+ */
+export function listenToPads(page: Window, commands: Commands, mode: () => 'edit' | 'play'): () => void {
+  return followGamepads(page, ({ name, isDown }) => {
+    if (!isDown || name === null || page.document.querySelector(MODAL) !== null) return;
+    const command = commands
+      .all()
+      .find((one) => one.pad === name && [mode(), 'both'].includes(one.mode ?? 'edit') && needsOf(one) === null);
+    command?.run();
+  });
 }

@@ -1,7 +1,7 @@
 import type { StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../../schema/index.ts';
 import type { Desk } from '../ask/index.ts';
-import type { AttemptKeeper, Attempts } from '../attempts/index.ts';
+import type { Attempt, AttemptKeeper, Attempts } from '../attempts/index.ts';
 import type { Commands } from '../commands/index.ts';
 import type { EditedLevel, ObjectKey, SelectionStore } from '../document/index.ts';
 import type { OpenedLevel, OpeningMarks, Workspace } from '../files/index.ts';
@@ -12,8 +12,6 @@ import type { SessionStore } from '../session/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
 import type { TermsStore } from '../terms/index.ts';
 import type { VersionKeeper } from '../versions/index.ts';
-import type { Ghost } from './ghost.ts';
-import type { Pose } from './pose.ts';
 
 /** The robustness of a run. It is only valid for these holds. */
 export interface Analysis {
@@ -78,4 +76,47 @@ export interface Editor {
   readonly desk: Desk;
   /** null while no level is open */
   readonly open: StoreApi<OpenLevel | null>;
+}
+
+/** The positions of everything that moves at one moment of a run, in px. */
+export interface Pose {
+  readonly x: number;
+  readonly y: number;
+  /** The direction of the box's x axis, a unit vector. */
+  readonly cos: number;
+  readonly sin: number;
+  /** Where the gun pulls; null while it is not held or there is no target. */
+  readonly beamTo: { readonly x: number; readonly y: number } | null;
+  /** x, y, alive (1 or 0) of every alien; null: as in the level */
+  readonly aliens: Float64Array | null;
+  /** x, y of every asteroid; null: as in the level */
+  readonly asteroids: Float64Array | null;
+  /** Indices of the collected minerals. */
+  readonly collected: ReadonlySet<number>;
+}
+
+/** A path beside that of the run: an attempt, a candidate, a part of the slack fan, an attempt or play that is selected. */
+export interface Ghost {
+  readonly id: string;
+  readonly label: string;
+  /** x, y in px, two entries per tick */
+  readonly points: Float32Array;
+  readonly look: 'attempt' | 'candidate' | 'slack' | 'selected';
+}
+
+/** So many attempts are lines on the canvas. */
+const SHOWN = 24;
+
+/** The latest attempts as ghosts on the canvas. */
+export function attemptGhosts(attempts: readonly Attempt[]): Ghost[] {
+  return attempts
+    .slice(-SHOWN)
+    .map(({ number, points }) => ({ id: `attempt-${number}`, label: `attempt ${number}`, points, look: 'attempt' }));
+}
+
+/** Replaces the ghosts of one look; those of other looks stay. */
+export function putGhosts(ghosts: StoreApi<readonly Ghost[]>, look: Ghost['look'], wanted: readonly Ghost[]): void {
+  const now = ghosts.getState();
+  const others = now.filter((ghost) => ghost.look !== look);
+  if (wanted.length > 0 || others.length < now.length) ghosts.setState([...others, ...wanted], true);
 }

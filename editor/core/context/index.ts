@@ -1,22 +1,20 @@
 export {
   EditorContext,
   LevelContext,
+  ofLevel,
+  PerLevel,
+  perLevel,
   useDocument,
   useEditor,
   useFolderTerms,
   useLevel,
+  useLevelKey,
   usePageTerms,
   useProof,
   useProofAtRest,
   useProofInPace,
   useSelectedKeys,
   useSession,
-} from './context.ts';
-export type { Analysis, Editor, OpenLevel } from './editor.ts';
-export { attemptGhosts, type Ghost, putGhosts } from './ghost.ts';
-export { ofLevel } from './of-level.ts';
-export { PerLevel, perLevel, useLevelKey } from './PerLevel.tsx';
-export { usePageTheme } from './page-theme.ts';
-export { IS_MAC } from './platform.ts';
-export type { Pose } from './pose.ts';
-export { useTouch } from './use-touch.ts';
+} from './context.tsx';
+export { FINGER, IS_MAC, mediaOf, useCoarse, useMedia, usePageTheme, useTouch } from './device.ts';
+export { type Analysis, attemptGhosts, type Editor, type Ghost, type OpenLevel, type Pose, putGhosts } from './editor.ts';

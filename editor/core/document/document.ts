@@ -1,12 +1,19 @@
 import { freeze, produce } from 'immer';
 import { createStore } from 'zustand/vanilla';
 import { isSame, type LevelFile, OBJECT_LISTS } from '../../../schema/index.ts';
-import type { ChangeResult, DocumentEvent, DocumentState, EditedLevel, Gesture, Recipe, StepMark } from './edited-level.ts';
-import { History } from './history.ts';
-import { createListeners } from './listeners.ts';
+import {
+  type ChangeResult,
+  createListeners,
+  type DocumentEvent,
+  type DocumentState,
+  type EditedLevel,
+  type Gesture,
+  type Recipe,
+  type StepMark,
+} from './edited-level.ts';
+import { normalize } from './normalize.ts';
 import { objectsOf } from './objects.ts';
 import { applyPatches, diffFiles, type Patch } from './patch.ts';
-import { settle } from './settle.ts';
 
 /** The last step while it may be extended. */
 interface Growing {
@@ -44,7 +51,7 @@ function addedKeys(before: LevelFile, after: LevelFile): string[] {
  * @throws RangeError if the file is not a valid level
  */
 export function createEditedLevel(file: LevelFile): EditedLevel {
-  const first = settle(file, null);
+  const first = normalize(file, null);
   if (!first.ok) throw new RangeError(`not a valid level: ${first.refusal.message}`);
 
   const history = new History();
@@ -94,19 +101,19 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   };
 
   const put = (how: DocumentEvent['how'], label: string, next: LevelFile, gesture: string | null): ChangeResult => {
-    const settled = settle(next, current);
-    if (!settled.ok) return settled;
+    const normalized = normalize(next, current);
+    if (!normalized.ok) return normalized;
     const before = current;
-    const patches = diffFiles(before, settled.file);
+    const patches = diffFiles(before, normalized.file);
     if (patches.length === 0) return { ok: true, added: [] };
     if (gesture !== null && growing?.gesture === gesture && history.mayGrow) {
-      recordAgain(label, growing.before, settled.file);
+      recordAgain(label, growing.before, normalized.file);
     } else {
-      record(label, before, settled.file, patches);
+      record(label, before, normalized.file, patches);
       growing = gesture === null ? null : { gesture, before };
     }
-    steps.call(show(changed(how, label, growing?.before ?? before, before, settled.file, patches)));
-    return { ok: true, added: addedKeys(before, settled.file) };
+    steps.call(show(changed(how, label, growing?.before ?? before, before, normalized.file, patches)));
+    return { ok: true, added: addedKeys(before, normalized.file) };
   };
 
   const step = (kind: 'undo' | 'redo'): boolean => {
@@ -130,11 +137,11 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
       if (!isLive()) return { ok: true, added: [] };
       const { main, also } = wanted;
       const made = main === null ? start : produce(start, (draft) => void main(draft));
-      const settled = settle(also === null ? made : produce(made, (draft) => void also(draft)), start);
-      if (!settled.ok) return settled;
+      const normalized = normalize(also === null ? made : produce(made, (draft) => void also(draft)), start);
+      if (!normalized.ok) return normalized;
       recipes = wanted;
-      if (!isSame(current, settled.file)) show(changed('edited', label, start, current, settled.file, null));
-      return { ok: true, added: addedKeys(start, settled.file) };
+      if (!isSame(current, normalized.file)) show(changed('edited', label, start, current, normalized.file, null));
+      return { ok: true, added: addedKeys(start, normalized.file) };
     };
     const gesture: Gesture = {
       get isLive() {
@@ -158,23 +165,23 @@ export function createEditedLevel(file: LevelFile): EditedLevel {
   const amend = (step: StepMark, recipe: Recipe): ChangeResult => {
     if (open !== null || last?.mark !== step || !history.mayGrow) return NOT_LAST;
     const { label, before: start } = last;
-    const settled = settle(
+    const normalized = normalize(
       produce(current, (draft) => void recipe(draft)),
       current,
     );
-    if (!settled.ok) return settled;
-    const patches = diffFiles(current, settled.file);
+    if (!normalized.ok) return normalized;
+    const patches = diffFiles(current, normalized.file);
     if (patches.length === 0) return { ok: true, added: [] };
-    const added = addedKeys(current, settled.file);
-    history.recordAgain(label, start, settled.file);
-    steps.call(show(changed('amended', label, start, current, settled.file, patches)));
+    const added = addedKeys(current, normalized.file);
+    history.recordAgain(label, start, normalized.file);
+    steps.call(show(changed('amended', label, start, current, normalized.file, patches)));
     return { ok: true, added };
   };
 
   return {
     store,
     file: () => current,
-    settledFile: () => open?.start ?? current,
+    committedFile: () => open?.start ?? current,
     change(label, recipe, { gesture } = {}) {
       endGesture();
       return put(
@@ -228,4 +235,64 @@ function changed(
       return patches;
     },
   };
+}
+
+interface Step {
+  readonly label: string;
+  readonly patches: readonly Patch[];
+  readonly inverse: readonly Patch[];
+}
+
+/** The steps that led to a level, and those that were undone. Steps are only added at the end. */
+class History {
+  private readonly steps: Step[] = [];
+  private count = 0;
+
+  /** The number of steps done. */
+  get done(): number {
+    return this.count;
+  }
+
+  get length(): number {
+    return this.steps.length;
+  }
+
+  get undoLabel(): string | null {
+    return this.count > 0 ? this.steps[this.count - 1].label : null;
+  }
+
+  get redoLabel(): string | null {
+    return this.count < this.steps.length ? this.steps[this.count].label : null;
+  }
+
+  /** The labels of all steps, oldest first. */
+  labels(): string[] {
+    return this.steps.map(({ label }) => label);
+  }
+
+  /** Adds a step and discards the undone ones. @param patches from `before` to `after` */
+  record(label: string, before: LevelFile, after: LevelFile, patches: readonly Patch[]): void {
+    this.steps.length = this.count;
+    this.steps.push({ label, patches, inverse: diffFiles(after, before) });
+    this.count++;
+  }
+
+  /** Whether the last step may be extended: there is one, and nothing was undone after it. */
+  get mayGrow(): boolean {
+    return this.count === this.steps.length && this.count > 0;
+  }
+
+  /** Replaces the last step by one from `before` to `after`. */
+  recordAgain(label: string, before: LevelFile, after: LevelFile): void {
+    this.count--;
+    this.record(label, before, after, diffFiles(before, after));
+  }
+
+  /** Undoes or redoes a step. @returns its label and the patches to apply; null if there is none */
+  go(kind: 'undo' | 'redo'): { readonly label: string; readonly patches: readonly Patch[] } | null {
+    const step = this.steps[kind === 'undo' ? this.count - 1 : this.count];
+    if (step === undefined) return null;
+    this.count += kind === 'undo' ? -1 : 1;
+    return { label: step.label, patches: kind === 'undo' ? step.inverse : step.patches };
+  }
 }

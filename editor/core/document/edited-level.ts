@@ -1,9 +1,10 @@
 import type { StoreApi } from 'zustand/vanilla';
-import type { LevelFile } from '../../../schema/index.ts';
+import { formatLevel, type LevelFile } from '../../../schema/index.ts';
+import { keptWith } from '../kept/index.ts';
+import type { Refusal } from './normalize.ts';
 import type { Patch } from './patch.ts';
-import type { Refusal } from './settle.ts';
 
-/** Changes a draft of the file in place, as with immer. The result is settled, so numbers may be out of range. */
+/** Changes a draft of the file in place, as with immer. The result is normalized, so numbers may be out of range. */
 export type Recipe = (draft: LevelFile) => void;
 
 export interface DocumentState {
@@ -67,7 +68,7 @@ export interface EditedLevel {
   readonly store: StoreApi<DocumentState>;
   file(): LevelFile;
   /** The file as it was before a gesture in progress, else the current file: the version to keep and save. */
-  settledFile(): LevelFile;
+  committedFile(): LevelFile;
   /**
    * Makes one step of the history. If the last step has the same `gesture` and is not sealed, it is extended instead: keys held
    * down, letters typed.
@@ -99,4 +100,28 @@ export interface EditedLevel {
   subscribe(listener: (event: DocumentEvent) => void): () => void;
   /** Calls back on every change to keep: changes outside gestures, committed gestures, undo and redo. @returns stops it */
   onStep(listener: (event: DocumentEvent) => void): () => void;
+}
+
+/** The canonical text of a level file. It is made once: saving, telling other tabs and recording need the same one. */
+export const levelText = keptWith((file: LevelFile) => formatLevel(file));
+
+/** The listeners for events of one kind. */
+interface Listeners<E> {
+  /** @returns removes it */
+  add(listener: (event: E) => void): () => void;
+  /** Calls all current listeners. */
+  call(event: E): void;
+}
+
+export function createListeners<E>(): Listeners<E> {
+  const all = new Set<(event: E) => void>();
+  return {
+    add(listener) {
+      all.add(listener);
+      return () => all.delete(listener);
+    },
+    call(event) {
+      for (const listener of [...all]) listener(event);
+    },
+  };
 }

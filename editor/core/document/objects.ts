@@ -1,10 +1,15 @@
 import { current, isDraft, original } from 'immer';
 import {
+  fieldsOf,
+  KINDS,
   kindOfList,
   type LevelFile,
+  OBJECT_KINDS,
   OBJECT_LISTS,
   type ObjectKind,
   type ObjectList,
+  type Place,
+  placesIn,
   SINGLE_KINDS,
   type SingleKind,
 } from '../../../schema/index.ts';
@@ -140,4 +145,48 @@ export function changeObjects(
       ),
     ) as never;
   }
+}
+
+type Numbers = Record<string, number>;
+
+/** The places of an object: one for most kinds; for kinds with several, the first is its `x` and `y`. */
+export const placesOf = ({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): readonly Place[] => placesIn(kind, object);
+
+/**
+ * A copy of an object with changed places.
+ * @param change returns the new place
+ * @param only index of the only place to change; all of them if absent
+ */
+export function withPlaces<T extends PlacedObject>(
+  kind: ObjectKind,
+  object: T,
+  change: (place: Place, index: number) => Place,
+  only?: number,
+): T {
+  const changed = { ...object };
+  const numbers = changed as unknown as Numbers;
+  for (const [i, [x, y]] of KINDS[kind].places.entries()) {
+    if (only !== undefined && i !== only) continue;
+    const place = change({ x: numbers[x], y: numbers[y] }, i);
+    numbers[x] = place.x;
+    numbers[y] = place.y;
+  }
+  return changed;
+}
+
+/** A copy of an object, moved by `dx`, `dy` px. @param only index of the only place to move; all of them if absent */
+export const shifted = <T extends PlacedObject>(kind: ObjectKind, object: T, dx: number, dy: number, only?: number): T =>
+  withPlaces(kind, object, ({ x, y }) => ({ x: x + dx, y: y + dy }), only);
+
+/** the default radii, px; null for kinds whose radius is required */
+const USUAL = Object.fromEntries(
+  OBJECT_KINDS.map((kind) => {
+    const field = fieldsOf(kind).find(([name]) => name === KINDS[kind].radius)?.[1];
+    return [kind, field?.type === 'number' ? (field.default ?? null) : null];
+  }),
+) as Readonly<Record<ObjectKind, number | null>>;
+
+/** The radius of an object in px, its default if the file has none; null for the astronaut, who is a box. */
+export function radiusOf({ kind, object }: Pick<FoundObject, 'kind' | 'object'>): number | null {
+  return KINDS[kind].radius === null ? null : (object.radius ?? USUAL[kind]);
 }

@@ -1,5 +1,7 @@
+import { fileOpen, fileSave } from 'browser-fs-access';
 import { renderSvg } from '../../../picture/index.ts';
 import { formatLevel, type LevelFile } from '../../../schema/index.ts';
+import type { Notices } from '../notices/index.ts';
 import type { LiveProof } from '../proof/index.ts';
 
 /** A file to save. */
@@ -14,7 +16,7 @@ export function levelFile(id: string, file: LevelFile): ExportedFile {
   return { name, blob: new Blob([formatLevel(file)], { type: 'application/json' }) };
 }
 
-export interface PictureOptions {
+interface PictureOptions {
   readonly theme: 'dark' | 'light';
   /** px */
   readonly width: number;
@@ -52,5 +54,47 @@ export async function toPng(svg: string, scale = 2): Promise<Blob> {
     });
   } finally {
     URL.revokeObjectURL(image.src);
+  }
+}
+
+/** What a dialog of the browser gives; null if the user closed it. */
+export async function unlessClosed<T>(dialog: Promise<T>): Promise<T | null> {
+  try {
+    return await dialog;
+  } catch (error) {
+    if (error instanceof DOMException && error.name === 'AbortError') return null;
+    throw error;
+  }
+}
+
+/** Lets the user choose level files. @returns null if none were chosen */
+export const chooseFiles = (): Promise<readonly File[] | null> =>
+  unlessClosed(fileOpen({ description: 'levels', mimeTypes: ['application/json'], extensions: ['.json'], multiple: true }));
+
+/** Saves a file for the user, by a dialog or as a download. @returns whether it was saved */
+export async function keepFile({ name, blob }: ExportedFile): Promise<boolean> {
+  const saving = fileSave(blob, { fileName: name, extensions: [name.slice(name.lastIndexOf('.'))] });
+  return (await unlessClosed(saving.then(() => true))) ?? false;
+}
+
+/** Downloads a file at once: a dialog would no longer be allowed some seconds after the click that asked for the file. */
+export function downloadFile({ name, blob }: ExportedFile): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // some browsers read it only after this task
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/** Copies a text to the clipboard and reports the result. @param what a name for it: `the link` */
+export async function copyText(notices: Notices, what: string, text: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text);
+    notices.show('info', `Copied ${what}.`, { topic: 'clipboard' });
+  } catch {
+    notices.show('warning', `The browser does not let this page write to the clipboard: select ${what} and copy it manually.`, {
+      topic: 'clipboard',
+    });
   }
 }

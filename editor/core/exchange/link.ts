@@ -8,7 +8,7 @@ export type Linking =
   | { readonly ok: true; readonly url: string }
   | { readonly ok: false; readonly message: string; readonly hint: string };
 
-export type Linked =
+type Linked =
   | { readonly ok: true; readonly file: LevelFile }
   | { readonly ok: false; readonly message: string; readonly problems: readonly Problem[] };
 
@@ -40,4 +40,21 @@ export async function levelOf(fragment: string): Promise<Linked | null> {
     message: `the link contains no valid level: ${reading.problems[0].message}`,
     problems: reading.problems,
   };
+}
+
+/** The address of a published page, or why a text is none. */
+type PlayPage = { readonly ok: true; readonly address: string } | { readonly ok: false; readonly message: string };
+
+/** Reads the address of a published page as a person types or pastes it: without a fragment, and with `https://` if that is missing. */
+export function playPageOf(typed: string): PlayPage {
+  const text = typed.trim();
+  const isLocal = /^(?:localhost|127\.0\.0\.1)(?::|\/|$)/i.test(text);
+  const full = isLocal ? `http://${text}` : /^[a-z][a-z\d+.-]*:/i.test(text) ? text : `https://${text}`;
+  if (!URL.canParse(full))
+    return { ok: false, message: 'expected the address of the page, such as https://me.github.io/levels/' };
+  const url = new URL(full);
+  if (!['https:', 'http:', 'file:'].includes(url.protocol))
+    return { ok: false, message: `expected an address that begins with https://, found ${url.protocol}` };
+  url.hash = '';
+  return { ok: true, address: url.href.replace(/#$/, '') };
 }

@@ -33,6 +33,6 @@ export function diskNews(level: EditedLevel, disk: KnownDisk, current: ReadRespo
   // a drag in progress counts as mine as far as it went
   level.seal();
   if (!disk.differs()) return { kind: 'changed', theirs };
-  const merged = mergeLevels(disk.base.file, level.settledFile(), theirs, new Map(), disk.sent);
+  const merged = mergeLevels(disk.base.file, level.committedFile(), theirs, new Map(), disk.sent);
   return { kind: 'both changed', theirs, merged };
 }

@@ -1,6 +1,6 @@
 import type { LevelFile, Problem, ReadResponse } from '../../../schema/index.ts';
 import { readContent } from '../../../schema/level/index.ts';
-import { settle } from '../document/index.ts';
+import { normalize } from '../document/index.ts';
 
 export type TextReading =
   | { readonly ok: true; readonly file: LevelFile }
@@ -10,9 +10,9 @@ export type TextReading =
 export function readText(source: string | Uint8Array): TextReading {
   const reading = readContent(source);
   if (!reading.ok) return { ok: false, problems: reading.problems };
-  const settled = settle(reading.document.file, null);
-  if (settled.ok) return { ok: true, file: settled.file };
-  const { message, hint } = settled.refusal;
+  const normalized = normalize(reading.document.file, null);
+  if (normalized.ok) return { ok: true, file: normalized.file };
+  const { message, hint } = normalized.refusal;
   return {
     ok: false,
     problems: [{ code: 'unexpected', severity: 'error', message, hint, pointer: '', line: null, column: null }],

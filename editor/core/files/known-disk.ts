@@ -36,7 +36,7 @@ export class KnownDisk {
   /** Whether the level differs from the file on disk, or the state of the file is uncertain. */
   differs(): boolean {
     const { file, etag } = this.now;
-    return this.isForced || this.sent.length > 0 || !isSame(this.level.settledFile(), file) || etag === null;
+    return this.isForced || this.sent.length > 0 || !isSame(this.level.committedFile(), file) || etag === null;
   }
 
   /** This version is on disk: it was read, or its write was confirmed. */

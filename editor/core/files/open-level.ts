@@ -224,7 +224,7 @@ class LevelOnPage implements OpenedLevel {
   /** What other tabs show of the level. */
   private shown(): Shown {
     const { file, etag } = this.saver.base();
-    return { text: levelText(this.level.settledFile()), base: { text: levelText(file), etag } };
+    return { text: levelText(this.level.committedFile()), base: { text: levelText(file), etag } };
   }
 
   /** @returns resolves when the first role is known and its consequences are done */
@@ -273,7 +273,7 @@ class LevelOnPage implements OpenedLevel {
     // a write whose answer was lost may have reached the disk
     if (left !== null && !isSame(left.file, saver.base().file)) {
       // this page may have changes of its own that it could not write before it lost the level
-      const { file } = mergeLevels(saver.base().file, level.settledFile(), left.file);
+      const { file } = mergeLevels(saver.base().file, level.committedFile(), left.file);
       // the saver merges it with what is on disk now
       saver.restart(left.base);
       level.replace('Recovered', file);

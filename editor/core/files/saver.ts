@@ -130,7 +130,7 @@ class LevelSaver implements Saver {
     const { blocked, disk, level } = this;
     if (blocked?.file == null || blocked.theirs === null) return;
     level.seal();
-    const merged = mergeLevels(disk.base.file, level.settledFile(), blocked.file, choices, disk.sent);
+    const merged = mergeLevels(disk.base.file, level.committedFile(), blocked.file, choices, disk.sent);
     if (!this.take('Merged with the disk', merged.file)) return;
     disk.holds(blocked.file, blocked.theirs.etag, 'other');
     this.goOn();
@@ -149,7 +149,7 @@ class LevelSaver implements Saver {
   takeTheirs(): void {
     const { blocked, disk, level } = this;
     if (blocked?.file == null || blocked.theirs === null || !this.take('Taken from the disk', blocked.file)) return;
-    disk.holds(level.settledFile(), blocked.theirs.etag, 'other');
+    disk.holds(level.committedFile(), blocked.theirs.etag, 'other');
     this.goOn();
   }
 
@@ -236,7 +236,7 @@ class LevelSaver implements Saver {
 
   private async write(): Promise<void> {
     const { disk, pacing } = this;
-    const file = this.level.settledFile();
+    const file = this.level.committedFile();
     this.requests++;
     this.show({ kind: 'saving' });
     pacing.noteUnchanged();
@@ -311,7 +311,7 @@ class LevelSaver implements Saver {
         break;
       case 'changed':
         this.take('Changed on disk', news.theirs);
-        disk.holds(level.settledFile(), current.etag, 'other');
+        disk.holds(level.committedFile(), current.etag, 'other');
         break;
       case 'both changed': {
         const { theirs, merged } = news;

@@ -1,8 +1,15 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { formatLevel, isSame, type LevelFile } from '../../../schema/index.ts';
 import type { EditedLevel } from '../document/index.ts';
-import { failureOf, isQuota, type JournalState } from './journal-state.ts';
-import type { JournalBase, JournalEntry, JournalStore, JournalWrite } from './journal-store.ts';
+import {
+  failureOf,
+  isQuota,
+  type JournalBase,
+  type JournalEntry,
+  type JournalState,
+  type JournalStore,
+  type JournalWrite,
+} from './journal-store.ts';
 
 /** Whether the changes of a level would survive if the page died now. `page`: they live only as long as the page. */
 export type Keeping = 'kept' | 'keeping' | 'failing' | 'page';
@@ -86,7 +93,7 @@ class KeptSteps implements LevelJournal {
     private base: DiskState,
     private readonly parts: KeepingParts,
   ) {
-    this.current = level.settledFile();
+    this.current = level.committedFile();
     this.keeping = createStore<Keeping>(() => (parts.isLasting ? 'keeping' : 'page'));
     this.stop = level.onStep(({ label, patches, file }) => {
       this.current = file;

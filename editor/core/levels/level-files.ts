@@ -273,7 +273,7 @@ async function takeFromTrash(editor: Editor, trash: string, open: boolean): Prom
   }
   const restored = valueOrNotice(editor, answer);
   if (restored === null) return null;
-  editor.notices.settle(`deleted ${trash}`);
+  editor.notices.clear(`deleted ${trash}`);
   if (open && restored.status === 'valid') await openAfter(editor, restored.id, since);
   return restored;
 }

@@ -1,7 +1,10 @@
-import { Check, Eye, Undo2 } from 'lucide-react';
-import { type ReactNode, useEffect, useRef } from 'react';
+import { Check, Eye, Gamepad2, Undo2 } from 'lucide-react';
+import { type ReactNode, useEffect, useId, useRef } from 'react';
 import { Button } from '../ui/index.ts';
 import './offers.css';
+import { useStore } from 'zustand';
+import { useEditor } from '../context/index.ts';
+import { addSamples } from '../levels/index.ts';
 
 interface OfferProps {
   /** What would be changed, as a sentence. */
@@ -57,5 +60,55 @@ export function Offer({ text, figures, figuresTitle, isShown, onPreview, onBack,
         )}
       </div>
     </li>
+  );
+}
+
+/** The way out of a list that is empty because nobody has played the level. */
+export function PlayButton() {
+  const { commands } = useEditor();
+  return (
+    <Button
+      hint="Play from the start"
+      shortcut="Space"
+      look="main"
+      icon={<Gamepad2 size={15} />}
+      onClick={() => commands.run('play.start')}
+    >
+      Play the level
+    </Button>
+  );
+}
+
+/** Offers the levels that come with the toolkit. */
+export function SamplesButton() {
+  const editor = useEditor();
+  return (
+    <Button
+      hint="Levels that come with the toolkit, each with a run that completes it"
+      look="outlined"
+      onClick={() => void addSamples(editor, '')}
+    >
+      Add sample levels
+    </Button>
+  );
+}
+
+/** Selects the folder of a level; hidden if there is only one. */
+export function FolderSelect({ value, onChange }: { readonly value: string; readonly onChange: (folder: string) => void }) {
+  const { workspace } = useEditor();
+  const list = useStore(workspace.store, (state) => state.list);
+  const id = useId();
+  if (list === null || list.folders.length < 2) return null;
+  return (
+    <>
+      <label htmlFor={id}>Folder</label>
+      <select id={id} className="field" value={value} onChange={(event) => onChange(event.target.value)}>
+        {list.folders.map((folder) => (
+          <option key={folder} value={folder}>
+            {folder === '' ? list.folder.path : folder}
+          </option>
+        ))}
+      </select>
+    </>
   );
 }

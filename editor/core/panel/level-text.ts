@@ -121,7 +121,7 @@ function followSource(
   if (!fromDisk && level?.opened.id() === id) {
     const { document } = level;
     const report = () =>
-      onSource({ kind: 'text', base: { text: formatLevel(document.settledFile()), etag: null, problems: [] } });
+      onSource({ kind: 'text', base: { text: formatLevel(document.committedFile()), etag: null, problems: [] } });
     report();
     return document.onStep(report);
   }

@@ -74,7 +74,7 @@ async function take(
   { refused = [], withLevel = false }: OpenOptions,
 ): Promise<void> {
   const { open, notices } = editor;
-  for (const topic of [OPENED.topic, REFUSED.topic, OTHER_LEVEL]) notices.settle(topic);
+  for (const topic of [OPENED.topic, REFUSED.topic, OTHER_LEVEL]) notices.clear(topic);
   const groups = groupPlays(given);
   const level = open.getState();
   const hash = level === null ? null : hashNow(level);

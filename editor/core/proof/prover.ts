@@ -1,16 +1,15 @@
 import { examineRuns, playRuns, type RunFindings, unproved, verdictOfFindings } from '../../../check/index.ts';
-import { joinHolds, WorkBudget } from '../../../engine/index.ts';
-import { type Level, type Problem, resolveLevel } from '../../../schema/index.ts';
-import type { LiveProof, Question } from './answer.ts';
-import { findProvingRun } from './find-proving-run.ts';
+import { firstDifference } from '../../../check/runs/index.ts';
+import type { RunEnd } from '../../../check/words/index.ts';
+import { joinHolds, type Run, TICK, TICK_RATE, WorkBudget } from '../../../engine/index.ts';
+import { type Hold, type Level, type Problem, resolveLevel } from '../../../schema/index.ts';
+import { type Limit, type LiveProof, MOST_WORK, type Question, type ShownRun } from './answer.ts';
+import type { Marched } from './march.ts';
 import { type Margins, marginsOf } from './margins.ts';
-import { type Limit, MOST_WORK } from './patience.ts';
-import { createSceneKeeper } from './scene-keeper.ts';
-import type { SceneRecord } from './scene-record.ts';
-import { showRun } from './show-run.ts';
+import { createSceneKeeper, type SceneRecord, toEnd } from './scene-record.ts';
 import { toldProblems } from './told.ts';
 
-export interface Prover {
+interface Prover {
   /** Equal questions give the same object. */
   prove(question: Question): LiveProof;
 }
@@ -97,4 +96,89 @@ export function createProver(now: () => number = () => performance.now(), most =
       return answer;
     },
   };
+}
+
+/** What the runs of a level show. */
+interface Proving {
+  /** A run that completes the level; null if none is known. */
+  readonly name: string | null;
+  /** How runs end, as far as the verdict needs it; those that were not simulated to their end are stopped. */
+  readonly ends: RunFindings['ends'];
+}
+
+/** How a run ends. @param end null: it was stopped */
+const endAs = ({ name }: Level['runs'][number], end: RunEnd | null): RunFindings['ends'][number] => ({
+  ...(end ?? { outcome: 'timeout', with: null, time: 0, tick: 0 }),
+  name,
+  isStopped: end === null,
+});
+
+/**
+ * Finds a run that completes the level: the shown one if possible, else the first. As in a check, the runs share the work that the
+ * level may cost, in their order: a run counts if it and those before it do not exceed that.
+ * @param shown the shown run, what it costs, and whether it was stopped: then nothing more is simulated
+ */
+function findProvingRun(
+  record: SceneRecord,
+  { runs }: Level,
+  shown: ShownRun & { readonly looks: number; readonly isCut: boolean },
+  isLate: () => boolean,
+): Proving {
+  const { maxWork } = record.terms;
+  const { most } = new WorkBudget(maxWork);
+  /** How run `i` ends; null: it was not simulated to its end. */
+  const endOf = (i: number) =>
+    shown.isCut ? null : runs[i].name === shown.name ? shown : record.end(joinHolds(runs[i].holds), isLate);
+  /** Whether the runs up to the `i`-th cost no more than allowed. So few that the page simulates them cannot. */
+  const isPaidFor = (i: number): boolean => {
+    let looks = 0;
+    if (maxWork < MOST_WORK * (i + 1)) for (let k = 0; k <= i; k++) looks += endOf(k)?.looks ?? Number.POSITIVE_INFINITY;
+    return looks <= most;
+  };
+  const own = runs.findIndex(({ name }) => name === shown.name);
+  if (own >= 0 && endOf(own)?.outcome === 'completed' && isPaidFor(own))
+    return { name: runs[own].name, ends: [endAs(runs[own], shown)] };
+  const ends: RunFindings['ends'][number][] = [];
+  for (const [i, run] of runs.entries()) {
+    const end = isPaidFor(i) ? endOf(i) : null;
+    ends.push(endAs(run, end));
+    if (end === null) break;
+    if (end.outcome === 'completed') return { name: run.name, ends };
+  }
+  return { name: null, ends };
+}
+
+/**
+ * If several minerals are touched in one frame, `arcade` removes only one but counts them all; only the full record knows them.
+ */
+function takenInFrames(run: Run): Marched['minerals'] {
+  const first = new Map<number, number>();
+  for (const { index, time } of run.minerals) if (!first.has(index)) first.set(index, Math.round(time * TICK_RATE));
+  return [...first].map(([index, tick]) => ({ index, tick }));
+}
+
+/**
+ * Simulates the shown run tick by tick.
+ * @param wanted its name; the first run if there is none of that name
+ * @param shown holds of the previously shown run; null: none
+ * @param isLate called before each tick: whether to stop
+ */
+function showRun(
+  known: SceneRecord,
+  level: Level,
+  wanted: string | null,
+  shown: readonly Hold[] | null,
+  isLate: () => boolean,
+): ShownRun & { readonly isCut: boolean; readonly looks: number } {
+  const run = level.runs.find(({ name }) => name === wanted) ?? level.runs[0];
+  const joined = joinHolds(run?.holds ?? []);
+  // the same list as before if it is equal, so that subscribers see no change
+  const before = shown ?? joined;
+  const holds = firstDifference(before, joined) === Number.POSITIVE_INFINITY ? before : joined;
+  const { way, ending, minerals, resumedFrom, isCut, looks } = known.march.run(holds, isLate);
+  const inFrames = known.scene.accuracy.integrator === 'arcade' && minerals.length > 0 && !isCut;
+  const taken = inFrames ? takenInFrames(known.full(holds).run) : minerals;
+  const tick = Math.max(0, way.count - 1);
+  const end: RunEnd = isCut ? { outcome: 'timeout', with: null, time: tick * TICK, tick } : toEnd(ending, known.maxTicks);
+  return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, isCut, looks, ...end };
 }

@@ -14,9 +14,9 @@ import {
   WorkBudget,
   WorkLimitReached,
 } from '../../../engine/index.ts';
-import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
-import { March } from './march.ts';
-import type { MarchRoom } from './march-room.ts';
+import { type Hold, type Level, type LevelFile, OBJECT_LISTS, RULE_NAMES } from '../../../schema/index.ts';
+import { bareOf } from './answer.ts';
+import { March, MarchRoom } from './march.ts';
 
 /** ticks between two readings of the clock */
 const STRIDE = 60;
@@ -26,7 +26,7 @@ export const toEnd = (ending: Ending | null, maxTicks: number): RunEnd =>
   ending ?? { outcome: 'timeout', with: null, time: maxTicks * TICK, tick: maxTicks };
 
 /** How a run ends, and what it costs to simulate it from the start. */
-export interface CountedEnd extends RunEnd {
+interface CountedEnd extends RunEnd {
   /** in looks, of which a {@link WorkBudget} counts its work */
   readonly looks: number;
 }
@@ -97,4 +97,59 @@ export class SceneRecord {
     this.fulls.set(key, counted);
     return counted;
   }
+}
+
+/** Keeps the record of the last scene while levels play alike. */
+interface SceneKeeper {
+  /** @param work pieces of motion per answer @returns null if even the start takes too much work */
+  played(file: LevelFile, level: Level, terms: Terms, work: number): SceneRecord | null;
+  /** The record for a level that is not simulated: she stands at the start. */
+  still(file: LevelFile, level: Level, terms: Terms): SceneRecord;
+}
+
+/** A new scene keeper. */
+export function createSceneKeeper(): SceneKeeper {
+  // both records share the same arrays, as only one of them exists at a time
+  const room = new MarchRoom();
+  let played: SceneRecord | null = null;
+  let still: SceneRecord | null = null;
+  return {
+    played(file, level, terms, work) {
+      if (played !== null && played.terms === terms && played.work >= work && playsAlike(played, { file, level })) {
+        played.budget.looks = 0;
+        return played;
+      }
+      still = null;
+      played = null;
+      try {
+        played = new SceneRecord(file, level, terms, room, work);
+      } catch (error) {
+        if (!(error instanceof WorkLimitReached)) throw error;
+      }
+      return played;
+    },
+    still(file, level, terms) {
+      if (still === null || still.terms !== terms || !playsAlike(still, { file, level })) {
+        played = null;
+        still = new SceneRecord(file, bareOf(level), terms, room, Number.POSITIVE_INFINITY);
+      }
+      return still;
+    },
+  };
+}
+
+/** A level and its file. */
+export interface PlayedFile {
+  readonly file: LevelFile;
+  readonly level: Pick<Level, 'rules'>;
+}
+
+/**
+ * Whether two levels have the same objects and rules, so that every run is the same in both. Objects that the files share are
+ * compared by reference.
+ */
+export function playsAlike({ file: a, level: one }: PlayedFile, { file: b, level: other }: PlayedFile): boolean {
+  if (a.range !== b.range || a.recoil !== b.recoil || a.astronaut !== b.astronaut || a.blackHole !== b.blackHole) return false;
+  if (RULE_NAMES.some((name) => one.rules?.[name] !== other.rules?.[name])) return false;
+  return OBJECT_LISTS.every((list) => a[list] === b[list]);
 }

@@ -14,8 +14,7 @@ import {
 } from '../../../check/index.ts';
 import type { Problem } from '../../../schema/index.ts';
 import type { Proof } from '../../../solver/index.ts';
-import type { LiveProof } from './answer.ts';
-import { type Limit, limitInWords } from './patience.ts';
+import { type Limit, type LiveProof, limitInWords } from './answer.ts';
 
 /** What a worker has proved about a level. */
 export interface Proved {

@@ -1,4 +1,3 @@
-export { type DeathMap, deathsNear } from './death-map.ts';
 export {
   bareTitle,
   type GivenPlay,
@@ -10,5 +9,4 @@ export {
   type RefusedFile,
   readPlayFiles,
 } from './given.ts';
-export { hashNow } from './level-now.ts';
-export { type OpenedPlay, shelfOf } from './shelf.ts';
+export { type DeathMap, deathsNear, hashNow, type OpenedPlay, shelfOf } from './shelf.ts';

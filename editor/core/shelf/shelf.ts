@@ -1,9 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { PlayStatistics, Attempt as Replayed } from '../../../check/plays/index.ts';
-import { type Play, type PlayVerdict, playToText } from '../../../game/index.ts';
+import type { Attempt, FailureCause, PlayStatistics, Attempt as Replayed } from '../../../check/plays/index.ts';
+import { levelHash, type Play, type PlayVerdict, playToText } from '../../../game/index.ts';
 import type { Level } from '../../../schema/index.ts';
-import { ofDocument } from '../kept/index.ts';
-import { type DeathMap, deathMapOf } from './death-map.ts';
+import { causeInWords } from '../attempts/index.ts';
+import type { OpenLevel } from '../context/index.ts';
+import { keptWith, ofDocument } from '../kept/index.ts';
 
 /** A play that was opened from outside, and what it turned out to be. */
 export interface OpenedPlay {
@@ -22,12 +23,12 @@ export interface OpenedPlay {
 }
 
 /** A level as it was played. */
-export interface PlayedLevel {
+interface PlayedLevel {
   readonly level: Level;
   readonly hash: string;
 }
 
-export interface ShelfState {
+interface ShelfState {
   /** The opened plays of the level, in the order in which they were opened. */
   readonly plays: readonly OpenedPlay[];
   /** What they teach; null if there are none. */
@@ -83,3 +84,69 @@ export function createShelf(): Shelf {
 
 /** The opened plays of a level; they stay while the page lives, also when another level is opened in the meantime. */
 export const shelfOf = ofDocument(createShelf);
+
+/** Side of a square of the map, px: about the width of the astronaut. */
+const SIDE = 24;
+
+/** Where players die: squares with the number of deaths in each. */
+export interface DeathMap {
+  /** Side of a square, px. */
+  readonly cellSize: number;
+  /** The middle of each square, px, and the deaths in it. */
+  readonly cells: readonly { readonly x: number; readonly y: number; readonly visits: number }[];
+  /** The number of all deaths. */
+  readonly deaths: number;
+  /** Who died in each square, by its place in the grid. */
+  readonly squares: ReadonlyMap<string, readonly Death[]>;
+}
+
+interface Death {
+  readonly x: number;
+  readonly y: number;
+  readonly cause: FailureCause;
+}
+
+const DEADLY: ReadonlySet<FailureCause['kind']> = new Set(['nova', 'asteroid', 'alien', 'lost']);
+
+const indexOf = (place: number): number => Math.floor(place / SIDE);
+const keyOf = (column: number, row: number): string => `${column},${row}`;
+
+/** The map of the attempts in which she dies; null if there is none. Time-outs and attempts that were left are no deaths. */
+export function deathMapOf(attempts: readonly Pick<Attempt, 'x' | 'y' | 'cause'>[]): DeathMap | null {
+  const squares = new Map<string, Death[]>();
+  let deaths = 0;
+  for (const { x, y, cause } of attempts) {
+    if (cause === null || !DEADLY.has(cause.kind)) continue;
+    deaths++;
+    const key = keyOf(indexOf(x), indexOf(y));
+    const square = squares.get(key);
+    if (square === undefined) squares.set(key, [{ x, y, cause }]);
+    else square.push({ x, y, cause });
+  }
+  if (deaths === 0) return null;
+  const cells = [...squares].map(([key, { length: visits }]) => {
+    const [column, row] = key.split(',').map(Number);
+    return { x: (column + 0.5) * SIDE, y: (row + 0.5) * SIDE, visits };
+  });
+  return { cellSize: SIDE, cells, squares, deaths };
+}
+
+/** The deaths near a place, by cause, the most frequent first. @param reach px */
+export function deathsNear({ squares }: DeathMap, x: number, y: number, reach: number): { cause: string; count: number }[] {
+  const counts = new Map<string, number>();
+  for (let column = indexOf(x - reach); column <= indexOf(x + reach); column++) {
+    for (let row = indexOf(y - reach); row <= indexOf(y + reach); row++) {
+      for (const death of squares.get(keyOf(column, row)) ?? []) {
+        if ((death.x - x) ** 2 + (death.y - y) ** 2 > reach ** 2) continue;
+        const cause = causeInWords(death.cause);
+        counts.set(cause, (counts.get(cause) ?? 0) + 1);
+      }
+    }
+  }
+  return [...counts].map(([cause, count]) => ({ cause, count })).sort((a, b) => b.count - a.count);
+}
+
+const hashOf = keptWith(levelHash);
+
+/** The hash of the open level as it is now. */
+export const hashNow = ({ proof }: Pick<OpenLevel, 'proof'>): string => hashOf(proof.proof().level);

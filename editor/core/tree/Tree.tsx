@@ -4,20 +4,19 @@ import {
   Fragment,
   type KeyboardEvent,
   type MouseEvent,
+  memo,
   type ReactElement,
   type RefObject,
   useEffect,
   useId,
   useRef,
 } from 'react';
-import { FINGER, useCoarse } from '../ui/index.ts';
-import { rowAt } from './row-at.ts';
-import { showMenu } from './show-menu.ts';
+import { FINGER, useCoarse } from '../context/index.ts';
 import { actOnKey } from './tree-keys.ts';
-import type { TreeProps } from './tree-props.ts';
-import type { MenuEntry, TreeRow } from './tree-rows.ts';
-import { useRowDrag } from './use-row-drag.ts';
+import type { MenuEntry, TreeProps, TreeRow } from './tree-rows.ts';
+import { rowAt, useRowDrag } from './use-row-drag.ts';
 import './tree.css';
+import { EllipsisVertical } from 'lucide-react';
 
 /**
  * A virtual list or tree for pointer and keyboard: arrows move, Enter opens, Alt + arrows reorder, the menu key opens the
@@ -165,4 +164,31 @@ function useShownRows<R extends TreeRow>(
   }, [activeIndex]);
 
   return virtual;
+}
+
+/** Opens the context menu of its row. It is not focusable, as the keyboard has the menu key. */
+export const MoreButton = memo(function MoreButton() {
+  return (
+    <button
+      type="button"
+      className="tree__more"
+      tabIndex={-1}
+      aria-hidden
+      // the focus stays in the tree, which handles the keys
+      onMouseDown={(event) => event.preventDefault()}
+      onDoubleClick={(event) => event.stopPropagation()}
+      onClick={(event) => {
+        event.stopPropagation();
+        showMenu(event.currentTarget);
+      }}
+    >
+      <EllipsisVertical size={14} />
+    </button>
+  );
+});
+
+/** Opens the context menu of an element below it, as a right-click would. */
+function showMenu(element: Element): void {
+  const { left, bottom } = element.getBoundingClientRect();
+  element.dispatchEvent(new MouseEvent('contextmenu', { bubbles: true, cancelable: true, clientX: left, clientY: bottom }));
 }

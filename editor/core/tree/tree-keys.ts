@@ -1,6 +1,5 @@
 import type { KeyboardEvent } from 'react';
-import type { TreeProps } from './tree-props.ts';
-import { parentOf, stepFrom, type TreeRow } from './tree-rows.ts';
+import { parentOf, stepFrom, type TreeProps, type TreeRow } from './tree-rows.ts';
 
 /** What the keys need to know about the rendered tree. */
 interface ShownTree {

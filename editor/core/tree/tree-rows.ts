@@ -1,3 +1,5 @@
+import type { KeyboardEvent, ReactNode } from 'react';
+
 /** A row of a tree; rows are given in display order. */
 export interface TreeRow {
   readonly key: string;
@@ -57,6 +59,40 @@ export function dropPlace(dragged: TreeRow, over: TreeRow, below: boolean): numb
   const gap = over.place + (below ? 1 : 0);
   const place = gap > dragged.place ? gap - 1 : gap;
   return place === dragged.place ? null : place;
+}
+
+/** Modifier keys that are held. */
+export interface Modifiers {
+  readonly shift: boolean;
+  readonly mod: boolean;
+}
+
+export interface TreeProps<R extends TreeRow> {
+  readonly label: string;
+  readonly rows: readonly R[];
+  /** px */
+  readonly rowHeight: (row: R) => number;
+  readonly selected: ReadonlySet<string>;
+  /** The row whose object is hovered elsewhere. */
+  readonly hovered?: string | null;
+  readonly multiple?: boolean;
+  /** The row that keys act on. */
+  readonly active: string | null;
+  readonly onActive: (key: string) => void;
+  readonly render: (row: R) => ReactNode;
+  /** A click, or arrow keys if `follows` is set. */
+  readonly onPick: (row: R, how: Modifiers) => void;
+  /** Whether moving with the arrow keys also picks. */
+  readonly follows?: boolean;
+  /** A double-click or Enter. */
+  readonly onOpen?: (row: R) => void;
+  readonly onToggle?: (row: R) => void;
+  /** Called when a row is moved to another place in its list, by dragging or by Alt and an arrow key. */
+  readonly onMove?: (row: R, place: number) => void;
+  /** Handles other keys. @returns whether it handled the key */
+  readonly onKey?: (event: KeyboardEvent, row: R) => boolean;
+  readonly onHover?: (row: R | null) => void;
+  readonly menu?: (row: R) => readonly MenuEntry[];
 }
 
 /** A set with a value that was not in it, or without one that was. */

@@ -1,5 +1,4 @@
 import { type DragEvent, useState } from 'react';
-import { rowAt, rowElement } from './row-at.ts';
 import { dropPlace, type TreeRow } from './tree-rows.ts';
 
 /** Where a dragged row would be dropped. */
@@ -62,4 +61,14 @@ export function useRowDrag<R extends TreeRow>(rows: readonly R[], onMove: ((row:
     onDragEnd: end,
   };
   return { dragged, drop, listeners };
+}
+
+/** The row element of an event's target; null if there is none. */
+const rowElement = (target: EventTarget | null): HTMLElement | null =>
+  target instanceof Element ? target.closest<HTMLElement>('[data-index]') : null;
+
+/** The row of an event's target; null if there is none. */
+export function rowAt<R extends TreeRow>(rows: readonly R[], target: EventTarget | null): R | null {
+  const element = rowElement(target);
+  return element === null ? null : (rows[Number(element.dataset.index)] ?? null);
 }

@@ -1,7 +1,3 @@
-export { Button } from './Button.tsx';
-export { Dialog } from './Dialog.tsx';
+export { Button, Dialog, Hint } from './Button.tsx';
 export { focusHome, keepFocus } from './focus.ts';
-export { Hint } from './Hint.tsx';
 export { NumberField } from './NumberField.tsx';
-export { ShadeLegend } from './ShadeLegend.tsx';
-export { FINGER, useCoarse } from './use-coarse.ts';

@@ -2,10 +2,9 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { LevelFile } from '../../../schema/index.ts';
 import { type EditedLevel, levelText } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
-import { changesInShort } from './changes-in-short.ts';
 import { type Base, fromStored, toStored, wholeIn, wholeText } from './stored-text.ts';
 import { thin } from './thinning.ts';
-import { checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
+import { changesInShort, checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
 import type { NewVersion, VersionStore } from './version-store.ts';
 
 /** The history of one level. */
@@ -120,9 +119,9 @@ export class RecordedVersions implements LevelVersions {
   }
 
   async nameNow(name: string): Promise<boolean> {
-    this.note(this.level.settledFile(), 'page');
+    this.note(this.level.committedFile(), 'page');
     await this.record();
-    const text = levelText(this.level.settledFile());
+    const text = levelText(this.level.committedFile());
     let isKept = false;
     const isDone = await this.inTurn(async (store, history) => {
       const last = await store.last(history);

@@ -2,8 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { EditedLevel } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
 import { type LevelVersions, RecordedVersions } from './level-versions.ts';
-import { createMemoryVersions } from './memory-versions.ts';
-import type { Move, VersionStore } from './version-store.ts';
+import { createMemoryVersions, type Move, type VersionStore } from './version-store.ts';
 
 /** Whether histories are kept, as the user sees it; null: they are. */
 export type VersionTrouble = { readonly kind: 'missing' | 'failing'; readonly message: string } | null;

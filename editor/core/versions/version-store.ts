@@ -1,4 +1,5 @@
-import type { StoredText } from './stored-text.ts';
+import { done, openDatabase } from '../database/index.ts';
+import { type StoredText, sizeOf } from './stored-text.ts';
 import type { Version } from './version.ts';
 
 /** A version that gets its number when it is stored. */
@@ -13,7 +14,7 @@ export interface Move {
 }
 
 /** What is stored of the text of a version: whatever is there, damaged or not. */
-export interface FoundTexts {
+interface FoundTexts {
   readonly copies: readonly unknown[];
   readonly bases: readonly unknown[];
 }
@@ -66,5 +67,163 @@ export function movedHeads(
 }
 
 /** The numbers of the texts that versions need. */
-export const neededTexts = (versions: readonly Version[]): ReadonlySet<number> =>
+const neededTexts = (versions: readonly Version[]): ReadonlySet<number> =>
   new Set(versions.flatMap(({ number, base }) => [number, base]));
+
+interface Kept {
+  versions: Version[];
+  /** Copies by number. */
+  readonly texts: Map<number, StoredText[]>;
+}
+
+/** Histories that live as long as the page, for browsers without a database. */
+export function createMemoryVersions(): VersionStore {
+  const heads = new Map<string, Head>();
+  const histories = new Map<number, Kept>();
+  const of = (history: number): Kept => histories.get(history) as Kept;
+  return {
+    async open(place) {
+      const known = heads.get(place);
+      if (known !== undefined) return known.history;
+      const history = histories.size + 1;
+      heads.set(place, { place, history, token: null });
+      histories.set(history, { versions: [], texts: new Map() });
+      return history;
+    },
+    list: async (history) => [...of(history).versions],
+    last: async (history) => of(history).versions.at(-1) ?? null,
+    async add(history, version, text) {
+      const kept = of(history);
+      const last = kept.versions.at(-1);
+      if (last?.check === version.check) return last;
+      if ('base' in text && !kept.texts.has(text.base)) return null;
+      const number = (last?.number ?? 0) + 1;
+      const added: Version = { ...version, number, base: 'base' in text ? text.base : number, size: sizeOf(text) };
+      kept.versions.push(added);
+      kept.texts.set(number, 'whole' in text ? [text, text] : [text]);
+      return added;
+    },
+    async texts(history, { number, base }) {
+      const { texts } = of(history);
+      return { copies: texts.get(number) ?? [], bases: texts.get(base) ?? [] };
+    },
+    async change(history, drop, put) {
+      const kept = of(history);
+      const changed = new Map(put.map((version) => [version.number, version]));
+      kept.versions = kept.versions
+        .filter(({ number }) => !drop.includes(number))
+        .map((version) => changed.get(version.number) ?? version);
+      const needed = neededTexts(kept.versions);
+      for (const number of [...kept.texts.keys()]) if (!needed.has(number)) kept.texts.delete(number);
+    },
+    async move(moves) {
+      const moved = movedHeads(heads, moves);
+      for (const place of moved?.gone ?? []) heads.delete(place);
+      for (const head of moved?.put ?? []) heads.set(head.place, head);
+    },
+  };
+}
+
+const NAME = 'gravity-quest-editor-versions';
+const HEADS = 'heads';
+const VERSIONS = 'versions';
+const TEXTS = 'texts';
+
+type VersionRow = Version & { readonly history: number };
+/** `copy`: whole texts are stored twice */
+type TextRow = StoredText & { readonly history: number; readonly number: number; readonly copy: 0 | 1 };
+
+/** All rows of a history, or of one of its numbers. In IndexedDB, numbers sort before arrays, so [] is an upper bound. */
+const rowsOf = (...key: readonly number[]) => IDBKeyRange.bound([...key], [...key, []]);
+
+const versionOf = ({ history: _, ...version }: VersionRow): Version => version;
+
+/** The last version of a history, within a transaction. */
+async function lastOf(versions: IDBObjectStore, history: number): Promise<Version | null> {
+  const cursor = await done(versions.openCursor(rowsOf(history), 'prev'));
+  if (cursor === null) return null;
+  // the key is whole even if the row is damaged
+  const [, number] = cursor.key as [number, number];
+  return { ...versionOf(cursor.value as VersionRow), number };
+}
+
+/**
+ * Histories in the browser's database.
+ * @param after calls back after `ms`; @returns cancels it
+ * @throws (rejects) if the browser has no database or refuses it; waits for one that does not answer
+ */
+export async function openIndexedDbVersions(
+  databases: IDBFactory,
+  after: (ms: number, call: () => void) => () => void,
+): Promise<VersionStore> {
+  const database = await openDatabase({
+    databases,
+    name: NAME,
+    stores: { [HEADS]: 'place', [VERSIONS]: ['history', 'number'], [TEXTS]: ['history', 'number', 'copy'] },
+    after,
+  });
+
+  return {
+    open: (place) => database.within('readwrite', (stores) => historyAt(stores(HEADS), place)),
+    list: (history) =>
+      database.within('readonly', async (stores) =>
+        ((await done(stores(VERSIONS).getAll(rowsOf(history)))) as VersionRow[]).map(versionOf),
+      ),
+    last: (history) => database.within('readonly', (stores) => lastOf(stores(VERSIONS), history)),
+    add: (history, version, text) =>
+      database.within('readwrite', async (stores) => {
+        const [versions, texts] = [stores(VERSIONS), stores(TEXTS)];
+        const last = await lastOf(versions, history);
+        if (last?.check === version.check) return last;
+        if ('base' in text && (await done(texts.count(rowsOf(history, text.base)))) === 0) return null;
+        const number = (last?.number ?? 0) + 1;
+        const added: Version = { ...version, number, base: 'base' in text ? text.base : number, size: sizeOf(text) };
+        versions.put({ ...added, history } satisfies VersionRow);
+        texts.put({ ...text, history, number, copy: 0 } satisfies TextRow);
+        if ('whole' in text) texts.put({ ...text, history, number, copy: 1 } satisfies TextRow);
+        return added;
+      }),
+    texts: (history, { number, base }) =>
+      database.within('readonly', async (stores) => {
+        const texts = stores(TEXTS);
+        const [copies, bases] = await Promise.all([
+          done(texts.getAll(rowsOf(history, number))),
+          done(texts.getAll(rowsOf(history, base))),
+        ]);
+        return { copies, bases };
+      }),
+    change: (history, drop, put) =>
+      database.within('readwrite', async (stores) => {
+        const [versions, texts] = [stores(VERSIONS), stores(TEXTS)];
+        const there = (await done(versions.getAllKeys(rowsOf(history)))) as [number, number][];
+        const numbers = new Set(there.map(([, number]) => number));
+        for (const version of put) if (numbers.has(version.number)) versions.put({ ...version, history } satisfies VersionRow);
+        for (const number of drop) versions.delete([history, number]);
+        const kept = ((await done(versions.getAll(rowsOf(history)))) as VersionRow[]).map(versionOf);
+        const needed = neededTexts(kept);
+        for (const key of (await done(texts.getAllKeys(rowsOf(history)))) as [number, number, number][]) {
+          if (!needed.has(key[1])) texts.delete(key);
+        }
+      }),
+    move: (moves) => database.within('readwrite', (stores) => moveHeads(stores(HEADS), moves)),
+  };
+}
+
+/** The number of what is kept for a place, a new one if there is none yet. @param heads the store of heads, within a transaction */
+export async function historyAt(heads: IDBObjectStore, place: string): Promise<number> {
+  const known = (await done(heads.get(place))) as Head | undefined;
+  if (known !== undefined) return known.history;
+  const all = (await done(heads.getAll())) as Head[];
+  const history = all.reduce((most, head) => Math.max(most, head.history), 0) + 1;
+  heads.put({ place, history, token: null } satisfies Head);
+  return history;
+}
+
+/** Brings what is kept for places to other places. @param heads the store of heads, within a transaction */
+export async function moveHeads(heads: IDBObjectStore, moves: readonly Move[]): Promise<void> {
+  const places = [...new Set(moves.flatMap(({ from, to }) => [from, to]))];
+  const found = (await Promise.all(places.map((place) => done(heads.get(place))))) as (Head | undefined)[];
+  const moved = movedHeads(new Map(found.flatMap((head) => (head === undefined ? [] : [[head.place, head]]))), moves);
+  for (const place of moved?.gone ?? []) heads.delete(place);
+  for (const head of moved?.put ?? []) heads.put(head);
+}

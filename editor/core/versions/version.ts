@@ -1,3 +1,7 @@
+import { changesInWords, diffLevels } from '../../../review/index.ts';
+import type { LevelFile } from '../../../schema/index.ts';
+import { titled } from '../document/index.ts';
+
 export const VERSION_MAKERS = ['page', 'other', 'found'] as const;
 
 /**
@@ -39,7 +43,7 @@ export const inTime = (versions: readonly Version[]): Version[] =>
   versions.filter(isVersion).sort((p, q) => p.time - q.time || p.number - q.number);
 
 /** The most labels that a version keeps. */
-export const MOST_LABELS = 12;
+const MOST_LABELS = 12;
 
 /** The labels of steps, and how many earlier ones are left out. */
 export function shortened(labels: readonly string[], more = 0): Pick<Version, 'labels' | 'more'> {
@@ -61,7 +65,7 @@ export function checkOf(text: string): string {
 }
 
 /** Whether a stored row is a version, and not damaged. */
-export const isVersion = (row: Version): boolean =>
+const isVersion = (row: Version): boolean =>
   [row.number, row.time, row.more, row.base, row.size].every(Number.isFinite) &&
   VERSION_MAKERS.includes(row.by) &&
   typeof row.changes === 'string' &&
@@ -69,3 +73,17 @@ export const isVersion = (row: Version): boolean =>
   typeof row.check === 'string' &&
   Array.isArray(row.labels) &&
   row.labels.every((label) => typeof label === 'string');
+
+/** How many changes are named; more are counted. */
+const NAMED = 2;
+/** the longest text, characters */
+const LONGEST = 160;
+
+/** What differs between two versions, on one line: `Asteroid 3 moved 12 px right; nova 2 removed at (40, 7); 3 more changes`. */
+export function changesInShort(before: LevelFile, after: LevelFile): string {
+  const words = changesInWords(diffLevels(before, after), after);
+  const rest = words.length - NAMED;
+  const named = words.slice(0, NAMED).join('; ');
+  const cut = named.length > LONGEST ? `${named.slice(0, LONGEST)}…` : named;
+  return titled(rest > 0 ? `${cut}; ${rest} more ${rest === 1 ? 'change' : 'changes'}` : cut);
+}

@@ -103,7 +103,7 @@ export function compareOrTell({ notices }: Pick<Editor, 'notices'>, level: OpenL
     return;
   }
   if (toggleCompared(comparedOf(level), source)) {
-    notices.settle('compare');
+    notices.clear('compare');
     return;
   }
   const text = `${MOST_COMPARED} runs are compared already. Stop comparing one of them, then add ${sourceName(source)}.`;

@@ -31,7 +31,7 @@ function followDisagreement({ open, notices, session }: Editor): () => void {
   let stop = () => {};
   const follow = () => {
     stop();
-    notices.settle(TOPIC);
+    notices.clear(TOPIC);
     const level = open.getState();
     if (level === null) return;
     const { opened, document } = level;
@@ -42,7 +42,7 @@ function followDisagreement({ open, notices, session }: Editor): () => void {
       if (text === last) return;
       last = text;
       if (text === null) {
-        notices.settle(TOPIC);
+        notices.clear(TOPIC);
         return;
       }
       const actions = [{ title: 'Review', run: () => session.setState({ overlay: 'conflict' }) }];

@@ -14,13 +14,13 @@ const refused = (why: string): Restored => ({ ok: false, why });
 /** Why the level can't be changed at this moment; null: it can. */
 export function whyNot({ opened, document }: Pick<OpenLevel, 'opened' | 'document'>): string | null {
   if (opened.lock.store.getState() !== 'writer') return 'Another tab has this level open. Take over there first.';
-  if (document.file() !== document.settledFile()) return 'Something is being dragged. Let go of it first.';
+  if (document.file() !== document.committedFile()) return 'Something is being dragged. Let go of it first.';
   return null;
 }
 
 function replaced(level: OpenLevel, label: string, file: LevelFile): Restored {
   // so that what is left is in the history, too, even if it was not on disk yet
-  level.opened.versions.note(level.document.settledFile(), 'page');
+  level.opened.versions.note(level.document.committedFile(), 'page');
   const result = level.document.replace(label, file);
   return result.ok ? { ok: true } : refused(`${result.refusal.message}. ${result.refusal.hint}`);
 }

@@ -43,7 +43,7 @@ interface LeewayParts {
 }
 
 const isOn = ({ session }: LeewayParts) => session.getState().layers.leeway && session.getState().mode === 'edit';
-const isInHand = ({ level: { document } }: LeewayParts) => document.settledFile() !== document.file();
+const isInHand = ({ level: { document } }: LeewayParts) => document.committedFile() !== document.file();
 
 /** What is asked at the moment; null: nothing is selected. */
 function questionNow({ level, settings, seen }: LeewayParts): Question | null {

@@ -65,7 +65,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
   const store = onionOf(level);
   const former = createFormerSlack(desk, robustness);
   const isOn = () => session.getState().layers.onion;
-  const isInHand = () => document.settledFile() !== document.file();
+  const isInHand = () => document.committedFile() !== document.file();
   /** The shown run of the level at rest, and what it was before the last step. */
   let atRest: FormerRun | null = null;
   let last: FormerRun | null = null;
@@ -127,7 +127,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
     if (!isOn()) return;
     const now = proof.proof();
     if (isInHand()) {
-      if (atRest !== null && atRest.file === document.settledFile() && !playsLike(atRest, now)) show(atRest, 'held');
+      if (atRest !== null && atRest.file === document.committedFile() && !playsLike(atRest, now)) show(atRest, 'held');
       return;
     }
     const before = atRest;

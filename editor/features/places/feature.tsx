@@ -65,7 +65,7 @@ async function showPlace(editor: Editor, { place, problem }: PlaceReading): Prom
   const { workspace, notices, open, session } = editor;
   const tell = (texts: readonly string[]) => {
     if (texts.length > 0) notices.show('warning', texts.join(' '), { topic: 'place' });
-    else notices.settle('place');
+    else notices.clear('place');
   };
   let levels: readonly LevelEntry[] = workspace.store.getState().list?.levels ?? [];
   if (levelsCalled(levels, place.level).length === 0) levels = await allLevels(workspace);

@@ -9,6 +9,7 @@ import {
   fillSquares,
   type OnCanvas,
   type Point,
+  ShadeLegend,
   toLevel,
   toScreen,
 } from '../../canvas/index.ts';
@@ -17,7 +18,6 @@ import { type DeathMap, deathsNear, shelfOf } from '../../core/shelf/index.ts';
 import './plays.css';
 import type { GameObjects, Scene } from 'phaser';
 import { plural } from '../../../check/words/index.ts';
-import { ShadeLegend } from '../../core/ui/index.ts';
 
 /** px of the level around the pointer in which deaths count, and the least of them on the screen */
 const REACH = { level: 12, screen: 10 } as const;

@@ -29,7 +29,7 @@ export function ImportTab({ onClose }: { readonly onClose: () => void }) {
     if (files !== null) await take(() => importFiles(editor, folder, files, recoil));
   };
   // A notice about refused dropped files is outdated now.
-  useEffect(() => editor.notices.settle(IMPORT_TOPIC), [editor]);
+  useEffect(() => editor.notices.clear(IMPORT_TOPIC), [editor]);
   return (
     <div className="share form">
       <p className="share__about">

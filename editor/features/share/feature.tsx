@@ -125,7 +125,7 @@ function DropZone() {
       setIsOver(false);
       const folder = folderOf(editor.workspace.store.getState().opened?.id() ?? '');
       const { notices } = editor;
-      notices.settle(IMPORT_TOPIC);
+      notices.clear(IMPORT_TOPIC);
       const take = async (files: readonly File[]) => {
         const plays = files.filter(isPlayFile);
         const levels = files.filter((file) => !isPlayFile(file));

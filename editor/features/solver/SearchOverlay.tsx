@@ -2,9 +2,8 @@ import type { GameObjects, Scene } from 'phaser';
 import { useStore } from 'zustand';
 import { heatCaption, heatColour } from '../../../picture/index.ts';
 import type { ProofPicture } from '../../../solver/index.ts';
-import { type Colours, colourNumber, type Drawing, type Frame, fillSquares } from '../../canvas/index.ts';
+import { type Colours, colourNumber, type Drawing, type Frame, fillSquares, ShadeLegend } from '../../canvas/index.ts';
 import { usePageTheme, useSession } from '../../core/context/index.ts';
-import { ShadeLegend } from '../../core/ui/index.ts';
 import { useSolverSession } from './index.ts';
 import type { SearchOverlay } from './search-session.ts';
 

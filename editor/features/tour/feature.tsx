@@ -2,8 +2,8 @@ import type { Feature } from '../feature.ts';
 import './tour.css';
 import { useEffect, useLayoutEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../../core/context/index.ts';
-import { Button, useCoarse } from '../../core/ui/index.ts';
+import { useCoarse, useEditor, useSession } from '../../core/context/index.ts';
+import { Button } from '../../core/ui/index.ts';
 
 /** A tour of the whole editor in under a minute. */
 export const tour: Feature = {

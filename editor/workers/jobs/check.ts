@@ -1,6 +1,16 @@
-import { examineRuns, playRuns, type RunFindings } from '../../../check/index.ts';
-import { compile, WorkBudget } from '../../../engine/index.ts';
-import { job, type Played, type Work } from '../job.ts';
+import {
+  examineRuns,
+  type LostMineral,
+  mineralsToProve,
+  playRuns,
+  proofBudget,
+  proveGoalImpossible,
+  proveMineralsLost,
+  type RunFindings,
+} from '../../../check/index.ts';
+import { compile, maxTicksOf, type Scene, WorkBudget } from '../../../engine/index.ts';
+import { createAnytimeProof, type Proof } from '../../../solver/index.ts';
+import { accuracyNameOf, job, type Played, type Work } from '../job.ts';
 
 /** The findings of all runs of a level. */
 export const check = job<Played, RunFindings>({ name: 'check', lane: 'quick', most: 20_000 });
@@ -17,3 +27,54 @@ export const checkWork: Work<typeof check> = {
     return examineRuns(level, runs, { scene, budget });
   },
 };
+
+/** What is proved, confirmed by the separate checker; null and empty: nothing is. */
+export interface Proofs {
+  readonly impossible: Proof | null;
+  readonly minerals: readonly LostMineral[];
+}
+
+/** Proves, if possible, that no run reaches the black hole or a mineral. */
+export const proofs = job<
+  Played & {
+    /** Minerals that some run collects, which are left out; null: the level's runs are simulated to find out. */
+    readonly collected: readonly number[] | null;
+    /** How long to go on with ever finer sets, ms; 0 if absent. */
+    readonly finer?: number;
+  },
+  Proofs,
+  Proofs
+>({ name: 'proofs', lane: 'long', most: 20_000 });
+
+/** Ticks between two looks at the clock. */
+const SLICE = 50_000;
+
+/**
+ * Proves what can't be reached, with as much work as `gq check` allows, and then for `finer` ms with ever finer sets that the
+ * black hole can't be. Every result is confirmed by the separate checker.
+ */
+export const proofsWork: Work<typeof proofs> = {
+  of: proofs,
+  *steps({ level, terms, collected, finer = 0 }, now) {
+    const end = now() + finer;
+    const scene = compile(level, terms);
+    const budget = proofBudget(scene);
+    const impossible = proveGoalImpossible(scene, { minerals: 'any' }, budget);
+    yield { impossible, minerals: [] };
+    const asked = mineralsToProve(level, collected ?? collectedIn(scene));
+    const minerals = proveMineralsLost(scene, asked, budget);
+    if (impossible !== null) return { impossible, minerals };
+    yield { impossible, minerals };
+    const isStopped = () => now() >= end;
+    const proving = createAnytimeProof(level, { accuracy: accuracyNameOf(terms), maxTicks: maxTicksOf(terms), isStopped });
+    while (!proving.finished && !isStopped()) {
+      proving.advance(SLICE);
+      yield null;
+    }
+    return { impossible: proving.proof, minerals };
+  },
+};
+
+/** Indices of the minerals that some run of the level collects. */
+const collectedIn = (scene: Scene): number[] =>
+  playRuns(scene, new WorkBudget(scene.terms.maxWork)).flatMap(({ minerals }) => minerals.map(({ index }) => index));

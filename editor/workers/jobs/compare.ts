@@ -7,8 +7,8 @@ import {
   marksOf,
   playAlike,
   renamedStanding,
-  type Standing,
   standingInWords,
+  type VersionStanding,
 } from '../../../review/index.ts';
 import { type Level, type LevelFile, readLevel } from '../../../schema/index.ts';
 import { job, type Work } from '../job.ts';
@@ -50,14 +50,14 @@ function readVersion(text: string, { rules }: Terms): Version | null {
 /** Whether a merge left conflicts in it. */
 const isUndecided = ({ file }: Version): boolean => (file.conflicts ?? []).length > 0;
 
-const standingOf = (version: Version, terms: Terms): Standing | null =>
+const standingOf = (version: Version, terms: Terms): VersionStanding | null =>
   isUndecided(version) ? null : assessLevel(version.level, { terms, slack: true });
 
-const inWords = (standing: Standing | null, { level }: Version): string =>
+const inWords = (standing: VersionStanding | null, { level }: Version): string =>
   standing === null ? 'not judged: a merge has left conflicts in it' : standingInWords(standing, level.range);
 
 /** The run by which a version is judged; null if it takes too much work. */
-function runOf(standing: Standing | null, { level }: Version, terms: Terms): Run | null {
+function runOf(standing: VersionStanding | null, { level }: Version, terms: Terms): Run | null {
   if (standing?.run == null) return null;
   const run = simulate(compile(level, terms), standing.run.holds, { budget: new WorkBudget(terms.maxWork) });
   return run.stopped === null ? run : null;

@@ -1,7 +1,7 @@
 import { proveGoalImpossible } from '../../../check/index.ts';
 import { compile } from '../../../engine/index.ts';
 import { createRepair, type Effort, type Proposal } from '../../../solver/index.ts';
-import { createPacer, job, type Played, type Work } from '../job.ts';
+import { createPacer, createReporting, job, type Played, type Work } from '../job.ts';
 
 /** What was found to make a level completable. */
 export interface Fixing {
@@ -24,7 +24,7 @@ export const fix = job<Played & { readonly seed: number; readonly budget: number
 });
 
 /** ms between two reports */
-const TELL = 250;
+const REPORT = 250;
 
 /** Seeks changes that make a level completable, as `gq fix` does. */
 export const fixWork: Work<typeof fix> = {
@@ -39,12 +39,10 @@ export const fixWork: Work<typeof fix> = {
       return { proposals: [...proposals], effort: { ...effort }, isImpossible: proof !== null, completing, finished };
     };
     const pace = createPacer(now);
-    let told = now();
+    const isReportDue = createReporting(REPORT, start, now);
     while (!repair.finished && now() - start < budget) {
       pace((ticks) => repair.advance(ticks));
-      const isDue = now() - told >= TELL;
-      if (isDue) told = now();
-      yield isDue ? found() : null;
+      yield isReportDue() ? found() : null;
     }
     return found();
   },

@@ -8,7 +8,7 @@ import {
   WorkLimitReached,
 } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { job, type Played, type Work } from '../job.ts';
+import { createReporting, job, type Played, type Work } from '../job.ts';
 import {
   type Lattice,
   latticeFor,
@@ -64,7 +64,7 @@ const MOST_WORK = 50_000;
 const FINEST = 4;
 
 /** ms between two reports */
-const TELL = 200;
+const REPORT = 200;
 
 /** Samples where objects may stand without a run ending otherwise. */
 export const leewayWork: Work<typeof leeway> = {
@@ -111,15 +111,13 @@ export const leewayWork: Work<typeof leeway> = {
         isFinished,
       };
     };
-    let told = now();
+    const isReportDue = createReporting(REPORT, now(), now);
     let wasCovered = false;
     for (const _ of survey.work()) {
       // the first picture at once when it is complete
       const isFirst: boolean = !wasCovered && survey.isReachKnown;
       wasCovered ||= isFirst;
-      const isDue = isFirst || now() - told >= TELL;
-      if (isDue) told = now();
-      yield isDue ? found() : null;
+      yield isReportDue(isFirst) ? found() : null;
     }
     return found();
   },

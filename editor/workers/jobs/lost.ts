@@ -2,7 +2,7 @@ import { type Softlocks, softlocksOf } from '../../../check/index.ts';
 import { compile } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { createSoftlockSurvey, LIVES_ON, type RunLoss, type SoftlockSurvey, type SurveyedState } from '../../../solver/index.ts';
-import { createPacer, job, type Played, type Work } from '../job.ts';
+import { createPacer, createReporting, job, type Played, type Work } from '../job.ts';
 
 /** How it is known that a state is lost: by a proof, or only because no run was found. */
 export type LostKnown = 'proved' | 'not found';
@@ -67,7 +67,7 @@ export const losses = job<Played & { readonly traced: readonly (readonly Hold[])
 });
 
 /** ms between two reports */
-const TELL = 400;
+const REPORT = 400;
 
 /** A state as plain data, without its proof, which can be large; null if it is not lost. */
 function momentOf({ x, y, tick, standing }: SurveyedState): LostMoment | null {
@@ -115,16 +115,14 @@ function* examine<T>(
 ): Generator<T | null, T, void> {
   const pace = createPacer(now);
   let asked = 0;
-  let told = now();
+  const isReportDue = createReporting(REPORT, now(), now);
   while (!survey.finished && asked < effort) {
     pace((ticks) => {
       const more = Math.min(ticks, effort - asked);
       asked += more;
       survey.advance(more);
     });
-    const isDue = now() - told >= TELL;
-    if (isDue) told = now();
-    yield isDue ? found(survey) : null;
+    yield isReportDue() ? found(survey) : null;
   }
   return found(survey);
 }

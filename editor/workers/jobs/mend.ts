@@ -19,11 +19,11 @@ export const mendWork: Work<typeof mend> = {
     const mending = createMend(options);
     const found = (): Mending => ({ found: mending.found, effort: mending.effort, finished: mending.finished });
     const pace = createPacer(now);
-    let told = mending.found;
+    let reported = mending.found;
     while (!mending.finished) {
       pace((ticks) => mending.advance(ticks));
-      const isNews = mending.found !== told;
-      told = mending.found;
+      const isNews = mending.found !== reported;
+      reported = mending.found;
       yield isNews ? found() : null;
     }
     return found();

@@ -6,7 +6,7 @@ import {
   type PlayStatistics,
 } from '../../../check/plays/index.ts';
 import { createVerifier, type PlayVerdict } from '../../../game/index.ts';
-import { accuracyNameOf, job, type Played, type Work } from '../job.ts';
+import { accuracyNameOf, createReporting, job, type Played, type Work } from '../job.ts';
 
 /** What a play is found to be. */
 export interface CheckedPlay {
@@ -42,16 +42,14 @@ export const playsWork: Work<typeof plays> = {
     const replayer = createPlayReplayer(level, terms, { minerals: 'any' });
     const attempts: Attempt[] = [...known];
     const checked: CheckedPlay[] = [];
-    let last = now();
+    const isReportDue = createReporting(REPORT, now(), now);
     for (const bytes of all) {
       const { verdict, message, play } = verifier.verify(bytes);
       const replayed = verdict === 'ok' && play !== null ? replayer.replay(play, first + checked.length) : null;
       const attempt = replayed !== null && isAttempt(replayed) ? replayed : null;
       if (attempt !== null) attempts.push(attempt);
       checked.push({ verdict, message, replayed: attempt });
-      const isDue = now() - last >= REPORT;
-      if (isDue) last = now();
-      yield isDue ? { done: checked.length } : null;
+      yield isReportDue() ? { done: checked.length } : null;
     }
     return { plays: checked, statistics: collectStatistics(level, terms, attempts) };
   },

@@ -41,12 +41,12 @@ export const retimeWork: Work<typeof retime> = {
       finished: retiming.finished,
     });
     const pace = createPacer(now);
-    let told = retiming.best;
+    let reported = retiming.best;
     // what remains once the slack is known has a limit of its own
     while (!retiming.finished && (retiming.effort.ticks < effort || retiming.best?.slack)) {
       pace((ticks) => retiming.advance(ticks));
-      const isNews = retiming.best !== told;
-      told = retiming.best;
+      const isNews = retiming.best !== reported;
+      reported = retiming.best;
       yield isNews ? found() : null;
     }
     return found();

@@ -11,7 +11,7 @@ import {
   type SolveOptions,
   type Solver,
 } from '../../../solver/index.ts';
-import { createPacer, job, type Played, type Work } from '../job.ts';
+import { createPacer, createReporting, job, type Played, type Work } from '../job.ts';
 
 /** How far a search has come. */
 export interface Solving {
@@ -40,7 +40,7 @@ export const solve = job<
 >({ name: 'solve', lane: 'long', most: null });
 
 /** ms between two reports of a search that has found nothing new */
-const TELL = 250;
+const REPORT = 250;
 
 const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): Solving => ({
   effort: { ...effort },
@@ -54,14 +54,14 @@ const toSolving = ({ effort, closest, solutions, explored, finished }: Solver): 
 export function* search(solver: Solver, budget: number | null, now: () => number): Generator<Solving | null, Solving, void> {
   const start = now();
   const pace = createPacer(now);
-  let reported = start - TELL;
-  let best = solver.best;
+  const isReportDue = createReporting(REPORT, start, now);
+  // nothing is reported yet
+  let best: Solver['best'] | undefined;
   while (!solver.finished && (budget === null || now() - start < budget)) {
     pace((ticks) => solver.advance(ticks));
-    const isNews = solver.best !== best || now() - reported >= TELL;
-    if (isNews) reported = now();
+    const isNews = solver.best !== best;
     best = solver.best;
-    yield isNews ? toSolving(solver) : null;
+    yield isReportDue(isNews) ? toSolving(solver) : null;
   }
   return toSolving(solver);
 }

@@ -1,5 +1,11 @@
-export { CELL_NUMBERS, cornerCompletes, stateOfCode } from './cell-codes.ts';
-export type { CellState, Sample } from './cells.ts';
-export { type Lattice, latticeFor, shiftTo } from './lattice.ts';
-export { type MovedObject, movedLevel } from './moved-level.ts';
-export { MOST_REACH, type Reach, Survey } from './survey.ts';
+export { type Lattice, latticeFor, type MovedObject, movedLevel, shiftTo } from './moved-level.ts';
+export {
+  CELL_NUMBERS,
+  type CellState,
+  cornerCompletes,
+  MOST_REACH,
+  type Reach,
+  type Sample,
+  Survey,
+  stateOfCode,
+} from './survey.ts';

@@ -17,9 +17,7 @@ import {
 } from '../../../schema/index.ts';
 import { namedNotes } from '../../notes.ts';
 import type { Change, EntryChange, FieldChange, Json, MapChange, PartChange, ValueChange } from '../change.ts';
-import { indicesInWords, numbersApart } from './numbers.ts';
-import { objectClauses, placeInWords } from './object.ts';
-import { quoted, valueChangeInWords } from './values.ts';
+import { indicesInWords, numbersApart, objectClauses, placeInWords, quoted, valueChangeInWords } from './values.ts';
 
 /** From this many objects of a kind that changed alike, they are named together. */
 const SEVERAL = 3;

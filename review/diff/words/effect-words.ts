@@ -1,7 +1,6 @@
 import { outcomeAsPredicate, plural } from '../../../check/words/index.ts';
-import type { Standing, StandingRun } from '../standing.ts';
-import { numbersApart } from './numbers.ts';
-import { quoted } from './values.ts';
+import type { StandingRun, VersionStanding } from '../standing.ts';
+import { numbersApart, quoted } from './values.ts';
 
 /** Smaller differences of time are not mentioned, s. */
 const SHORTEST = 0.005;
@@ -12,7 +11,7 @@ const NEAREST = 0.05;
  * What the changes of a level lead to: `slack 5 -> 2 ticks`, `0.3 s slower`; empty if all is as before.
  * @param range range of the later version, px
  */
-export function effectsInWords(before: Standing, after: Standing, range: number): string[] {
+export function effectsInWords(before: VersionStanding, after: VersionStanding, range: number): string[] {
   const words: string[] = [];
   const [b, a] = [before.run, after.run];
   const isDone = after.verdict === 'completable';
@@ -31,7 +30,7 @@ export function effectsInWords(before: Standing, after: Standing, range: number)
   const later = a.time - b.time;
   if (Math.abs(later) >= SHORTEST) words.push(`${secondsInWords(Math.abs(later))} ${later > 0 ? 'slower' : 'faster'}`);
   if (a.minerals !== b.minerals || before.mineralCount !== after.mineralCount) {
-    const of = (run: StandingRun, { mineralCount }: Standing) => `${run.minerals} of ${mineralCount}`;
+    const of = (run: StandingRun, { mineralCount }: VersionStanding) => `${run.minerals} of ${mineralCount}`;
     words.push(`${of(b, before)} -> ${of(a, after)} minerals`);
   }
   if (b.clearance !== null && a.clearance !== null && Math.abs(a.clearance - b.clearance) >= NEAREST) {
@@ -51,7 +50,7 @@ const secondsInWords = (seconds: number): string =>
   seconds < 0.01 ? 'less than 0.01 s' : `${Number(seconds.toFixed(seconds < 0.1 ? 2 : 1))} s`;
 
 /** What is true of a level, for one that was added or removed: `completable in 7.12 s, 2 of 3 minerals, slack 4 ticks`. */
-export function standingInWords({ verdict, mineralCount, run }: Standing, range: number): string {
+export function standingInWords({ verdict, mineralCount, run }: VersionStanding, range: number): string {
   if (run === null) return verdict;
   if (verdict !== 'completable') return `${verdict}: run ${quoted(run.name)} ${outcomeAsPredicate(run, range)}`;
   const words = [`completable in ${run.time.toFixed(2)} s`];

@@ -5,11 +5,20 @@ import type { Rejection } from './generated.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
 import { withoutUnused } from './harden.ts';
 import { distance, type Layout } from './layout.ts';
-import { hasRoom, MINERAL_RADIUS } from './minerals.ts';
+import { hasRoom, MINERAL_RADIUS } from './novae-and-minerals.ts';
 import type { Route } from './route.ts';
 import { ALL, ANY, findWays, sceneOf } from './scouting.ts';
-import { isOnTheme, type Stage } from './stage.ts';
-import { ASIDE, bestImage, flightOf, Site, type Theme, withImages, withoutSingles } from './themes/index.ts';
+import {
+  ASIDE,
+  bestImage,
+  flightOf,
+  isOnTheme,
+  Site,
+  type Stage,
+  type Theme,
+  withImages,
+  withoutSingles,
+} from './themes/index.ts';
 import { distanceToWays, forgives, tubeOf, type Way, wayOf } from './tube.ts';
 
 // Ways of the detour and of its slightly mistimed variations that stay open.

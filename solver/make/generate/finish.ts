@@ -4,14 +4,13 @@ import { measureRobustness } from '../../measure/robustness/index.ts';
 import type { Random } from '../../random.ts';
 import { type Candidate, verifyRun } from '../../verified-run.ts';
 import type { Attempt, Rejection, SymmetryMeasure, ThemeMeasure } from './generated.ts';
-import type { GeneratorSpec } from './generator-spec.ts';
+import type { GeneratorSpec, ThemeName } from './generator-spec.ts';
 import { withoutIdle } from './idle.ts';
 import type { Layout } from './layout.ts';
 import { toLevelFile } from './level-file.ts';
-import { placeMinerals } from './minerals.ts';
+import { placeMinerals } from './novae-and-minerals.ts';
 import { ALL, ANY, findWays, gradeRun, sceneOf } from './scouting.ts';
-import type { Stage } from './stage.ts';
-import type { ThemeName } from './theme-name.ts';
+import type { Stage } from './themes/index.ts';
 import { flightOf, symmetryOf } from './themes/index.ts';
 import { wayOf } from './tube.ts';
 

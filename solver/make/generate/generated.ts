@@ -1,7 +1,7 @@
 import type { Hold, LevelFile } from '../../../schema/index.ts';
 import type { Grade } from '../../measure/difficulty/index.ts';
 import type { Robustness } from '../../measure/robustness/index.ts';
-import type { SymmetryKind, ThemeName } from './theme-name.ts';
+import type { SymmetryKind, ThemeName } from './generator-spec.ts';
 
 /** A generated level with its measurements. */
 export interface Generated {

@@ -1,7 +1,6 @@
 import { DEFAULT_TERMS, type Terms } from '../../../engine/index.ts';
 import type { OwnRules } from '../../../schema/basics/index.ts';
-import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
-import type { SymmetryKind, ThemeName } from './theme-name.ts';
+import { PLACED_KINDS, type PlacedList } from './placed.ts';
 
 /** How hard a generated level should be: a word, or a grade from 1 to 10 that is met within 0.5. */
 export type WantedDifficulty = 'easy' | 'medium' | 'hard' | number;
@@ -101,10 +100,10 @@ const SIZES = { small: [520, 420], medium: [800, 600], large: [1280, 800] } as c
 const GRADES = { easy: [1.2, 3.4], medium: [3.5, 5.4], hard: [5.5, 9] } as const;
 
 /** Least side of a generated level, px: a smaller one has no room for a swing. */
-export const LEAST_SIDE = 360;
+const LEAST_SIDE = 360;
 
 /** Greatest side, px: the chain of asteroids has to span it. */
-export const GREATEST_SIDE = 4000;
+const GREATEST_SIDE = 4000;
 
 /**
  * Derives what a level has to fulfil.
@@ -149,3 +148,15 @@ export function specOf(options: GeneratorOptions): GeneratorSpec {
     tempting: options.tempting ?? theme === 'lures',
   };
 }
+
+/** What a generated level is composed around. */
+export type ThemeName = 'orbits' | 'corridors' | 'slings' | 'lures' | 'fields';
+
+/** The names of all themes. */
+export const THEME_NAMES: readonly ThemeName[] = ['orbits', 'corridors', 'slings', 'lures', 'fields'];
+
+/** Of what kind the symmetry of a level is: none, a mirror image, or the same after half a turn. */
+export type SymmetryKind = 'none' | 'mirror' | 'rotate';
+
+/** Every kind of symmetry. */
+export const SYMMETRIES: readonly SymmetryKind[] = ['none', 'mirror', 'rotate'];

@@ -8,11 +8,10 @@ import { type Attempt, type Generated, REJECTIONS, type Rejection } from './gene
 import { type GeneratorOptions, type GeneratorSpec, specOf } from './generator-spec.ts';
 import { closeShortcuts, harden, withoutUnused } from './harden.ts';
 import { type Layout, layOut } from './layout.ts';
-import { addNovae } from './novae.ts';
+import { addNovae } from './novae-and-minerals.ts';
 import { findRoute, type Route } from './route.ts';
 import { ANY, findWays, gradeRun, sceneOf, scoutOnePress, sortByP40 } from './scouting.ts';
-import { isOnTheme, PLAIN_STAGE, type Stage } from './stage.ts';
-import { Site, THEMES, type Theme, withImages } from './themes/index.ts';
+import { isOnTheme, PLAIN_STAGE, Site, type Stage, THEMES, type Theme, withImages } from './themes/index.ts';
 import { forgives, tubeOf } from './tube.ts';
 
 /** Generates one level. The caller decides how long it works. */

@@ -1,13 +1,12 @@
-import { compile, createSimulation, playScript, type Scene, type Simulation } from '../../../engine/index.ts';
+import { createSimulation, playScript, type Scene, type Simulation } from '../../../engine/index.ts';
 import type { Disc, Hold } from '../../../schema/basics/index.ts';
 import { playGameAtRandom } from '../../measure/difficulty/index.ts';
 import { createRandom, type Random } from '../../random.ts';
 import { type Candidate, cutHolds } from '../../verified-run.ts';
 import { distance, type Layout } from './layout.ts';
-import { toLevel } from './level-file.ts';
-import { PLACED_KINDS, type PlacedList } from './placed/index.ts';
-import { PLAIN_STAGE, type Stage } from './stage.ts';
-import { type Image, partnerOf } from './themes/index.ts';
+import { PLACED_KINDS, type PlacedList } from './placed.ts';
+import { sceneOf } from './scouting.ts';
+import { type Image, PLAIN_STAGE, partnerOf, type Stage } from './themes/index.ts';
 
 // Games from the start, and games that leave each known run at a random tick.
 const GAMES = 300;
@@ -115,7 +114,7 @@ export function withoutIdle(
   seed: number,
   { image, figures, kept }: Stage = PLAIN_STAGE,
 ): { layout: Layout; ticks: number } {
-  const games = playGames(sceneFor(layout), runs, createRandom(seed));
+  const games = playGames(sceneOf(layout), runs, createRandom(seed));
   let ticks = games.length * 500;
   let lean = layout;
   for (const { list, place } of objectsOf(layout)) {
@@ -133,7 +132,7 @@ export function withoutIdle(
     if (together.length === 0) continue;
     const candidate = together.reduce<Layout>((left, object) => without(left, list, object), lean);
     if (candidate.asteroids.length === 0) continue;
-    const simulation = createSimulation(sceneFor(candidate));
+    const simulation = createSimulation(sceneOf(candidate));
     const isIdle = games.every(({ holds, ending }) => {
       const same = endingOf(simulation, holds) === ending;
       ticks += simulation.tick;
@@ -143,5 +142,3 @@ export function withoutIdle(
   }
   return { layout: lean, ticks };
 }
-
-const sceneFor = (layout: Layout): Scene => compile(toLevel(layout), 'arcade');

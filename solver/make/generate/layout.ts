@@ -2,8 +2,7 @@ import { boxOf } from '../../../engine/index.ts';
 import { type Disc, type OwnRules, type Place, placesIn, rulesOf } from '../../../schema/basics/index.ts';
 import type { Random } from '../../random.ts';
 import type { GeneratorSpec } from './generator-spec.ts';
-import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed/index.ts';
-import { takesOver } from './takes-over.ts';
+import { PLACED_KINDS, type PlacedList, type PlacedObject } from './placed.ts';
 
 /** A level under construction. All coordinates are whole px. */
 export interface Layout {
@@ -19,7 +18,7 @@ export interface Layout {
 }
 
 /** px between two objects; closer ones look like one. */
-export const GAP = 12;
+const GAP = 12;
 
 /** px between any object but a nova and the edge of the level: room for her to pass. */
 const MARGIN = 50;
@@ -157,4 +156,17 @@ export function tryOften<T>(attempt: () => T | null): T | null {
     if (result !== null) return result;
   }
   return null;
+}
+
+// Of the distance that she has fallen.
+const TAKEN = 0.9;
+
+/** Whether she comes nearer to the second asteroid than to the first, when she falls from rest through the first and beyond it. */
+export function takesOver(start: Place, first: Place, second: Place): boolean {
+  const [ahead, down] = [first.x - start.x, first.y - start.y];
+  const fall = Math.sqrt(ahead * ahead + down * down);
+  const [dx, dy] = [second.x - first.x, second.y - first.y];
+  const along = (dx * ahead + dy * down) / fall;
+  // the places that are as far from both lie on a line across; she meets it so far beyond the first
+  return along > 0 && (dx * dx + dy * dy) / (2 * along) < TAKEN * fall;
 }

@@ -1,6 +1,5 @@
 import type { LevelFile } from '../../../schema/index.ts';
-import type { GeneratorOptions } from './generator-spec.ts';
-import { THEME_NAMES, type ThemeName } from './theme-name.ts';
+import { type GeneratorOptions, THEME_NAMES, type ThemeName } from './generator-spec.ts';
 import { distanceBetween, type Traits, traitsOf } from './variety.ts';
 
 /** The theme of each level of a pack: one for all, or one after the other. */

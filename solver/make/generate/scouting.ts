@@ -1,6 +1,5 @@
 import { compile, createSimulation, maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import {
   countOnePress,
   type Grade,
@@ -14,7 +13,7 @@ import {
 import { successProbability } from '../../measure/robustness/index.ts';
 import type { Random } from '../../random.ts';
 import { createSolver } from '../../search/solve/index.ts';
-import { type Candidate, verifyRun } from '../../verified-run.ts';
+import { type Candidate, type Goal, verifyRun } from '../../verified-run.ts';
 import type { Layout } from './layout.ts';
 import { toLevel } from './level-file.ts';
 import { type Way, wayOf } from './tube.ts';

@@ -16,8 +16,7 @@ import {
   START,
   velocityFamily,
 } from './family.ts';
-import { directionsOf, lengthOf, scaled, shrink } from './fit-change.ts';
-import { clear } from './revive.ts';
+import { clear, directionsOf, lengthOf, scaled, shrink } from './revive.ts';
 import type { Task, Tried } from './task.ts';
 
 /** Ticks of the search after each change, in the rounds. */

@@ -6,10 +6,9 @@ import type { Steps } from '../../steps.ts';
 import { createRetime } from '../retime/index.ts';
 import { type ObjectRef, objectAt } from './change.ts';
 import { HOLE, hazards, isSame, START } from './family.ts';
-import type { Proposal } from './proposal.ts';
 import { relax } from './relax.ts';
 import { moveHole, revive, touchedBy } from './revive.ts';
-import { Task, type Tried } from './task.ts';
+import { type Proposal, Task, type Tried } from './task.ts';
 
 /** What {@link createRepair} looks for. */
 export interface RepairOptions {

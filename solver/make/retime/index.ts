@@ -1,6 +1,5 @@
 import { joinHolds, maxTicksOf, type Scene, TICK_RATE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import { edgesOf, holdsOf } from '../../edges.ts';
 import {
   BRIEF_CERTIFY_RUNS,
   type Certification,
@@ -13,10 +12,9 @@ import {
 } from '../../measure/robustness/index.ts';
 import type { Effort } from '../../search/explore/index.ts';
 import type { Steps } from '../../steps.ts';
-import { type Candidate, verifyRun } from '../../verified-run.ts';
-import { type Move, movesOf, shifted } from './moves.ts';
+import { type Candidate, edgesOf, holdsOf, verifyRun } from '../../verified-run.ts';
 import { seek } from './seek.ts';
-import { type Standing, Task } from './task.ts';
+import { type Completing, type Move, movesOf, shifted, Task } from './task.ts';
 
 /** What {@link createRetime} looks for. */
 export interface RetimeOptions {
@@ -189,7 +187,7 @@ function* shrink(task: Task): Steps<void> {
     more = false;
     for (const move of moves) {
       for (const edges of towards(task.best.edges, own, move)) {
-        const before: Standing = task.best;
+        const before: Completing = task.best;
         task.attempt(edges);
         yield null;
         if (task.best === before) continue;

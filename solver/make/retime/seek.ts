@@ -1,6 +1,5 @@
 import type { Steps } from '../../steps.ts';
-import { type Move, movesOf, shifted } from './moves.ts';
-import type { Point, Task } from './task.ts';
+import { type Move, movesOf, type NearMiss, shifted, type Task } from './task.ts';
 
 /** Shifts that are tried around the given edges, ticks, the smallest first. */
 const SIZES = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32, 36, 40, 48, 56, 64, 72, 80, 90];
@@ -28,7 +27,7 @@ const PAIRED = [4, 8, 16, 32];
 export function* seek(task: Task, warm: readonly number[] | null): Steps<void> {
   const { own } = task;
   const moves = movesOf(task.count);
-  const points: Point[] = [];
+  const points: NearMiss[] = [];
   if (warm !== null) {
     const { miss } = task.compareWith(warm);
     yield null;
@@ -58,7 +57,7 @@ function* scan(
   from: readonly number[],
   moves: readonly Move[],
   sizes: readonly number[],
-  points: Point[],
+  points: NearMiss[],
 ): Steps<void> {
   for (const size of sizes) {
     for (const move of moves) {
@@ -74,7 +73,7 @@ function* scan(
 }
 
 /** Tries two moves at a time. */
-function* scanPairs(task: Task, moves: readonly Move[], points: Point[]): Steps<void> {
+function* scanPairs(task: Task, moves: readonly Move[], points: NearMiss[]): Steps<void> {
   task.compareWith(task.own);
   for (const [k, first] of moves.entries()) {
     for (const second of moves.slice(k + 1)) {
@@ -101,7 +100,7 @@ const SIGNS = [
 ] as const;
 
 /** Varies the runs that came nearest, as long as that brings them nearer. */
-function* follow(task: Task, moves: readonly Move[], points: readonly Point[]): Steps<void> {
+function* follow(task: Task, moves: readonly Move[], points: readonly NearMiss[]): Steps<void> {
   const nearest = [...points].sort((a, b) => a.miss - b.miss).slice(0, FOLLOWED);
   for (const start of nearest) {
     let now = start;

@@ -1,10 +1,9 @@
 import { boxCircleGap, createSimulation, type Scene, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import { edgesOf, holdsOf } from '../../edges.ts';
-import { totalShift } from './moves.ts';
+import { edgesOf, holdsOf } from '../../verified-run.ts';
 
 /** Holds that complete the level. */
-export interface Standing {
+export interface Completing {
   readonly edges: readonly number[];
   /** So many of the wanted minerals are not collected. */
   readonly missing: number;
@@ -27,7 +26,7 @@ interface Sought {
 type Preference = 'smallest' | 'fewest';
 
 /** A run that failed, and by how much. */
-export interface Point {
+export interface NearMiss {
   readonly edges: readonly number[];
   readonly miss: number;
 }
@@ -39,7 +38,7 @@ export class Task {
   readonly own: readonly number[];
   /** So many of them may be shifted: those that come before the end of the run. */
   readonly count: number;
-  best: Standing | null = null;
+  best: Completing | null = null;
   private readonly within: number;
   private readonly prefers: Preference;
 
@@ -71,12 +70,12 @@ export class Task {
     return this.best !== null && this.best.missing === 0 && !this.isSmaller(this.standing(edges, 0), this.best);
   }
 
-  private standing(edges: readonly number[], missing: number): Standing {
+  private standing(edges: readonly number[], missing: number): Completing {
     const { own } = this;
     return { edges, missing, shifted: edges.filter((edge, i) => edge !== own[i]).length, total: totalShift(edges, own) };
   }
 
-  private isSmaller(a: Standing, b: Standing): boolean {
+  private isSmaller(a: Completing, b: Completing): boolean {
     if (this.prefers === 'fewest' && a.shifted !== b.shifted) return a.shifted < b.shifted;
     return a.total < b.total;
   }
@@ -251,3 +250,30 @@ class Probe {
     return { completed, missing, miss };
   }
 }
+
+/** Indices of the edges that are shifted together. */
+export type Move = readonly number[];
+
+/**
+ * The ways in which a person would re-time a run: one press or release by itself, a hold as a whole, and everything from one edge
+ * on.
+ * @param count edges that may be shifted, from the first
+ */
+export function movesOf(count: number): Move[] {
+  const moves: Move[] = [];
+  for (let i = 0; i < count; i++) moves.push([i]);
+  for (let i = 0; i + 1 < count; i += 2) if (i + 2 < count) moves.push([i, i + 1]);
+  for (let i = 0; i + 1 < count; i++) moves.push(Array.from({ length: count - i }, (_, k) => i + k));
+  return moves;
+}
+
+/** Shifts the edges of a move by so many ticks. */
+export function shifted(edges: readonly number[], move: Move, by: number): number[] {
+  const moved = [...edges];
+  for (const i of move) moved[i] += by;
+  return moved;
+}
+
+/** How far all edges together are from where they were, ticks. */
+const totalShift = (edges: readonly number[], own: readonly number[]): number =>
+  edges.reduce((sum, edge, i) => sum + Math.abs(edge - own[i]), 0);

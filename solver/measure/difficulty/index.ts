@@ -1,6 +1,6 @@
-export type { ComparedRun } from './compare-runs.ts';
-export { type FoundRuns, findRuns } from './find-runs.ts';
 export { GRADE_WORDS, type Grade, type GradeInput, type GradeWord, gradeOf, hardnessOf } from './grade.ts';
+export { type ComparedRun, type FoundRuns, findRuns } from './level-runs.ts';
+export { countOnePress, type OnePressCount, playAtRandom, playGameAtRandom, type RandomPlay } from './luck.ts';
 export {
   type Difficulty,
   type DifficultyOptions,
@@ -9,7 +9,6 @@ export {
   PLAYER_EFFORT,
   type RunComparison,
 } from './measure-difficulty.ts';
-export { countOnePress, type OnePressCount } from './one-press.ts';
 export {
   createPlayers,
   type FitInterval,
@@ -26,7 +25,12 @@ export {
   playAsPlayers,
   UNCALIBRATED,
 } from './player/index.ts';
-export { playAtRandom, playGameAtRandom, type RandomPlay } from './random-play.ts';
-export { findShortcuts, type OnePress, type ShortcutOptions, type Shortcuts } from './shortcuts.ts';
+export {
+  type AsteroidUse,
+  findShortcuts,
+  type OnePress,
+  type ShortcutOptions,
+  type Shortcuts,
+  type WithoutAsteroid,
+} from './shortcuts.ts';
 export { type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
-export type { AsteroidUse, WithoutAsteroid } from './without-asteroid.ts';

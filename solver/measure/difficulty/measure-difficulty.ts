@@ -1,8 +1,7 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { createSolver } from '../../search/solve/index.ts';
-import { type Candidate, verifyRun } from '../../verified-run.ts';
+import { type Candidate, type Goal, verifyRun } from '../../verified-run.ts';
 import {
   BRIEF_CERTIFY_RUNS,
   type EdgeSlack,
@@ -11,11 +10,10 @@ import {
   type Success,
   successProbability,
 } from '../robustness/index.ts';
-import { asGiven, type ComparedRun, compareRuns } from './compare-runs.ts';
-import { findRuns } from './find-runs.ts';
 import { type Grade, type GradeInput, gradeOf } from './grade.ts';
+import { asGiven, type ComparedRun, compareRuns, findRuns } from './level-runs.ts';
+import { playAtRandom, type RandomPlay } from './luck.ts';
 import { createPlayers, type PlayerForecast } from './player/index.ts';
-import { playAtRandom, type RandomPlay } from './random-play.ts';
 import { findShortcuts, type Shortcuts } from './shortcuts.ts';
 import { findSigmaAtHalf, type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 

@@ -1,6 +1,6 @@
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
+import type { Goal } from '../../verified-run.ts';
 import { type Success, successProbability } from '../robustness/index.ts';
 
 /** The timing noise at which half of all attempts succeed. */

@@ -1,7 +1,7 @@
 import { joinHolds, type Scene, type WorkBudget } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { finish, type Steps } from '../../steps.ts';
+import type { Goal } from '../../verified-run.ts';
 import { type BoxResult, type Cluster, clustersInSteps, ShiftBox, shiftsUpTo } from './shift-box.ts';
 import { SLACK_LIMIT } from './slack.ts';
 import { createTrials, playFrom, type Trials } from './trials.ts';

@@ -1,8 +1,6 @@
 export { BRIEF_CERTIFY_RUNS, type Certification, type CertifyOptions, certify, certifyInSteps } from './certify.ts';
 export { measureRobustness, measureRobustnessInSteps, type Robustness, type RobustnessOptions } from './robustness.ts';
-export { judgeAll } from './script-tree.ts';
 export { clustersOf, ShiftBox, shiftsUpTo } from './shift-box.ts';
-export { shiftHolds } from './shift-holds.ts';
 export { type EdgeSlack, findSlack, findSlackInSteps, SLACK_LIMIT, slackOf } from './slack.ts';
 export {
   countSuccesses,
@@ -11,6 +9,8 @@ export {
   successInSteps,
   successProbability,
   toSuccess,
+  wilsonInterval,
+  Z_90,
 } from './success-probability.ts';
 export {
   drawShift,
@@ -22,5 +22,4 @@ export {
   tickNoise,
   uniformOf,
 } from './tick-noise.ts';
-export { createTrials, playFrom, type Trials } from './trials.ts';
-export { wilsonInterval, Z_90 } from './wilson.ts';
+export { createTrials, judgeAll, playFrom, shiftHolds, type Trials } from './trials.ts';

@@ -1,7 +1,7 @@
 import { joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { finish, type Steps } from '../../steps.ts';
+import type { Goal } from '../../verified-run.ts';
 import { certifyInSteps } from './certify.ts';
 import { type EdgeSlack, SLACK_LIMIT, slackOf } from './slack.ts';
 import { countInSteps, DEFAULT_SAMPLES, type SampleOptions, type Success, toSuccess } from './success-probability.ts';

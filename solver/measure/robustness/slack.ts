@@ -1,9 +1,8 @@
 import { joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { finish, type Steps } from '../../steps.ts';
-import { shiftHolds } from './shift-holds.ts';
-import { advanceTo, createTrials, playFrom, type Trials } from './trials.ts';
+import type { Goal } from '../../verified-run.ts';
+import { advanceTo, createTrials, playFrom, shiftHolds, type Trials } from './trials.ts';
 
 /**
  * Slack of one press or release: how far it can move alone while the run still meets the goal. Every tick in between succeeds,

@@ -1,3 +1,2 @@
-export type { LostPlace, RunLoss, Standing, SurveyedState } from './standing.ts';
-export { createSoftlockSurvey, type SoftlockSurvey, type SurveyOptions } from './survey.ts';
-export { LIVES_ON } from './survey-steps.ts';
+export type { LostPlace, RunLoss, Standing, SurveyedState } from './state.ts';
+export { createSoftlockSurvey, LIVES_ON, type SoftlockSurvey, type SurveyOptions } from './survey.ts';

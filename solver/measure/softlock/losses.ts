@@ -1,6 +1,4 @@
-import type { Examined } from './examined.ts';
-import type { LostPlace } from './standing.ts';
-import { leadsThrough } from './ways.ts';
+import { type Examined, type LostPlace, leadsThrough } from './state.ts';
 
 /** Places nearer than this to each other are one, px. */
 const NEAR = 48;

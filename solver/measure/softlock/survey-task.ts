@@ -12,11 +12,9 @@ import type { Proof } from '../../prove/index.ts';
 import { createSearch, type Moment } from '../../search/explore/index.ts';
 import type { Steps } from '../../steps.ts';
 import { createReplay } from '../../verified-run.ts';
-import type { Examined } from './examined.ts';
 import { Losses } from './losses.ts';
 import { createLongProof, proveLost } from './prove-lost.ts';
-import type { Standing } from './standing.ts';
-import { commonTicks, continued, leadsThrough, upTo } from './ways.ts';
+import { commonTicks, continued, type Examined, leadsThrough, type Standing, upTo } from './state.ts';
 
 /** Ticks of a search between two breaks. */
 const SLICE = 2000;

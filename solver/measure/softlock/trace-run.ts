@@ -1,7 +1,6 @@
 import type { Hold } from '../../../schema/basics/index.ts';
 import type { Steps } from '../../steps.ts';
-import type { Examined } from './examined.ts';
-import type { RunLoss } from './standing.ts';
+import type { Examined, RunLoss } from './state.ts';
 import type { SurveyTask } from './survey-task.ts';
 
 /** The moment at which a run was lost is found up to this many ticks: by searches, and by proofs. */

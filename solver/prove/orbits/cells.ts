@@ -1,11 +1,9 @@
 import { TICK } from '../../../engine/index.ts';
 import type { Blocker, OrbitGrid } from '../proof.ts';
 import type { Setting } from '../setting.ts';
-import { agree, leastSquare, mostSquare } from './agree.ts';
 import type { Charts } from './charts.ts';
-import { type Layer, NUMBERS } from './layer.ts';
-import type { OrbitScene } from './scene.ts';
-import { SLACK } from './slack.ts';
+import { agree, type Layer, leastSquare, mostSquare, NUMBERS } from './layer.ts';
+import { type OrbitScene, SLACK } from './scene.ts';
 
 const OFF_GRID = 'a box is off the grid';
 

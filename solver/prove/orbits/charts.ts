@@ -1,10 +1,10 @@
 import { TICK } from '../../../engine/index.ts';
+import type { Place } from '../../../schema/basics/index.ts';
 import { driftAfter } from '../assumptions.ts';
 import type { Setting } from '../setting.ts';
 import { NUMBERS } from './layer.ts';
 import { Rectangle } from './rectangle.ts';
-import type { OrbitScene, Place } from './scene.ts';
-import { SLACK } from './slack.ts';
+import { type OrbitScene, SLACK } from './scene.ts';
 import { atan2, cos, sin } from './trigonometry.ts';
 
 /** Boxes are Cartesian nearer than this, px, or where she may turn about the centre more quickly than this, rad/s. */

@@ -3,15 +3,12 @@ import { easySpeed, isEasyFor } from '../assumptions.ts';
 import type { About, Blocker, OrbitGrid } from '../proof.ts';
 import { distance } from '../rounding.ts';
 import type { Setting, Thing } from '../setting.ts';
-import { agree } from './agree.ts';
 import { Cells } from './cells.ts';
 import { Charts } from './charts.ts';
 import { Forces } from './forces.ts';
-import { Layer, NUMBERS } from './layer.ts';
+import { agree, Layer, NUMBERS, type OrbitWatch } from './layer.ts';
 import { Moves } from './moves.ts';
-import { type OrbitScene, orbitScene } from './scene.ts';
-import { SLACK, slackL } from './slack.ts';
-import type { OrbitWatch } from './watch.ts';
+import { type OrbitScene, orbitScene, SLACK, slackL } from './scene.ts';
 
 /** In a part of a step, distance changes by about this share of itself, or direction by this many rad. */
 const BEND = 0.12;
@@ -52,21 +49,21 @@ export function followOrbits(
   most: { readonly steps: number; readonly boxes: number },
   watch: OrbitWatch = {},
 ): OrbitResult {
-  const fan = new OrbitFan(setting, about, goal, grid, watch, setting.budget.looks + LOOKS_A_BOX * most.boxes);
+  const reach = new OrbitReach(setting, about, goal, grid, watch, setting.budget.looks + LOOKS_A_BOX * most.boxes);
   let boxes = 0;
   const end = (closed: boolean, steps: number, why: string): OrbitResult => ({
     closed,
     steps,
     boxes,
     why,
-    endedBy: [...fan.endedBy],
+    endedBy: [...reach.endedBy],
   });
-  if (!fan.fits() || !isEasyFor(setting, grid.frames * TICK)) return end(false, 0, 'the grid is too fine or she is too fast');
+  if (!reach.fits() || !isEasyFor(setting, grid.frames * TICK)) return end(false, 0, 'the grid is too fine or she is too fast');
   // what she touches at the start counts, even if a hazard ends the run there
   if (distance(goal, { x: 0, y: 0 }) <= goal.touch + SLACK) return end(false, 0, 'the object is at the start');
   let now = new Layer();
   let next = new Layer();
-  const off = fan.start(now);
+  const off = reach.start(now);
   if (off !== null) return end(false, 0, off);
   for (let step = 0; step <= most.steps; step++) {
     watch.layer?.(now, step);
@@ -74,14 +71,14 @@ export function followOrbits(
     boxes += now.size;
     if (boxes > most.boxes) return end(false, step, 'there are too many boxes');
     next.clear();
-    const why = fan.advance(now, step + 1, next);
+    const why = reach.advance(now, step + 1, next);
     if (why !== null) return end(false, step, why);
     [now, next] = [next, now];
   }
   return end(false, most.steps, 'runs go on');
 }
 
-class OrbitFan {
+class OrbitReach {
   private readonly setting: Setting;
   private readonly scene: OrbitScene;
   private readonly charts: Charts;
@@ -169,7 +166,7 @@ class OrbitFan {
       const why = this.move(chart >> 1, chart % 2 === 0) ?? this.whyTooMuch();
       if (why !== null) return why;
     }
-    return this.settle(next);
+    return this.sortIn(next);
   }
 
   private whyTooMuch(): string | null {
@@ -195,7 +192,7 @@ class OrbitFan {
   }
 
   /** Sorts the boxes after a step into the charts of the asteroids that may be nearest. */
-  private settle(next: Layer): string | null {
+  private sortIn(next: Layer): string | null {
     const { cells, charts, raw, box } = this;
     const { range } = this.setting.level;
     const count = charts.rocks.length;

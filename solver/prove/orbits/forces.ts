@@ -1,8 +1,6 @@
-import { RIM_SLACK } from '../rims.ts';
-import type { Setting } from '../setting.ts';
+import { RIM_SLACK, type Setting } from '../setting.ts';
 import type { Charts } from './charts.ts';
-import type { OrbitScene } from './scene.ts';
-import { SLACK } from './slack.ts';
+import { type OrbitScene, SLACK } from './scene.ts';
 
 /** The accelerations of everything but the asteroid itself, in the frame of the chart's rectangle. */
 export class Forces {

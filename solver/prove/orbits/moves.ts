@@ -1,13 +1,9 @@
-import { RIM_SLACK } from '../rims.ts';
-import type { Setting } from '../setting.ts';
-import { mostSquare } from './agree.ts';
+import { RIM_SLACK, type Setting } from '../setting.ts';
 import type { Charts } from './charts.ts';
 import type { Forces } from './forces.ts';
-import { NUMBERS } from './layer.ts';
-import type { OrbitScene } from './scene.ts';
-import { SLACK, slackL } from './slack.ts';
+import { mostSquare, NUMBERS, type OrbitWatch } from './layer.ts';
+import { type OrbitScene, SLACK, slackL } from './scene.ts';
 import { cos, sin } from './trigonometry.ts';
-import type { OrbitWatch } from './watch.ts';
 
 /** Moves a box through parts of a step. */
 export class Moves {

@@ -1,18 +1,7 @@
+import type { Place } from '../../../schema/basics/index.ts';
 import { standingCircles } from '../blockers.ts';
 import type { About, Blocker } from '../proof.ts';
-import { mouthDiscs } from '../rims.ts';
-import type { Setting, Thing } from '../setting.ts';
-
-/** A place, px from the start. */
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
-/** A disc of radius r px. */
-export interface Spot extends Place {
-  readonly r: number;
-}
+import { mouthDiscs, type Setting, type Spot, type Thing } from '../setting.ts';
 
 /** What she may come upon. */
 export interface OrbitScene {
@@ -47,3 +36,9 @@ export function orbitScene(setting: Setting, about: About, goal: Thing): OrbitSc
     goal: { x: goal.x, y: goal.y, r: goal.touch },
   };
 }
+
+/** Far more than the rounding error of a step, px and px/s. */
+export const SLACK = 1e-6;
+
+/** Far more than the rounding error of an angular momentum, px²/s. */
+export const slackL = (L: number): number => 1e-4 + 1e-8 * Math.abs(L);

@@ -1,7 +1,7 @@
 import { type AccuracyName, DEFAULT_MAX_TICKS, TICK, WorkBudget } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/basics/index.ts';
-import { type Goal, mineralsNeeded } from '../../goal.ts';
 import { type About, mayProve, type Proof, type Prover, proveBy } from '../../prove/index.ts';
+import { type Goal, mineralsNeeded } from '../../verified-run.ts';
 import { verifyProof } from '../../verify/index.ts';
 
 /** For which runs an {@link AnytimeProof} is sought. */

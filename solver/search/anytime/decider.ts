@@ -3,7 +3,6 @@ import type { Proof } from '../../prove/index.ts';
 import type { Closest, Effort, Explored } from '../explore/index.ts';
 import { createSolver, type Solution, type SolveOptions, type Solver } from '../solve/index.ts';
 import { type AnytimeProof, createAnytimeProof } from './anytime-proof.ts';
-import { proofShare } from './proof-share.ts';
 
 /** What a {@link Decider} looks for. */
 export interface DeciderOptions extends SolveOptions {
@@ -105,3 +104,12 @@ export function sideBySide(
 
 /** Ticks of the search before the proofs may catch up. */
 const SLICE = 50_000;
+
+/**
+ * How much work a search for a proof may have done beside a search for a run: as much as that, and both together no more than the
+ * effort.
+ * @param search the work of the search for a run so far, ticks
+ * @param effort the most work of both together, ticks; infinite for no limit
+ * @returns ticks
+ */
+export const proofShare = (search: number, effort: number): number => Math.max(0, Math.min(search, effort - search));

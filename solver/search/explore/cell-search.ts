@@ -10,15 +10,12 @@ import {
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createRandom, type Random } from '../../random.ts';
 import { cutHolds } from '../../verified-run.ts';
-import { Approach } from './approach.ts';
-import { CellKey, CellTable, SnapshotPool } from './cell-table.ts';
+import { CellKey, CellTable, MineralSet, SnapshotPool } from './cells.ts';
 import { Frontier } from './frontier.ts';
 import { BANDS, type Guide } from './guide.ts';
 import { HeatMap } from './heat-map.ts';
 import { LineOfFlight } from './line-of-flight.ts';
-import { MineralSet } from './mineral-set.ts';
-import { NodeList } from './node-list.ts';
-import type { Reports } from './reports.ts';
+import { Approach, NodeList, type Reports } from './records.ts';
 import type { Closest, Effort, Moment } from './search.ts';
 
 // What has been tried from a node.
@@ -51,7 +48,7 @@ const HOLD_STRIDE = 16;
 const COAST_STRIDE = 120;
 const STEP = 1.1;
 
-/** So many sets of equally many minerals are told apart. */
+/** So many sets of equally many minerals are kept apart. */
 const SETS = 1000;
 
 /** A stretch of a guided search counts as this many ticks more, so that states about to end do not get too many. */

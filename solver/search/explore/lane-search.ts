@@ -1,12 +1,11 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
-import { mineralsNeeded } from '../../goal.ts';
-import { type Candidate, createReplay } from '../../verified-run.ts';
+import { type Candidate, createReplay, mineralsNeeded } from '../../verified-run.ts';
 import { CellSearch, type SearchTask } from './cell-search.ts';
+import { MineralSet } from './cells.ts';
 import { Guide } from './guide.ts';
 import { HeatTally } from './heat-map.ts';
 import { Lingering } from './lingering.ts';
-import { MineralSet } from './mineral-set.ts';
-import { Reports } from './reports.ts';
+import { Reports } from './records.ts';
 import type { Closest, Effort, Explored, Moment, Search, SearchOptions } from './search.ts';
 
 /** Ticks after which the guided search joins in. By then almost every level that has a run is solved. */

@@ -1,5 +1,5 @@
 import { createSimulation, type Scene, type Simulation, STATE_SIZE, TICK } from '../../../engine/index.ts';
-import type { Reports } from './reports.ts';
+import type { Reports } from './records.ts';
 
 /** How near to the end of the range she is allowed to turn, px. */
 const WITHIN = 0.02;

@@ -1,7 +1,6 @@
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
-import type { Candidate } from '../../verified-run.ts';
+import type { Candidate, Goal } from '../../verified-run.ts';
 
 /** The work done so far. It is the same on every machine. */
 export interface Effort {

@@ -1,8 +1,6 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import { edgesOf, holdsOf } from '../../edges.ts';
-import type { Goal } from '../../goal.ts';
-import { type Candidate, createReplay } from '../../verified-run.ts';
+import { type Candidate, createReplay, edgesOf, type Goal, holdsOf } from '../../verified-run.ts';
 import type { Effort } from '../explore/index.ts';
 
 /** Limits for {@link cleanRun}. */

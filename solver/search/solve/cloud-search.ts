@@ -1,8 +1,8 @@
 import { createSimulation, type Scene, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import { type Goal, mineralsNeeded } from '../../goal.ts';
 import { mirroredShift, type TickNoise, tickNoise } from '../../measure/robustness/index.ts';
 import { createRandom, type Random } from '../../random.ts';
+import { type Goal, mineralsNeeded } from '../../verified-run.ts';
 import type { HeatMap } from '../explore/index.ts';
 
 /** A run that the search has found. */

@@ -1,7 +1,7 @@
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createRandom, type Random } from '../../random.ts';
 import { type CloudRun, CloudSearch } from './cloud-search.ts';
-import { isSameWay } from './merge-solutions.ts';
+import { isSameWay } from './solution.ts';
 import type { SolverSession } from './solver-session.ts';
 
 /**

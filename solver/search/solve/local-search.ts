@@ -1,5 +1,7 @@
 import type { Hold } from '../../../schema/basics/index.ts';
 import {
+  countSuccesses,
+  FIRST_TO_CHOOSE_BY,
   judgeAll,
   mirroredShift,
   normalBeyondHalf,
@@ -8,6 +10,8 @@ import {
   type Trials,
   tickNoise,
 } from '../../measure/robustness/index.ts';
+import type { Random } from '../../random.ts';
+import type { SolverSession } from './solver-session.ts';
 
 /** A local search that starts from one run and moves its edges to where timing noise does the least harm. */
 export interface LocalSearch {
@@ -41,7 +45,7 @@ export function createLocalSearch(holds: readonly Hold[], seed: number): LocalSe
 }
 
 /** Rounds edges to whole ticks, and keeps holds at least one tick long and one tick apart. */
-export function holdsOf(edges: readonly number[]): Hold[] {
+export function wholeTicks(edges: readonly number[]): Hold[] {
   const holds: Hold[] = [];
   let free = 0;
   for (let i = 0; i < edges.length; i += 2) {
@@ -63,7 +67,7 @@ export function holdsOf(edges: readonly number[]): Hold[] {
 export function meanShiftStep(trials: Trials, local: LocalSearch, samples: number, most: number): void {
   const { successes, tried, drift } = sampleNoise(
     trials,
-    holdsOf(local.edges),
+    wholeTicks(local.edges),
     noiseOf(local.sigma),
     local.seed,
     local.used,
@@ -95,11 +99,11 @@ export function shiftToMean(
   let edges = holds.flat();
   for (let step = 0; step < steps; step++) {
     const start = from + step * samples;
-    const { drift, successes, tried } = sampleNoise(trials, holdsOf(edges), noise, seed, start, start + samples);
+    const { drift, successes, tried } = sampleNoise(trials, wholeTicks(edges), noise, seed, start, start + samples);
     if (successes === tried) break;
     edges = edges.map((tick, i) => tick + STRIDE * drift[i]);
   }
-  return holdsOf(edges);
+  return wholeTicks(edges);
 }
 
 /** The half width of a single window that an edge with this noise would hit with this share, ms. */
@@ -165,4 +169,97 @@ function sampleNoise(
   }
   if (successes > 0) for (let edge = 0; edge < edges; edge++) drift[edge] /= successes;
   return { successes, tried: shifts.length, drift };
+}
+
+/**
+ * Makes a random variation of a run: drops a hold, shifts everything from one edge on, inserts a pause or a hold, cuts off the
+ * end, or shakes all edges.
+ */
+export function changeRun(holds: readonly Hold[], random: Random): Hold[] {
+  const edges = holds.flat();
+  const between = (low: number, high: number) => low + random.below(Math.max(1, high - low));
+  switch (random.below(5)) {
+    case 0:
+      if (edges.length > 2) edges.splice(2 * random.below(holds.length), 2);
+      break;
+    case 1: {
+      const first = random.below(edges.length);
+      const by = (random.below(2) === 0 ? 1 : -1) * between(4, 44);
+      for (let i = first; i < edges.length; i++) edges[i] += by;
+      break;
+    }
+    case 2: {
+      // Insert two edges into a stretch: a pause into a hold, or a hold into a pause.
+      const place = random.below(edges.length);
+      const low = place === 0 ? 0 : edges[place - 1];
+      if (edges[place] - low <= 20) break;
+      const first = between(low + 4, edges[place] - 12);
+      edges.splice(place, 0, first, between(first + 4, Math.min(first + 64, edges[place] - 2)));
+      break;
+    }
+    case 3: {
+      // Drop everything after one of the holds, and make that hold longer.
+      const last = random.below(holds.length);
+      edges.length = 2 * last + 2;
+      edges[2 * last + 1] += 240;
+      break;
+    }
+    default: {
+      const size = between(10, 40);
+      for (let i = 0; i < edges.length; i++) edges[i] += Math.round((random.unit() + random.unit() - 1) * size);
+    }
+  }
+  return inOrder(edges);
+}
+
+/** Restores the order of edges by moving those that come too early. */
+function inOrder(edges: readonly number[]): Hold[] {
+  const holds: Hold[] = [];
+  let last = -1;
+  for (let i = 0; i < edges.length; i += 2) {
+    const press = Math.max(last + 1, edges[i]);
+    last = Math.max(press + 1, edges[i + 1]);
+    holds.push([press, last]);
+  }
+  return holds;
+}
+
+/** Attempts of each run in the first stage; each later stage doubles the total of the runs that are left. */
+const FIRST_STAGE = 16;
+const SEED = 3;
+
+/** Attempts per mean-shift step of the runs that are left, and steps. */
+const SAMPLES = 48;
+const STEPS = 3;
+
+/**
+ * Picks the most robust of many runs by sequential halving (Z. Karnin, T. Koren, O. Somekh, Almost optimal exploration in
+ * multi-armed bandits, 2013): all runs get the same noise, the better half goes on with twice as many attempts. The edges of
+ * those that are left are moved to where noise does less harm. Yields between small pieces of work.
+ * @param runs the runs, the most promising first; the order decides ties
+ * @param sigma standard deviation of the noise, ms
+ * @param finalists how many runs to return at most
+ * @param seed the seed of the noise by which edges are moved
+ */
+export function* screen(
+  { trials }: SolverSession,
+  runs: readonly (readonly Hold[])[],
+  { sigma, finalists, seed }: { sigma: number; finalists: number; seed: number },
+): Generator<void, Hold[][]> {
+  const noise = tickNoise(sigma);
+  let left = runs.map((holds) => ({ holds, successes: 0 }));
+  for (let from = 0, to = FIRST_STAGE; left.length > finalists; from = to, to *= 2) {
+    for (const run of left) {
+      run.successes += countSuccesses(trials, run.holds, noise, SEED, FIRST_TO_CHOOSE_BY + from, FIRST_TO_CHOOSE_BY + to);
+      yield;
+    }
+    left.sort((a, b) => b.successes - a.successes);
+    left = left.slice(0, Math.max(finalists, Math.ceil(left.length / 2)));
+  }
+  const moved: Hold[][] = [];
+  for (const { holds } of left) {
+    moved.push(shiftToMean(trials, holds, noise, { seed, from: 0, samples: SAMPLES, steps: STEPS }));
+    yield;
+  }
+  return moved;
 }

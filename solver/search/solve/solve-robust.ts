@@ -1,9 +1,7 @@
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createRandom, type Random } from '../../random.ts';
-import { changeRun } from './change-run.ts';
 import { Clouds } from './clouds.ts';
-import { createLocalSearch, holdsOf, type LocalSearch, meanShiftStep } from './local-search.ts';
-import { isSameWay, mergeSolutions } from './merge-solutions.ts';
+import { changeRun, createLocalSearch, type LocalSearch, meanShiftStep, screen, wholeTicks } from './local-search.ts';
 import {
   centred,
   certifyCandidate,
@@ -17,7 +15,7 @@ import {
   standing,
   toSolution,
 } from './robust-candidate.ts';
-import { screen } from './screen.ts';
+import { isSameWay, mergeSolutions } from './solution.ts';
 import { playable, type SolverSession } from './solver-session.ts';
 
 /** The most new runs per round from clouds, and from changes. */
@@ -121,7 +119,7 @@ export class RobustWork {
           meanShiftStep(this.session.trials, local, 32, MOST_SIGMA);
           yield;
         }
-        this.admit(holdsOf(local.edges), local.seed);
+        this.admit(wholeTicks(local.edges), local.seed);
         yield;
       }
       yield* this.polish();

@@ -1,8 +1,7 @@
 import { joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { createTrials, type Trials } from '../../measure/robustness/index.ts';
-import { type Candidate, verifyRun } from '../../verified-run.ts';
+import { type Candidate, type Goal, verifyRun } from '../../verified-run.ts';
 import { type Closest, createSearch, type Effort, type Explored, HeatMap, HeatTally, type Search } from '../explore/index.ts';
 import { cleanRun } from './clean-run.ts';
 import type { Objective, Solution } from './solution.ts';

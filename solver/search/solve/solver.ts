@@ -1,11 +1,10 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import type { Goal } from '../../goal.ts';
 import { createRandom } from '../../random.ts';
+import type { Goal } from '../../verified-run.ts';
 import { type Closest, type Effort, type Explored, HeatTally } from '../explore/index.ts';
-import { changeRun } from './change-run.ts';
-import { compareSolutions, mergeSolutions } from './merge-solutions.ts';
-import type { Objective, Solution } from './solution.ts';
+import { changeRun } from './local-search.ts';
+import { compareSolutions, mergeSolutions, type Objective, type Solution } from './solution.ts';
 import { RobustWork } from './solve-robust.ts';
 import { createSolverSession, playable, type SolverSession } from './solver-session.ts';
 

@@ -1,5 +1,5 @@
+import { leastProduct, leastSquare, mostProduct, mostSquare } from './arithmetic.ts';
 import type { Forces } from './forces.ts';
-import { leastProduct, leastSquare, mostProduct, mostSquare } from './intervals.ts';
 import type { Places } from './places.ts';
 import { ROUNDING, type Scene } from './scene.ts';
 

@@ -1,7 +1,6 @@
-import type { Drifts } from './drifts.ts';
+import { Vector } from './arithmetic.ts';
 import type { Places } from './places.ts';
-import { type Chart, ON_RIM, type Scene, TIE } from './scene.ts';
-import { Vector } from './vector.ts';
+import { type Chart, type Drifts, ON_RIM, type Scene, TIE } from './scene.ts';
 
 /** Nearer to a centre than this, px, a force may point anywhere. */
 const AT_CENTRE = 1;

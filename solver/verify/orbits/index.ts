@@ -4,12 +4,11 @@ import { farFromLimit } from '../assumptions.ts';
 import type { Claim } from '../claim.ts';
 import { isCount, isFrom } from '../turned-scene.ts';
 import { Stepper } from './advance.ts';
+import { mostSquare } from './arithmetic.ts';
 import { Boxes, SIZE } from './boxes.ts';
-import { Drifts } from './drifts.ts';
 import { Forces } from './forces.ts';
-import { mostSquare } from './intervals.ts';
 import { Places } from './places.ts';
-import { ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
+import { Drifts, ON_RIM, ROUNDING, type Scene, sceneOf } from './scene.ts';
 import { asteroidOf, isNear, Sorter } from './sort-in.ts';
 
 /** The most boxes of all times together, and the most pieces of boxes to examine. */

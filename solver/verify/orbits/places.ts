@@ -1,4 +1,4 @@
-import { cosineAndSine } from './angles.ts';
+import { cosineAndSine } from './arithmetic.ts';
 import type { Body } from './scene.ts';
 
 /** Far more than the rounding error of a square of lengths, relative to the largest of them. */

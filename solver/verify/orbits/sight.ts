@@ -1,4 +1,4 @@
-import { angleOf, cosineAndSine } from './angles.ts';
+import { angleOf, cosineAndSine } from './arithmetic.ts';
 import { Places } from './places.ts';
 import type { Body } from './scene.ts';
 

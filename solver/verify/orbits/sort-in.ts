@@ -1,8 +1,7 @@
 import type { OrbitGrid } from '../../prove/index.ts';
+import { leastProduct, mostProduct } from './arithmetic.ts';
 import { Boxes, SIZE } from './boxes.ts';
-import type { Drifts } from './drifts.ts';
-import { leastProduct, mostProduct } from './intervals.ts';
-import { ROUNDING, type Scene } from './scene.ts';
+import { type Drifts, ROUNDING, type Scene } from './scene.ts';
 import { type Along, type PutPart, Transfer } from './transfer.ts';
 import { CLOSE, OWN, SHARE, Whereabouts } from './whereabouts.ts';
 

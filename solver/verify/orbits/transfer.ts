@@ -1,12 +1,9 @@
 import type { OrbitGrid } from '../../prove/index.ts';
-import { cosineAndSine } from './angles.ts';
+import { cosineAndSine, leastProduct, mostProduct, mostSquare, Vector } from './arithmetic.ts';
 import { SIZE } from './boxes.ts';
-import type { Drifts } from './drifts.ts';
-import { leastProduct, mostProduct, mostSquare } from './intervals.ts';
 import { Places } from './places.ts';
-import { ROUNDING, type Rock, type Scene } from './scene.ts';
+import { type Drifts, ROUNDING, type Rock, type Scene } from './scene.ts';
 import { Sight } from './sight.ts';
-import { Vector } from './vector.ts';
 import { CLOSE, SHARE, type Whereabouts } from './whereabouts.ts';
 
 /** A direction, and bounds of the velocity along it, px/s. */

@@ -1,6 +1,5 @@
-import type { Drifts } from './drifts.ts';
 import { Places } from './places.ts';
-import { type Chart, ROUNDING, type Rock, type Scene } from './scene.ts';
+import { type Chart, type Drifts, ROUNDING, type Rock, type Scene } from './scene.ts';
 
 /** Who may come nearer than this to an asteroid within a step, px, has coordinates in x and y. */
 const PASS = 16;

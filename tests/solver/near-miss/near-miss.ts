@@ -11,7 +11,7 @@ import {
   type Proof,
   verifyProof,
 } from '../../../solver/index.ts';
-import { followFan } from '../../../solver/prove/fan.ts';
+import { followBoxes } from '../../../solver/prove/boxes.ts';
 import { followPipes } from '../../../solver/prove/pipe.ts';
 import { settingOf, thingOf } from '../../../solver/prove/setting.ts';
 import { isHunt } from '../../depth.ts';
@@ -67,7 +67,7 @@ export const doomedBy =
   (level, { covers = CONTINUOUS, about = HOLE, maxTime = null } = {}) => {
     const setting = settingOf(level, maxTime, covers.includes('arcade'));
     const goal = thingOf(level, about.kind === 'mineral' ? level.minerals[about.index] : level.blackHole);
-    const { layers } = followFan(setting, about, goal, grid, { steps, boxes: 100_000 });
+    const { layers } = followBoxes(setting, about, goal, grid, { steps, boxes: 100_000 });
     return { kind: 'doomed', grid, layers };
   };
 

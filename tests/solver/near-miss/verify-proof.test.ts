@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Proof, verifyProof } from '../../../solver/index.ts';
-import { apart, isIndex, less } from '../../../solver/verify/rounded.ts';
+import { apart, isIndex, less } from '../../../solver/verify/geometry.ts';
 import { at, levelWith, proofWith, spot } from './near-miss.ts';
 
 const level = levelWith({ minerals: [spot(4000, 0)], novae: [at(5, 0)] });

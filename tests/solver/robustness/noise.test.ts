@@ -9,7 +9,7 @@ import {
   tickNoise,
   uniformOf,
 } from '../../../solver/measure/robustness/index.ts';
-import { wilsonInterval } from '../../../solver/measure/robustness/wilson.ts';
+import { wilsonInterval } from '../../../solver/measure/robustness/success-probability.ts';
 import { arbitraryHolds } from '../../engine/arbitrary-level.ts';
 
 describe('the normal distribution', () => {

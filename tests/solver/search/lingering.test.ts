@@ -4,7 +4,7 @@ import { compile, DEFAULT_MAX_TICKS, simulate } from '../../../engine/index.ts';
 import { type Level, type LevelFile, resolveLevel } from '../../../schema/index.ts';
 import { createSearch, proveImpossible } from '../../../solver/index.ts';
 import { Lingering } from '../../../solver/search/explore/lingering.ts';
-import { Reports } from '../../../solver/search/explore/reports.ts';
+import { Reports } from '../../../solver/search/explore/records.ts';
 import { type Candidate, createReplay } from '../../../solver/verified-run.ts';
 import { real } from '../../real.ts';
 

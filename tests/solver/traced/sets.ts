@@ -2,8 +2,8 @@ import { TICK } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import { type FanGrid, type OrbitGrid, type PipeGrid, type Proof, proofPicture } from '../../../solver/index.ts';
 import { isEasyFor, recoilBlur } from '../../../solver/prove/assumptions.ts';
+import { followBoxes } from '../../../solver/prove/boxes.ts';
 import { startAxis } from '../../../solver/prove/doomed.ts';
-import { followFan } from '../../../solver/prove/fan.ts';
 import { mayFlow } from '../../../solver/prove/flowpipe.ts';
 import { followOrbits } from '../../../solver/prove/orbits/index.ts';
 import { NUMBERS } from '../../../solver/prove/orbits/layer.ts';
@@ -34,7 +34,7 @@ export function fanSets(level: Level, sizes: Omit<FanGrid, 'axis'>, boxes: numbe
   if (!isEasyFor({ ...setting, strongest }, sizes.frames * TICK)) return null;
   const grid: FanGrid = { ...sizes, axis: startAxis(setting) };
   const steps = Math.floor(8 / (grid.frames * TICK));
-  const { layers, closed } = followFan(setting, HOLE, thingOf(level, level.blackHole), grid, { steps, boxes });
+  const { layers, closed } = followBoxes(setting, HOLE, thingOf(level, level.blackHole), grid, { steps, boxes });
   const [ux, uy] = grid.axis;
   const { x, y } = level.astronaut;
   const along = (dx: number, dy: number) => [dx * ux + dy * uy, dy * ux - dx * uy];

@@ -1,8 +1,8 @@
 import { boxOf } from '../../../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../../../schema/basics/index.ts';
 import { distance } from '../layout.ts';
-import { placeChain } from './chain.ts';
 import { type Flight, headingAt, lengthOf } from './flight.ts';
+import { placeChain } from './site.ts';
 import type { Theme } from './theme.ts';
 
 const BEAD = 12;

@@ -1,10 +1,8 @@
 import { boxOf } from '../../../../engine/index.ts';
 import { type Disc, type Place, rulesOf } from '../../../../schema/basics/index.ts';
-import { distance, tryOften } from '../layout.ts';
-import { takesOver } from '../takes-over.ts';
-import { setOff } from './chain.ts';
+import { distance, takesOver, tryOften } from '../layout.ts';
 import type { Flight } from './flight.ts';
-import { COARSE, snap } from './site.ts';
+import { COARSE, setOff, snap } from './site.ts';
 import type { Theme } from './theme.ts';
 
 const RADII = [48, 56, 64] as const;

@@ -1,6 +1,6 @@
 import { type Disc, type Place, rulesOf } from '../../../../schema/basics/index.ts';
 import { distance, fits } from '../layout.ts';
-import { ALIEN } from '../placed/index.ts';
+import { ALIEN } from '../placed.ts';
 import { distanceToWays } from '../tube.ts';
 import { corridors } from './corridors.ts';
 import { DIRECTIONS, TURN } from './directions.ts';

@@ -1,9 +1,8 @@
 import type { Disc, Place } from '../../../../schema/basics/index.ts';
 import { distance } from '../layout.ts';
-import { setOff } from './chain.ts';
 import { DIRECTIONS, directionOf, TURN } from './directions.ts';
 import { longestOrbit } from './flight.ts';
-import type { Site } from './site.ts';
+import { type Site, setOff } from './site.ts';
 import type { Theme } from './theme.ts';
 
 const BEAD = 12;

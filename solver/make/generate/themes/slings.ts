@@ -1,8 +1,7 @@
 import { boxOf } from '../../../../engine/index.ts';
 import { rulesOf } from '../../../../schema/basics/index.ts';
-import { placeChain } from './chain.ts';
 import { coastsOf, type Flight, headingAt, lengthOf } from './flight.ts';
-import { FINE, snap } from './site.ts';
+import { FINE, placeChain, snap } from './site.ts';
 import type { Theme } from './theme.ts';
 
 // px; the largest gate that fits is taken.

@@ -1,6 +1,6 @@
 import type { Disc, Place } from '../../../../schema/basics/index.ts';
+import type { SymmetryKind } from '../generator-spec.ts';
 import { distance, type Layout } from '../layout.ts';
-import type { SymmetryKind } from '../theme-name.ts';
 import { Site } from './site.ts';
 
 /** Maps a place to the one that corresponds to it. Twice it gives the place itself. */

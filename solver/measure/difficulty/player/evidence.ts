@@ -1,7 +1,7 @@
 import { TICK_RATE } from '../../../../engine/index.ts';
 import { normalBeyondHalf } from '../../robustness/index.ts';
 import { logarithm } from './elementary.ts';
-import { deviationOf, practise, type TimedRun } from './timing.ts';
+import { deviationOf, practise, type TimedRun } from './player.ts';
 
 /** An attempt of a player, compared with the run that it aims at. */
 export interface ObservedAttempt {

@@ -2,7 +2,7 @@ import { normalBeyondHalf, Z_90 } from '../../robustness/index.ts';
 import { exponential, logarithm } from './elementary.ts';
 import { Evidence, type ObservedAttempt } from './evidence.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
-import { practiceTable, timeRun } from './timing.ts';
+import { practiceTable, timeRun } from './player.ts';
 
 export type { ObservedAttempt } from './evidence.ts';
 
@@ -50,12 +50,12 @@ const MOST_PRACTICE = 1000;
 const FACTORS = Float64Array.from({ length: SCALES }, (_, i) => exponential((i - HALF_SCALES) * SCALE_STEP));
 
 /** Indices of scale, learning and spread on the grid. */
-type Point = readonly [scale: number, learning: number, spread: number];
+type GridPoint = readonly [scale: number, learning: number, spread: number];
 
 const SIZES = [SCALES, LEARNINGS, SPREADS] as const;
 
 /** Where the climb begins: at the uncalibrated model, so that what the plays don't tell stays as it is. */
-const BEGIN: Point = [
+const BEGIN: GridPoint = [
   HALF_SCALES,
   Math.round(UNCALIBRATED.learning / LEARNING_STEP),
   Math.round(UNCALIBRATED.spread / SPREAD_STEP),
@@ -133,7 +133,7 @@ class Surface {
 
   constructor(private readonly evidence: readonly Evidence[]) {}
 
-  at([scale, learning, spread]: Point): number {
+  at([scale, learning, spread]: GridPoint): number {
     const key = (scale * LEARNINGS + learning) * SPREADS + spread;
     const known = this.known.get(key);
     if (known !== undefined) return known;
@@ -154,7 +154,7 @@ class Surface {
   }
 
   /** Climbs to the highest point, along the given axes. */
-  climb(from: Point, axes: readonly number[]): Point {
+  climb(from: GridPoint, axes: readonly number[]): GridPoint {
     let here = from;
     for (;;) {
       let best = here;
@@ -168,7 +168,7 @@ class Surface {
    * The most likely value of one axis and where the profile likelihood falls by z^2 / 2, in steps of the grid. The root of twice the
    * fall is nearly a straight line, so it is interpolated linearly.
    */
-  interval(best: Point, axis: number, isAlone: boolean, z: number): FitInterval {
+  interval(best: GridPoint, axis: number, isAlone: boolean, z: number): FitInterval {
     const others = [0, 1, 2].filter((other) => other !== axis && !(isAlone && other === 2));
     const values = new Map<number, number>([[best[axis], this.at(best)]]);
     const walk = (direction: 1 | -1, enough: (value: number) => boolean): void => {
@@ -176,7 +176,7 @@ class Surface {
       for (;;) {
         const at = here[axis] + direction;
         if (at < 0 || at >= SIZES[axis]) return;
-        here = this.climb(here.map((value, i) => (i === axis ? at : value)) as unknown as Point, others);
+        here = this.climb(here.map((value, i) => (i === axis ? at : value)) as unknown as GridPoint, others);
         values.set(at, this.at(here));
         if (enough(this.at(here))) return;
       }
@@ -226,7 +226,7 @@ class Surface {
 }
 
 /** The points around a point, along the given axes, corners included. */
-function neighbours(point: Point, axes: readonly number[]): Point[] {
+function neighbours(point: GridPoint, axes: readonly number[]): GridPoint[] {
   let points: number[][] = [[...point]];
   for (const axis of axes) {
     points = points.flatMap((own) =>
@@ -236,7 +236,7 @@ function neighbours(point: Point, axes: readonly number[]): Point[] {
       }),
     );
   }
-  return points as unknown as Point[];
+  return points as unknown as GridPoint[];
 }
 
 /** The top of the parabola through the highest point and its two neighbours. */

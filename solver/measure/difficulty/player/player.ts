@@ -1,8 +1,8 @@
 import { TICK_RATE } from '../../../../engine/index.ts';
 import type { Hold } from '../../../../schema/basics/index.ts';
 import { playFrom, shiftHolds, type Trials, uniformOf } from '../../robustness/index.ts';
-import { normalQuantile } from './normal-quantile.ts';
-import { deviationOf, practise, type TimedRun } from './timing.ts';
+import { exponential, logarithm, normalQuantile } from './elementary.ts';
+import type { PlayerParameters } from './parameters.ts';
 
 /** What came of one attempt. */
 export interface PlayedAttempt {
@@ -67,4 +67,70 @@ export class Player {
     practise(practice, reached, !succeeds);
     return { holds: played, succeeds, end };
   }
+}
+
+const MS_PER_TICK = 1000 / TICK_RATE;
+
+/** What a player has to time in a run: its presses and releases, and how uncertain each is. */
+export interface TimedRun {
+  /** When the run changes the button, ticks: press, release, press, ... */
+  readonly edges: readonly number[];
+  /** Variance of the motor noise of each edge, ms^2, for a factor of 1. */
+  readonly motor: number;
+  /** Variance of what can be learned of each edge, ms^2, for a factor of 1 and without practice. */
+  readonly learnable: Float64Array;
+  /** 1 where an edge inherits the error of the one before it, because there is no time to react; else 0. */
+  readonly inherits: Uint8Array;
+}
+
+/**
+ * Works out what a player has to time. The interval to the edge before says how long time has to be kept; the time until the edge
+ * after it, or until the end, says how far its consequences have to be foreseen.
+ * @param edges when the run changes the button, ticks, ascending
+ * @param end when the run ends, ticks
+ */
+export function timeRun(edges: readonly number[], end: number, parameters: PlayerParameters): TimedRun {
+  const { motorMs, weber, reactionMs, lookaheadMs, planMs } = parameters;
+  const learnable = new Float64Array(edges.length);
+  const inherits = new Uint8Array(edges.length);
+  for (const [i, tick] of edges.entries()) {
+    const since = MS_PER_TICK * (tick - (i === 0 ? 0 : edges[i - 1]));
+    const until = MS_PER_TICK * Math.max(0, (edges[i + 1] ?? Math.max(end, tick)) - tick);
+    const kept = weber * Math.min(since, lookaheadMs);
+    const guessed = (planMs * until) / (until + lookaheadMs);
+    learnable[i] = kept * kept + guessed * guessed;
+    if (i > 0 && since < reactionMs) inherits[i] = 1;
+  }
+  return { edges, motor: motorMs * motorMs, learnable, inherits };
+}
+
+/** The share of the variance that is left after n = 0, 1, 2, ... times of practice: (1 + n)^(-2 exponent). */
+export function practiceTable(learning: number, most: number): Float64Array {
+  return Float64Array.from({ length: most + 1 }, (_, n) => exponential(-2 * learning * logarithm(1 + n)));
+}
+
+/** The standard deviation of an edge's own error, ms. @param left see {@link practiceTable} */
+export const deviationOf = (run: TimedRun, edge: number, left: number, factor: number): number =>
+  factor * Math.sqrt(run.motor + run.learnable[edge] * left);
+
+/**
+ * How much a player misses by: the root of the mean of all edges' variances, ms.
+ * @param left see {@link practiceTable}
+ */
+export function typicalError(run: TimedRun, left: number, factor: number): number {
+  const deviations = run.edges.map((_, edge) => deviationOf(run, edge, left, factor));
+  return Math.sqrt(deviations.reduce((sum, own) => sum + own * own, 0) / Math.max(1, deviations.length));
+}
+
+/**
+ * Counts an attempt as practice: each edge that was made once, and both edges of the hold after which it failed once more.
+ * @param practice how often each edge was practised; changed
+ * @param reached how many edges were made
+ * @param failed whether the attempt failed
+ */
+export function practise(practice: Int32Array, reached: number, failed: boolean): void {
+  for (let i = 0; i < reached; i++) practice[i]++;
+  if (!failed || reached === 0) return;
+  const last = reached - 1;
+  for (let i = last - (last % 2); i <= last; i++) practice[i]++;
 }

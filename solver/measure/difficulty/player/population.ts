@@ -1,13 +1,10 @@
 import { joinHolds, type Scene } from '../../../../engine/index.ts';
 import type { Hold } from '../../../../schema/basics/index.ts';
-import type { Goal } from '../../../goal.ts';
-import { verifyRun } from '../../../verified-run.ts';
+import { type Goal, verifyRun } from '../../../verified-run.ts';
 import { createTrials, type Trials, uniformOf, wilsonInterval, Z_90 } from '../../robustness/index.ts';
-import { exponential } from './elementary.ts';
-import { normalQuantile } from './normal-quantile.ts';
+import { exponential, normalQuantile } from './elementary.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
-import { type PlayedAttempt, Player, uniformIn01 } from './player.ts';
-import { practiceTable, type TimedRun, timeRun, typicalError } from './timing.ts';
+import { type PlayedAttempt, Player, practiceTable, type TimedRun, timeRun, typicalError, uniformIn01 } from './player.ts';
 
 /** A share of synthetic players. */
 export interface PlayerShare {

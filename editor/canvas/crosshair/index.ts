@@ -1,2 +1,0 @@
-export { type Crosshair, createCrosshair } from './crosshair.ts';
-export { arrowsWith, CROSSHAIR_HELP, crosshairCommands, stepOf } from './crosshair-commands.ts';

@@ -1,1 +1,0 @@
-export { NotePins } from './NotePins.tsx';

@@ -1,1 +1,0 @@
-export { Rulers } from './Rulers.tsx';
