@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
+import { dashesOf } from '../../editor/canvas/layers/dashes.ts';
 import {
   createEditedLevel,
   deleteObjects,
@@ -14,7 +15,7 @@ import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
 import { cardPosition, type Side } from '../../editor/features/onion/card-position.ts';
 import type { Figures } from '../../editor/features/onion/former.ts';
-import { changedObjects, dashesOf, onionPictureOf } from '../../editor/features/onion/onion-picture.ts';
+import { changedObjects, onionPictureOf } from '../../editor/features/onion/onion-picture.ts';
 import { rowsInWords, rowsOf, whyUnknown } from '../../editor/features/onion/rows.ts';
 import { FAILS, MEASURING, measured, type ShownSlack } from '../../editor/features/onion/slack.ts';
 import { onionOf, STAYS, WAITS, watchOnion } from '../../editor/features/onion/watch-onion.ts';

@@ -98,8 +98,6 @@ export function poseOf({ points, turns, end }: Racer, tick: number): { x: number
   return { x: x + share * dx, y: y + share * dy, cos, sin };
 }
 
-// how they look
-
 /** How a compared run looks: never by its colour alone. */
 interface Look {
   readonly dark: string;

@@ -114,8 +114,6 @@ export function costOf(level: Level, terms: Terms, holds: readonly Hold[], full:
   return { kind: 'same', saved, level: without };
 }
 
-// the same, timed
-
 /** Measured times, microseconds per simulated second. */
 export interface EffectTime {
   /** Of the run with all effects. */

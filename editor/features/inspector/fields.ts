@@ -149,8 +149,6 @@ function fieldsOfAll(kinds: readonly ObjectKind[]): readonly Field[] {
   });
 }
 
-// what a field shows
-
 /** What a field shows. */
 export interface FieldValue {
   /** null if the selected objects differ */

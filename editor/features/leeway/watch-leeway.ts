@@ -137,8 +137,6 @@ export function watchLeeway({ desk, ...parts }: LeewayParts & { readonly desk: D
   };
 }
 
-// the question
-
 /** What is asked of a level: where some of its objects may stand, moved alike. */
 export interface Question {
   readonly file: LevelFile;

@@ -69,8 +69,6 @@ export function lostPictureOf(
   };
 }
 
-// the squares of the shade
-
 /** Side of a square of the shade, px of the level. */
 export const LOST_SQUARE = 32;
 

@@ -66,8 +66,6 @@ export function figuresOf(proof: LiveProof): Figures {
   };
 }
 
-// a run that was not shown before the change
-
 /** ms that the page may be blocked by it */
 const PATIENCE = 400;
 

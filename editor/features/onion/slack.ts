@@ -21,8 +21,6 @@ export const FAILS: SlackKnown = { is: 'fails' };
 /** @param slack of each press and release */
 export const measured = (slack: readonly EdgeSlack[]): SlackKnown => ({ is: 'measured', tightest: tightestOf(slack) });
 
-// of the shown run, and of former ones
-
 /** The part of the robustness of the shown run, as the Solver panel shows it, that is compared. */
 export interface ShownSlack {
   readonly phase: 'waiting' | 'measuring' | 'measured' | 'fails' | 'failed';

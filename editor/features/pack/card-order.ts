@@ -49,8 +49,6 @@ export function moveInWords(cards: readonly Card[], moved: readonly number[]): s
   return names.length === 1 ? `Move "${names[0]}"` : `Move ${names.length} levels`;
 }
 
-// the focus among cards
-
 /** Where something stands on the screen, px. */
 interface Spot {
   readonly left: number;

@@ -134,8 +134,6 @@ function chaptersOf(shown: Shown, cards: readonly Card[]): Chapter[] {
   return chapters;
 }
 
-// which cards are shown
-
 /** Which cards are shown. */
 export interface Filter {
   /** Words that must all occur in the name or the file name. */

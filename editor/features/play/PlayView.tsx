@@ -183,8 +183,6 @@ function PlayEnd({ end, onRestart, onKeep, onLeave }: PlayEndProps) {
   );
 }
 
-// gamepads
-
 /** Whether a gamepad has been used since this component was shown; browsers hide gamepads until then. */
 function useGamepad(): boolean {
   const [count, setCount] = useState(0);

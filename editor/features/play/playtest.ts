@@ -72,8 +72,6 @@ export function createPlaytest(scene: Scene, { from, onMineral, onEnd }: Playtes
   return playtest;
 }
 
-// a replay
-
 /** A replay in progress. */
 export interface ReplayPlayer {
   readonly tick: number;
@@ -112,8 +110,6 @@ export function createReplay(level: Level, terms: Terms, { holds, accuracy, tick
     moment: shown.moment,
   };
 }
-
-// what is shown of either
 
 /** What the canvas and the readout show of a player. */
 interface ShownPlayer {

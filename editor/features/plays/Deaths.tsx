@@ -92,8 +92,6 @@ export function DeathLegend() {
   );
 }
 
-// on the canvas
-
 /** The heat map of deaths: squares above space, below the objects. */
 export class DeathLayer implements Drawing<DeathMap | null> {
   private readonly graphics: GameObjects.Graphics;

@@ -100,8 +100,6 @@ function Asked({ file, onClose }: { readonly file: LevelFile; readonly onClose: 
   );
 }
 
-// links in the address of the page
-
 /** Takes the level out of the page's address and asks the user whether to add it; a reload does not ask again. */
 async function takeLink({ notices, incoming }: Editor): Promise<void> {
   const { hash } = window.location;

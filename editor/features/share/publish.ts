@@ -100,8 +100,6 @@ async function asFile(editor: Editor, { target, title, withRuns, force, onProgre
   return { kind: 'done', message };
 }
 
-// the levels of a page
-
 /** Levels for a page, and those that are not known to be completable. */
 interface CollectedLevels {
   readonly levels: readonly { readonly id: string; readonly level: unknown }[];

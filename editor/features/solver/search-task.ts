@@ -2,9 +2,9 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal, Objective } from '../../../solver/index.ts';
-import { type Desk, question } from '../../core/ask/index.ts';
+import { type Desk, onDemand } from '../../core/ask/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
-import { type AskedOf, jobs, type Proofs, type Solving } from '../../workers/index.ts';
+import { jobs, type Proofs, type Solving } from '../../workers/index.ts';
 
 /** Starts a search. */
 export const SOLVE_KEY = '$mod+Enter';
@@ -39,10 +39,10 @@ interface SearchJobs {
 }
 
 /** Runs of a level. */
-export const solveQuestion = question({ job: jobs.solve, request: (of: AskedOf<typeof jobs.solve>) => of });
+export const solveQuestion = onDemand(jobs.solve);
 
 /** Whether there are none, with finer sets for as long as runs are searched. */
-export const hopelessQuestion = question({ job: jobs.proofs, request: (of: AskedOf<typeof jobs.proofs>) => of });
+export const hopelessQuestion = onDemand(jobs.proofs);
 
 export function createSearchJobs(desk: Desk): SearchJobs {
   const solving = solveQuestion(desk);
