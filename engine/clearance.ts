@@ -22,13 +22,15 @@ export interface Clearance {
 export class ClearanceTracker {
   best: Clearance | null = null;
 
-  readonly lists: readonly HazardList[];
   /** The number of hazards. */
   readonly count: number;
 
-  constructor(private readonly scene: Scene) {
-    this.lists = hazardLists(scene);
-    this.count = hazardCount(scene);
+  /** @param lists - all hazards of the scene; of equally near ones the first counts */
+  constructor(
+    private readonly scene: Scene,
+    readonly lists: readonly HazardList[],
+  ) {
+    this.count = hazardCount(lists);
   }
 
   /** The smallest gap so far, px; Infinity before the first. */
@@ -70,13 +72,6 @@ export interface HazardList {
   readonly movedBy: 'nothing' | 'recoil' | 'chase';
 }
 
-/** All hazards of a scene. Of equally near ones the first in this order counts. */
-const hazardLists = ({ novae, targets, coldCount, aliens }: Scene): readonly HazardList[] => [
-  { kind: 'nova', circles: novae, first: 0, movedBy: 'nothing' },
-  { kind: 'asteroid', circles: targets, first: coldCount, movedBy: 'recoil' },
-  { kind: 'alien', circles: aliens, first: 0, movedBy: 'chase' },
-];
-
-/** The number of hazards of a scene. */
-export const hazardCount = (scene: Scene): number =>
-  hazardLists(scene).reduce((sum, { circles, first }) => sum + circles.count - first, 0);
+/** The number of hazards in some lists. */
+export const hazardCount = (lists: readonly HazardList[]): number =>
+  lists.reduce((sum, { circles, first }) => sum + circles.count - first, 0);

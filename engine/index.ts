@@ -34,12 +34,5 @@ export {
   type Work,
 } from './simulation.ts';
 export { DEFAULT_TERMS, maxTicksOf, type Terms, termsOf, unusualTerms } from './terms.ts';
-export {
-  findWarnings,
-  MAX_WARNINGS_PER_CODE,
-  MORE_WARNINGS,
-  WARNING_CODES,
-  type Warning,
-  type WarningExplanation,
-} from './warnings/index.ts';
+export * from './warnings/index.ts';
 export { DEFAULT_MAX_WORK, unlimited, WorkBudget, WorkLimitReached } from './work-budget.ts';

@@ -1,10 +1,13 @@
-import { boxCircleGap, boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
-import { type Level, placesIn, rulesOf } from '../schema/index.ts';
+import { type Box, boxCircleGap, boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
+import { type Level, type Place, placesIn, rulesOf } from '../schema/index.ts';
 import { drawAstronaut } from './kinds/index.ts';
 import { drawText, textWidth } from './text.ts';
 import type { Theme } from './theme.ts';
 import { place, thingsOf, type View } from './view.ts';
 import { num } from './xml.ts';
+
+/** Her place, and the direction of her box as a unit vector. */
+type Pose = Pick<Run['final'], 'x' | 'y' | 'cos' | 'sin'>;
 
 const CROSS = 'M-7-7L7 7M-7 7L7-7';
 
@@ -15,7 +18,7 @@ const CROSS = 'M-7-7L7 7M-7 7L7-7';
 export function drawContact(view: View, theme: Theme, level: Level, run: Run): string {
   const { final, outcome } = run;
   if (outcome === 'timeout') return '';
-  const at = outcome === 'lost' ? final : touchOf(level, run);
+  const at = outcome === 'lost' ? final : nearestOfBox(boxOf(rulesOf(level)), final, touchedAt(level, run));
   const sign = {
     completed: `<circle r="12" stroke="${theme.good}" stroke-width="2"/><path d="M-5 .5L-1.5 4L5.5-4" stroke="${theme.halo}" stroke-width="6"/><path d="M-5 .5L-1.5 4L5.5-4" stroke="${theme.good}" stroke-width="2.8"/>`,
     collided: `<circle r="14" stroke="${theme.bad}" stroke-width="2"/><path d="${CROSS}" stroke="${theme.halo}" stroke-width="7"/><path d="${CROSS}" stroke="${theme.bad}" stroke-width="3.4"/>`,
@@ -27,20 +30,17 @@ export function drawContact(view: View, theme: Theme, level: Level, run: Run): s
   );
 }
 
-/** The point of her box nearest to what she touched: its centre, clamped to the box in the box's own axes. */
-function touchOf(level: Level, run: Run): { x: number; y: number } {
-  const { x, y, cos, sin } = run.final;
-  const touched = touchedAt(level, run);
-  const dx = touched.x - x;
-  const dy = touched.y - y;
-  const { halfWidth, halfHeight } = boxOf(rulesOf(level));
+/** The point of her box nearest to a place: that place, clamped to the box in the box's own axes. */
+function nearestOfBox({ halfWidth, halfHeight }: Box, { x, y, cos, sin }: Pose, place: Place): Place {
+  const dx = place.x - x;
+  const dy = place.y - y;
   const along = Math.max(-halfWidth, Math.min(halfWidth, dx * cos + dy * sin));
   const across = Math.max(-halfHeight, Math.min(halfHeight, dy * cos - dx * sin));
   return { x: x + along * cos - across * sin, y: y + along * sin + across * cos };
 }
 
 /** The centre of the object at which the run ended, at that moment. If it has several places, the one nearest to her. */
-function touchedAt(level: Level, run: Run): { readonly x: number; readonly y: number } {
+function touchedAt(level: Level, run: Run): Place {
   const { final } = run;
   if (run.with === null) return final;
   const { kind, index } = run.with;
@@ -49,7 +49,7 @@ function touchedAt(level: Level, run: Run): { readonly x: number; readonly y: nu
     run.trajectory.aliensAt(run.trajectory.duration, aliens);
     return { x: aliens[3 * index], y: aliens[3 * index + 1] };
   }
-  const away = ({ x, y }: { readonly x: number; readonly y: number }): number => Math.hypot(x - final.x, y - final.y);
+  const away = ({ x, y }: Place): number => Math.hypot(x - final.x, y - final.y);
   return placesIn(kind, thingsOf(level, kind)[index]).reduce((a, b) => (away(b) < away(a) ? b : a));
 }
 
@@ -63,21 +63,16 @@ export function drawGap(view: View, theme: Theme, level: Level, run: Run, time: 
   const [x, y, , , cos, sin] = state;
   const { blackHole } = level;
   const box = boxOf(rulesOf(level));
-  const dx = blackHole.x - x;
-  const dy = blackHole.y - y;
   // The nearest point of her box, and the point of the rim that faces it.
-  const along = Math.max(-box.halfWidth, Math.min(box.halfWidth, dx * cos + dy * sin));
-  const across = Math.max(-box.halfHeight, Math.min(box.halfHeight, dy * cos - dx * sin));
-  const nearX = x + along * cos - across * sin;
-  const nearY = y + along * sin + across * cos;
-  const far = Math.hypot(blackHole.x - nearX, blackHole.y - nearY) || 1;
-  const rimX = blackHole.x - ((blackHole.x - nearX) * blackHole.radius) / far;
-  const rimY = blackHole.y - ((blackHole.y - nearY) * blackHole.radius) / far;
-  const gap = Math.max(0, boxCircleGap(box, dx, dy, cos, sin, blackHole.radius));
+  const near = nearestOfBox(box, { x, y, cos, sin }, blackHole);
+  const far = Math.hypot(blackHole.x - near.x, blackHole.y - near.y) || 1;
+  const rimX = blackHole.x - ((blackHole.x - near.x) * blackHole.radius) / far;
+  const rimY = blackHole.y - ((blackHole.y - near.y) * blackHole.radius) / far;
+  const gap = Math.max(0, boxCircleGap(box, blackHole.x - x, blackHole.y - y, cos, sin, blackHole.radius));
   const angle = num((Math.atan2(sin, cos) * 180) / Math.PI);
   const drawing = `<g transform="rotate(${angle})">${drawAstronaut(theme, theme.good, box)}</g>`;
   const figure = run.trajectory.duration - time < AT_END ? '' : place(view, 'nearest', 0, { x, y }, drawing);
-  const [ax, ay, bx, by] = [view.x(nearX), view.y(nearY), view.x(rimX), view.y(rimY)];
+  const [ax, ay, bx, by] = [view.x(near.x), view.y(near.y), view.x(rimX), view.y(rimY)];
   const text = `${gap.toFixed(1)} px`;
   const width = textWidth(text, 8) + 10;
   // Beside the line, on its upper side.

@@ -26,10 +26,9 @@ import {
   drawWay,
 } from './run.ts';
 import { drawFan, drawFanSign, drawSeveral, type NamedRun } from './several.ts';
-import type { PathPoint } from './simplify.ts';
 import { THEMES, type Theme } from './theme.ts';
 import { frame } from './view.ts';
-import { stretchesOf } from './way.ts';
+import { type PathPoint, stretchesOf } from './way.ts';
 import { escapeXml, num } from './xml.ts';
 
 export { heatCaption, heatColour, heatShades, visitsInWords } from './heat.ts';

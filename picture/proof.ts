@@ -1,6 +1,6 @@
 import type { Place } from '../schema/index.ts';
 import type { Theme } from './theme.ts';
-import type { View } from './view.ts';
+import { lineThrough, type View } from './view.ts';
 import { num } from './xml.ts';
 
 type Role = 'blocked' | 'reach' | 'range' | 'thing' | 'barrier' | 'stretch';
@@ -25,7 +25,11 @@ export function drawProof(view: View, theme: Theme, { discs, lines }: ProofOverl
     return `${circle} ${discStyle(theme, role)}/>`;
   });
   const outline = ({ points, closed }: ProofOverlay['lines'][number]): string =>
-    `M${points.map(({ x, y }) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}${closed ? 'Z' : ''}`;
+    lineThrough(
+      view,
+      points.map(({ x, y }) => [x, y]),
+      closed,
+    );
   const squares = lines.filter(({ role }) => role === 'reach').map(outline);
   const reach = squares.length === 0 ? '' : `<path data-kind="proof-reach" d="${squares.join('')}" ${reachStyle(theme)}/>`;
   const paths = lines.map((line) => {

@@ -2,11 +2,10 @@ import { boxOf, type Run, STATE_SIZE } from '../engine/index.ts';
 import { type Level, rulesOf } from '../schema/index.ts';
 import { drawContact } from './contact.ts';
 import { ALIEN_INK, drawAstronaut } from './kinds/index.ts';
-import type { PathPoint } from './simplify.ts';
 import { drawText } from './text.ts';
 import type { Theme } from './theme.ts';
-import { place, type View } from './view.ts';
-import { alienWay, heldTimes, positionAt, type Stretch } from './way.ts';
+import { lineThrough, place, type View } from './view.ts';
+import { alienWay, heldTimes, type PathPoint, positionAt, type Stretch } from './way.ts';
 import { num } from './xml.ts';
 
 // One dot per second suits a run of a minute; a longer one would be covered with dots.
@@ -19,7 +18,7 @@ const MOST_NUMBERS = 12;
  * Draws her path, thin while she drifts and thick while the gun is held. A halo keeps it legible on everything that it crosses.
  */
 export function drawWay(view: View, theme: Theme, stretches: readonly Stretch[]): string {
-  const d = ({ points }: Stretch): string => `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
+  const d = ({ points }: Stretch): string => lineThrough(view, points);
   const all = stretches.map(d).join('');
   const lines = stretches
     .map((stretch) =>

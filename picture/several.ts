@@ -1,9 +1,8 @@
 import type { Run } from '../engine/index.ts';
-import type { PathPoint } from './simplify.ts';
 import { drawText, wrapText } from './text.ts';
 import type { Theme } from './theme.ts';
-import type { View } from './view.ts';
-import { heldTimes, positionAt, type Stretch, stretchesOf } from './way.ts';
+import { lineThrough, type View } from './view.ts';
+import { heldTimes, type PathPoint, positionAt, type Stretch, stretchesOf } from './way.ts';
 import { num } from './xml.ts';
 
 /** One of several runs in a picture. */
@@ -17,7 +16,7 @@ const BADGE = 8;
 
 /** Draws several paths through a level, each with a colour and a number. */
 export function drawSeveral(view: View, theme: Theme, ways: readonly (readonly Stretch[])[], runs: readonly NamedRun[]): string {
-  const d = ({ points }: Stretch): string => `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
+  const d = ({ points }: Stretch): string => lineThrough(view, points);
   const halo = `<path d="${ways.flat().map(d).join('')}" stroke="${theme.halo}" stroke-width="6" stroke-opacity=".5"/>`;
   const lines = ways.map((stretches, i) => {
     const held = stretches.filter((s) => s.held).map(d);
@@ -119,9 +118,7 @@ export function drawFan(view: View, theme: Theme, runs: readonly Run[]): string 
     let ends = '';
     for (const run of runs) {
       if ((run.outcome === 'completed') !== completes) continue;
-      for (const { points } of stretchesOf(run)) {
-        d += `M${points.map(([x, y]) => `${num(view.x(x))} ${num(view.y(y))}`).join('L')}`;
-      }
+      for (const { points } of stretchesOf(run)) d += lineThrough(view, points);
       if (!completes) ends += `M${num(view.x(run.final.x))} ${num(view.y(run.final.y))}${CROSS}`;
     }
     if (d === '') return '';

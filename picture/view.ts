@@ -1,17 +1,7 @@
 import { boxOf } from '../engine/index.ts';
-import {
-  KINDS,
-  type Level,
-  type ListedKind,
-  listOf,
-  OBJECT_KINDS,
-  type ObjectKind,
-  placesIn,
-  rulesOf,
-  type SingleKind,
-} from '../schema/index.ts';
+import { type Level, OBJECT_KINDS, type ObjectKind, objectsIn, type Place, placesIn, rulesOf } from '../schema/basics/index.ts';
 import { IN_PICTURE } from './kinds/index.ts';
-import { num } from './xml.ts';
+import { num, polyline } from './xml.ts';
 
 /**
  * The part of the level that the picture shows, and the conversion of level px into units of the picture, with one scale for
@@ -91,17 +81,17 @@ export interface Thing {
 }
 
 /** The level's objects of one kind. */
-export const thingsOf = (level: Level, kind: ObjectKind): readonly Thing[] =>
-  KINDS[kind].list === null ? [level[kind as SingleKind]] : level[listOf(kind as ListedKind)];
+export const thingsOf = (level: Level, kind: ObjectKind): readonly Thing[] => objectsIn(level, kind);
+
+/** A line through points of the level, as the data of a path. */
+export const lineThrough = (view: View, points: readonly (readonly [x: number, y: number])[], close = false): string =>
+  polyline(
+    points.map(([x, y]) => [view.x(x), view.y(y)]),
+    close,
+  );
 
 /** Moves a drawing, which is centred on the origin in px of the level, to its place in the level. */
-export function place(
-  view: View,
-  kind: string,
-  index: number,
-  at: { readonly x: number; readonly y: number },
-  drawing: string,
-): string {
+export function place(view: View, kind: string, index: number, at: Place, drawing: string): string {
   const scale = Number(view.scale.toFixed(6));
   return (
     `<g data-kind="${kind}" data-index="${index}" transform="translate(${num(view.x(at.x))} ${num(view.y(at.y))}) ` +

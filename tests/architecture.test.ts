@@ -114,7 +114,7 @@ describe('terms are a value', () => {
     'editor/core/files/folder-terms.ts': 'a page without a server has no configuration',
     'game/light/index.ts': 'a published entry that says its default',
     'game/play/verify.ts': 'a published entry that says its default',
-    'game/player/create-player.ts': 'a published entry that says its default',
+    'game/player/index.ts': 'a published entry that says its default',
     'solver/search/anytime/anytime-proof.ts': 'a published entry that says its default',
     'solver/prove/setting.ts': 'a published entry that says its default',
     'solver/verify/claim.ts': 'reads what a proof of that entry claims',

@@ -3,21 +3,18 @@ import { boxOverlapsCircle } from '../contact.ts';
 import type { Frame } from '../frames.ts';
 import type { RunEvent, Simulation } from '../simulation.ts';
 import {
-  ASTEROID,
   AX,
   AY,
   BLACK_HOLE,
-  CHASER,
+  COLLIDED,
   COS,
   FRAME,
   HEAD,
   LOST,
   limitSpeed,
   MINERALS,
-  NOVA,
   OUTCOME,
   SIN,
-  TOUCH_KIND,
   TOUCHED,
   VX,
   VY,
@@ -159,7 +156,7 @@ export class Encounters {
       }
       if (alert) {
         const chaser = chasers.move(frame, recorder);
-        if (chaser >= 0 && going && s[OUTCOME] === 0) this.end(CHASER, chasers.circles.index[chaser]);
+        if (chaser >= 0 && going && s[OUTCOME] === 0) this.end(this.world.caught, chasers.circles.index[chaser]);
       }
 
       if (frameRules.length > 0) {
@@ -175,7 +172,7 @@ export class Encounters {
         ax = body.ax;
         ay = body.ay;
       }
-      if (s[OUTCOME] >= NOVA) {
+      if (s[OUTCOME] >= COLLIDED) {
         vx = 0;
         vy = 0;
       }
@@ -207,7 +204,7 @@ export class Encounters {
     recorder.end(
       frame,
       outcome === LOST ? 'lost' : outcome === BLACK_HOLE ? 'completed' : 'collided',
-      TOUCH_KIND[outcome],
+      this.world.kindTouched(outcome),
       this.world.s[TOUCHED],
     );
   }
@@ -217,12 +214,12 @@ export class Encounters {
     this.world.s[TOUCHED] = touched;
   }
 
-  /** She touches the black hole, a nova or a hot asteroid. */
+  /** She touches the black hole or a hazard. */
   private touch(code: number): void {
-    const { scene, firstTarget } = this.world;
     if (code === 0) this.end(BLACK_HOLE, 0);
-    else if (code < firstTarget) this.end(NOVA, scene.novae.index[code - 1]);
-    else this.end(ASTEROID, scene.targets.index[code - firstTarget]);
+    for (const { from, outcome, circles } of this.world.deadly) {
+      if (code >= from && code < from + circles.count) this.end(outcome, circles.index[code - from]);
+    }
   }
 
   /** Of several minerals touched in one frame all are counted, but only the last is removed, as in the original game. */

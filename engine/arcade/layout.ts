@@ -1,5 +1,3 @@
-import type { BodyKind } from '../simulation.ts';
-
 // Layout of the state of an `arcade` simulation: one typed array, so that a snapshot is one copy.
 export const FRAME = 0;
 export const HELD_FRAMES = 1;
@@ -28,15 +26,11 @@ export const SEEN_TARGET = 17;
 export const SEEN_HELD = 18;
 export const HEAD = 19;
 
-// OUTCOME is 0 while the run goes on, then one of these.
+// OUTCOME is 0 while the run goes on, then one of these; from COLLIDED on, COLLIDED plus the index of the list of hazards that she
+// has touched one of.
 export const LOST = 1;
 export const BLACK_HOLE = 2;
-export const NOVA = 3;
-export const ASTEROID = 4;
-export const CHASER = 5;
-
-/** The kind of object touched, by outcome. */
-export const TOUCH_KIND: readonly (BodyKind | null)[] = [null, null, 'blackHole', 'nova', 'asteroid', 'alien'];
+export const COLLIDED = 3;
 
 /** Limits one axis of a velocity to the speed limit, px/s. */
 export const limitSpeed = (v: number, limit: number): number => (v > limit ? limit : v < -limit ? -limit : v);

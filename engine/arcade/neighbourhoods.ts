@@ -1,6 +1,6 @@
 import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import { DIAGONAL, Square, type Watchers } from './square.ts';
+import { type Deadly, DIAGONAL, Square, type Watchers } from './square.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
@@ -28,7 +28,7 @@ const LAST_BITS = 6;
 export interface Neighbourhood {
   /** Targets that may be the nearest, ascending. */
   readonly rivals: Int32Array;
-  /** Codes of what ends the run by touch: 0 is the black hole, novae begin at 1, targets at 1 + novae; ascending. */
+  /** Codes of what ends the run by touch, ascending; 0 is the black hole. */
   readonly deadly: Int32Array;
   readonly minerals: Int32Array;
   /** Discs of each frame rule. */
@@ -83,23 +83,24 @@ export class Neighbourhoods {
   constructor(
     scene: Scene,
     chasers: Watchers,
+    /** What ends the run by touch, besides the black hole. */
+    lists: readonly Deadly[],
     /** Discs of each frame rule. */
     private readonly discs: readonly IndexedCircles[],
     /** Which of these count as looks of the budget. */
     private readonly areWork: readonly boolean[],
   ) {
-    const { targets, coldCount, novae, minerals, level } = scene;
-    this.square = new Square(scene, chasers, level.recoil ? DRIFT : 0);
-    // all novae, and those targets that are hot
-    const deadly = below(1 + novae.count + targets.count - coldCount);
-    for (let k = 1 + novae.count; k < deadly.length; k++) deadly[k] += coldCount;
+    const { targets, minerals, level } = scene;
+    this.square = new Square(scene, chasers, lists, level.recoil ? DRIFT : 0);
+    const deadly = [0];
+    for (const { from, first, circles } of lists) for (let i = first; i < circles.count; i++) deadly.push(from + i);
     this.everything = {
       left: Number.NEGATIVE_INFINITY,
       right: Number.POSITIVE_INFINITY,
       top: Number.NEGATIVE_INFINITY,
       bottom: Number.POSITIVE_INFINITY,
       rivals: below(targets.count),
-      deadly,
+      deadly: Int32Array.from(deadly),
       minerals: below(minerals.count),
       discs: discs.map(({ count }) => below(count)),
       things: deadly.length + minerals.count + this.looks(discs.map(({ count }) => count)),

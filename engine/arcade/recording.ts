@@ -1,6 +1,7 @@
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
 import type { Scene } from '../scene.ts';
 import { type BodyKind, type Outcome, type RunEvent, type Simulation, STATE_SIZE, type Trajectory } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
@@ -63,7 +64,7 @@ export class FrameRecorder implements Trajectory {
   /** The smallest gap to a hazard at any frame. */
   clearance(): Clearance | null {
     const { scene, state, chasers, asteroids } = this;
-    const near = new ClearanceTracker(scene);
+    const near = new ClearanceTracker(scene, ALL_EFFECTS.hazardsOf(scene));
     this.asteroidsAt(0, asteroids);
     for (let row = 0; row < this.count; row++) {
       this.budget.look(1 + near.count / 8);

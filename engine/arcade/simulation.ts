@@ -1,4 +1,3 @@
-import { hazardCount } from '../clearance.ts';
 import { TICK } from '../constants.ts';
 import type { Scene } from '../scene.ts';
 import type { Ending, Mode, Simulation, Work } from '../simulation.ts';
@@ -16,7 +15,6 @@ import {
   MOVED,
   OUTCOME,
   SIN,
-  TOUCH_KIND,
   TOUCHED,
   VX,
   VY,
@@ -59,7 +57,7 @@ export class ArcadeSimulation implements Simulation {
     this.surroundings = new Surroundings(this.world);
     this.flight = new Flight(this.world, this.surroundings);
     this.encounters = new Encounters(this, this.world, recorder);
-    this.hazards = hazardCount(scene);
+    this.hazards = this.world.hazardCount;
     this.hasChasers = this.world.chasers.count > 0;
   }
 
@@ -112,7 +110,7 @@ export class ArcadeSimulation implements Simulation {
     const code = this.s[OUTCOME];
     if (code === 0) return null;
     const tick = this.s[FRAME] - 1;
-    const kind = TOUCH_KIND[code];
+    const kind = this.world.kindTouched(code);
     return {
       outcome: code === LOST ? 'lost' : code === BLACK_HOLE ? 'completed' : 'collided',
       with: kind === null ? null : { kind, index: this.s[TOUCHED] },

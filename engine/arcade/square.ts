@@ -1,3 +1,4 @@
+import type { HazardList } from '../clearance.ts';
 import type { Circles, IndexedCircles, SpatialIndex } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 
@@ -10,6 +11,12 @@ const NONE = new Int32Array(0);
 export interface Watchers {
   readonly circles: Circles;
   readonly sight: number;
+}
+
+/** Circles of which those from `first` on end the run by touch. */
+export interface Deadly extends HazardList {
+  /** The code of the first circle. */
+  readonly from: number;
 }
 
 /**
@@ -29,6 +36,7 @@ export class Square {
   constructor(
     private readonly scene: Scene,
     private readonly chasers: Watchers,
+    private readonly deadly: readonly Deadly[],
     private readonly drift: number,
   ) {}
 
@@ -63,13 +71,14 @@ export class Square {
     return count;
   }
 
-  /** Adds what ends the run by touch, by its code: 0 is the black hole, novae begin at 1, targets at 1 + novae. */
+  /** Adds what ends the run by touch, by its code; 0 is the black hole. */
   addDeadly(): void {
-    const { novae, targets, coldCount, level, box } = this.scene;
+    const { level, box } = this.scene;
     const hole = level.blackHole;
     if (this.within(this.distance(hole.x, hole.y), box.halfDiagonal + hole.radius)) this.found.push(0);
-    this.add(novae, novae.spatial, 0, 1, box.halfDiagonal, 0);
-    this.add(targets, targets.spatial, coldCount, 1 + novae.count, box.halfDiagonal, this.drift);
+    for (const { circles, first, from, movedBy } of this.deadly) {
+      this.add(circles, circles.spatial, first, from, box.halfDiagonal, movedBy === 'recoil' ? this.drift : 0);
+    }
   }
 
   /** Adds the minerals that she may touch. */

@@ -25,6 +25,7 @@ export class Surroundings {
     this.neighbourhoods = new Neighbourhoods(
       world.scene,
       world.chasers,
+      world.deadly,
       this.discs,
       world.frameRules.map(({ isWork }) => isWork === true),
     );

@@ -1,15 +1,23 @@
+import { type HazardList, hazardCount } from '../clearance.ts';
 import type { Box } from '../contact.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
 import type { FrameRule } from '../frames.ts';
 import type { Scene } from '../scene.ts';
-import { expectSnapshot } from '../simulation.ts';
+import { type BodyKind, expectSnapshot } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { Chasers } from './chasers.ts';
-import { COS, HEAD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
+import { BLACK_HOLE, COLLIDED, COS, HEAD, SEEN_TARGET, VX, VY, X, Y } from './layout.ts';
 import { ROCK, Rocks } from './rocks.ts';
+import type { Deadly } from './square.ts';
 
 /** Indices in {@link World.numbers}. */
 export const NUMBERS = { PULL: 0, RECOIL: 1, LIMIT: 2 } as const;
+
+/** Hazards of one list in frames. */
+interface DeadlyList extends Deadly {
+  /** The outcome of touching one of it. */
+  readonly outcome: number;
+}
 
 /** Up to this many doubles are copied faster one by one. */
 const FEW = 48;
@@ -36,11 +44,13 @@ export class World {
   readonly mineralR: Float64Array;
   /** Index in the state of the flags of collected minerals. */
   readonly collected: number;
-  // what ends the run by touch, by its code in a neighbourhood; moving asteroids are kept elsewhere
+  /** What ends the run by touch, besides the black hole and what chases her. */
+  readonly deadly: readonly DeadlyList[];
+  // the same by its code in a neighbourhood, with the black hole; moving asteroids are kept elsewhere
   readonly deadlyX: Float64Array;
   readonly deadlyY: Float64Array;
   readonly deadlyR: Float64Array;
-  /** Code of the first target. */
+  /** Code of the first target; behind all codes if no asteroid ends the run. */
   readonly firstTarget: number;
   /** The targets' places, x and y alternately from `placesFrom` on, `placesStep` apart; in the state if they move. */
   readonly places: Float64Array;
@@ -49,14 +59,14 @@ export class World {
   /** Frame rules of effects that act only where levels call for them, and the index in the state of each one's doubles. */
   readonly frameRules: readonly FrameRule[];
   readonly frameStates: readonly number[];
+  private readonly hazards: readonly HazardList[];
   private readonly start: Float64Array;
 
   constructor(
     readonly scene: Scene,
     readonly budget: WorkBudget,
   ) {
-    const { level, targets, novae, minerals } = scene;
-    const { blackHole } = level;
+    const { level, targets, minerals } = scene;
     this.recoil = level.recoil;
     const { pull, recoil, speedLimit } = scene.rules;
     this.numbers = Float64Array.of(pull, recoil, speedLimit);
@@ -83,10 +93,28 @@ export class World {
     this.places = this.recoil ? this.s : new Float64Array(2 * targets.count);
     this.placesFrom = this.recoil ? HEAD : 0;
     this.placesStep = this.recoil ? ROCK : 2;
-    this.deadlyX = inARow(blackHole.x, novae.x, targets.x);
-    this.deadlyY = inARow(blackHole.y, novae.y, targets.y);
-    this.deadlyR = inARow(blackHole.radius, novae.r, targets.r);
-    this.firstTarget = 1 + novae.count;
+    this.hazards = ALL_EFFECTS.hazardsOf(scene);
+    const { blackHole } = level;
+    let from = 1;
+    this.deadly = this.hazards.flatMap(({ kind, circles, first, movedBy }, k) => {
+      if (movedBy === 'chase') return [];
+      const at = from;
+      from += circles.count;
+      return [{ kind, circles, first, movedBy, from: at, outcome: COLLIDED + k }];
+    });
+    this.deadlyX = inARow(
+      blackHole.x,
+      this.deadly.map(({ circles }) => circles.x),
+    );
+    this.deadlyY = inARow(
+      blackHole.y,
+      this.deadly.map(({ circles }) => circles.y),
+    );
+    this.deadlyR = inARow(
+      blackHole.radius,
+      this.deadly.map(({ circles }) => circles.r),
+    );
+    this.firstTarget = this.deadly.find(({ movedBy }) => movedBy === 'recoil')?.from ?? from;
     this.layOut();
     this.reset();
   }
@@ -108,6 +136,22 @@ export class World {
       this.places[2 * i] = targets.x[i];
       this.places[2 * i + 1] = targets.y[i];
     }
+  }
+
+  /** How many objects end the run by touch, besides the black hole. */
+  get hazardCount(): number {
+    return hazardCount(this.hazards);
+  }
+
+  /** The outcome of touching what chases her. */
+  get caught(): number {
+    return COLLIDED + this.hazards.findIndex(({ movedBy }) => movedBy === 'chase');
+  }
+
+  /** The kind of object that she has touched, by the outcome; null if none. */
+  kindTouched(outcome: number): BodyKind | null {
+    if (outcome >= COLLIDED) return this.hazards[outcome - COLLIDED].kind;
+    return outcome === BLACK_HOLE ? 'blackHole' : null;
   }
 
   /** Whether such an effect must be called wherever she is. */
@@ -135,12 +179,15 @@ export class World {
   }
 }
 
-/** One number after the other: those of the black hole, of novae and of targets. */
-function inARow(hole: number, novae: Float64Array, targets: Float64Array): Float64Array {
-  const all = new Float64Array(1 + novae.length + targets.length);
+/** One number after the other: that of the black hole, then those of the lists. */
+function inARow(hole: number, lists: readonly Float64Array[]): Float64Array {
+  const all = new Float64Array(lists.reduce((sum, { length }) => sum + length, 1));
   all[0] = hole;
-  for (let i = 0; i < novae.length; i++) all[1 + i] = novae[i];
-  for (let i = 0; i < targets.length; i++) all[1 + novae.length + i] = targets[i];
+  let at = 1;
+  for (const list of lists) {
+    all.set(list, at);
+    at += list.length;
+  }
   return all;
 }
 

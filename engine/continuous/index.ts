@@ -1,3 +1,2 @@
-export { type Method, WHOLE_METHOD } from './method.ts';
-export { EventRecorder, PieceRecorder } from './recording.ts';
-export { ContinuousSimulation } from './simulation.ts';
+export { EventRecorder, PieceRecorder, WHOLE_METHOD } from './recording.ts';
+export { ContinuousSimulation, type Method } from './simulation.ts';

@@ -1,15 +1,19 @@
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
+import { ALL_EFFECTS } from '../effects/index.ts';
+import { integratorOf } from '../integrators/index.ts';
 import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { RunEvent, Trajectory } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
 import { approachHazards } from './approach.ts';
-import { WHOLE_METHOD } from './method.ts';
-import { ContinuousSimulation } from './simulation.ts';
+import { ContinuousSimulation, type Method } from './simulation.ts';
 
 const { START, AWAKE_COUNT } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
+
+/** The method for every scene and accuracy. */
+export const WHOLE_METHOD: Method = { effects: ALL_EFFECTS, integratorOf };
 
 /** Bytes that a recorded piece takes in addition to its numbers. */
 const BYTES_A_PIECE = 128;
@@ -131,7 +135,7 @@ export class PieceRecorder implements Recorder, Trajectory {
   /** The smallest gap to a hazard. */
   clearance(): Clearance | null {
     const { scene, events } = this;
-    const near = new ClearanceTracker(scene);
+    const near = new ClearanceTracker(scene, WHOLE_METHOD.effects.hazardsOf(scene));
     if (near.count === 0) return null;
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);

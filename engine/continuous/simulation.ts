@@ -1,9 +1,12 @@
+import type { Accuracy } from '../accuracy.ts';
 import type { ChangeLog } from '../change-log.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
+import type { EffectSet } from '../effects/index.ts';
 import {
   ALERTNESS,
   arriveAndTurnAt,
   chaserPlaceAt,
+  type Integrator,
   MODES,
   Motion,
   ONSETS,
@@ -20,12 +23,19 @@ import { type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { begin, layOut, setFlow } from './begin.ts';
 import { restoreChasers } from './expand.ts';
 import { button, endingOf, fire } from './fire.ts';
-import type { Method } from './method.ts';
 
 const { START, NEXT, ONSET, TICK_NOW, HELD, TARGET, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
 const { AWAKE, GONE } = ALERTNESS;
 const { TOUCHES } = ONSETS;
+
+/** What a simulation in continuous time is made of. */
+export interface Method {
+  /** The effects that scenes may call for. */
+  readonly effects: EffectSet;
+  /** The integrator of an accuracy. */
+  readonly integratorOf: (accuracy: Accuracy) => Integrator;
+}
 
 /**
  * More events than this at one instant mean that the run does not advance: all objects of a level may take part in an instant,

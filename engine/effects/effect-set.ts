@@ -1,11 +1,12 @@
 import type { Level, Rules } from '../../schema/basics/index.ts';
+import type { HazardList } from '../clearance.ts';
 import { layOutRules } from '../events/index.ts';
 import type { FrameRule } from '../frames.ts';
 import type { Indexing } from '../indexed-circles.ts';
 import type { Chase, EventRule, Parts } from '../motion/index.ts';
-import type { ChosenEffect, EffectChoice } from '../scene.ts';
+import type { ChosenEffect, EffectChoice, Scene } from '../scene.ts';
 import type { Effect, EngineEffect } from './effect.ts';
-import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, LISTED_FIRST } from './order.ts';
+import { EFFECTS_IN_ORDER, EVENTS_IN_ORDER, FORCES_IN_ORDER, HAZARDS_IN_ORDER, LISTED_FIRST } from './order.ts';
 
 /** Chosen effects, and what follows from them once somebody has asked for it. */
 interface Chosen {
@@ -77,6 +78,11 @@ export class EffectSet {
   /** What chases her in a scene with these effects; null if nothing does. */
   chaseOf(choice: EffectChoice): Chase | null {
     return chaseOf(this.chosenBy(choice).effects);
+  }
+
+  /** The objects of a scene that end the run by touch, a list for each effect that has any; the list of one that is not called for is empty. */
+  hazardsOf(scene: Scene): readonly HazardList[] {
+    return byName(this.all, HAZARDS_IN_ORDER).flatMap((effect) => effect.hazard?.(scene) ?? []);
   }
 
   private chosenBy(choice: EffectChoice): Chosen {

@@ -1,4 +1,5 @@
 import type { Level, ObjectList, RuleName, Rules } from '../../schema/basics/index.ts';
+import type { HazardList } from '../clearance.ts';
 import type { FrameRule } from '../frames.ts';
 import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
 import type { CentralForce, Chase, EventRule, Motion, SteadyForce } from '../motion/index.ts';
@@ -119,6 +120,13 @@ export interface Effect {
 export interface EngineEffect extends Effect {
   /** Its objects, if they chase her. */
   readonly chase?: Chase;
+  /**
+   * Its objects, if touching one ends the run.
+   *
+   * @param scene - the scene
+   * @returns which of them do, and what moves them
+   */
+  hazard?(scene: Scene): HazardList;
   /**
    * The circles that its events look for. Where there are many, an index finds those near her.
    *

@@ -18,5 +18,8 @@ export const EVENTS_IN_ORDER: readonly string[] = [
  */
 export const LISTED_FIRST: readonly string[] = ['nova', 'mineral', 'enter', 'black hole', 'alien', 'hot asteroid', 'target'];
 
+/** The effects whose objects end the run by touch. Of two that are equally near, the first in this order counts. */
+export const HAZARDS_IN_ORDER: readonly string[] = ['novae', 'hot-asteroids', 'alien-chase'];
+
 /** The effects that accelerate her. Of the central forces only the first that is active acts. */
 export const FORCES_IN_ORDER: readonly string[] = ['repulsor', 'gun', 'winds'];

@@ -2,19 +2,7 @@ export { centralSeries } from './central-series.ts';
 export { chaserSeries } from './chaser-series.ts';
 export { DRIFTS, IS_BASE, placeChaser, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
 export { CENTRAL, COAST, Flow, type Glide, type Integrator, isInCentre, LINEAR, SLIDE, STEADY } from './flow.ts';
-export {
-  beginLine,
-  bendLine,
-  findLine,
-  holdsTarget,
-  keepSteadyLine,
-  movesAlong,
-  ontoLine,
-  rebase,
-  sideOf,
-  straighten,
-  straightenBody,
-} from './line.ts';
+export * from './line.ts';
 export {
   actingForce,
   awakeAt,

@@ -6,14 +6,5 @@ export { PLAY_LIMITS, type Play, type PlayClaim, type PlayOutcome } from './play
 export { playOf } from './record.ts';
 export type { PlaySigns } from './signs.ts';
 export { playFromText, playToText } from './text.ts';
-export {
-  createVerifier,
-  PLAY_VERDICTS,
-  type PlaySpan,
-  type PlayVerdict,
-  type PlayVerifier,
-  type VerifiedPlay,
-  type VerifyOptions,
-  verifyPlay,
-} from './verify.ts';
+export * from './verify.ts';
 export { type AcceptedAccuracy, claimInWords, whyNotReplayed, whyOtherAccuracy, whyOtherEngine } from './why-not-replayed.ts';

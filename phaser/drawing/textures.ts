@@ -1,7 +1,17 @@
 import type { Textures } from 'phaser';
+import type { ObjectKind } from '../../schema/basics/index.ts';
+import { alien } from './alien.ts';
+import { asteroid } from './asteroid.ts';
+import { astronaut } from './astronaut.ts';
+import { blackHole } from './black-hole.ts';
 import { type Brush, dice, disc, drawGlow, drawSpark, fadingDisc, faint, TEXTURE_UNIT } from './brush.ts';
 import { GAME_COLOURS, type GameColours, type Theme } from './colours.ts';
-import { DRAWINGS } from './drawings.ts';
+import type { KindDrawing } from './kind-drawing.ts';
+import { mineral } from './mineral.ts';
+import { nova } from './nova.ts';
+import { repulsor } from './repulsor.ts';
+import { wind } from './wind.ts';
+import { wormhole } from './wormhole.ts';
 
 /** side of a tile of stars, px */
 export const STAR_TILE = 512;
@@ -92,3 +102,16 @@ function drawHaze(brush: Brush, colours: GameColours): void {
     [1, faint(colours.haze, 0)],
   ]);
 }
+
+/** How each kind of object is drawn. */
+export const DRAWINGS = {
+  astronaut,
+  blackHole,
+  asteroid,
+  nova,
+  repulsor,
+  alien,
+  mineral,
+  wind,
+  wormhole,
+} satisfies Readonly<Record<ObjectKind, KindDrawing<never>>>;

@@ -8,10 +8,9 @@ import type { LegendEntry } from '../legend.ts';
 import { drawObjects } from '../objects.ts';
 import { drawStartFigure } from '../run.ts';
 import { drawSeveral, type NamedRun } from '../several.ts';
-import type { PathPoint } from '../simplify.ts';
 import { THEMES, type Theme } from '../theme.ts';
 import { frame, place, type Thing, type View } from '../view.ts';
-import { stretchesOf } from '../way.ts';
+import { type PathPoint, stretchesOf } from '../way.ts';
 import { escapeXml, num } from '../xml.ts';
 
 /** An object that differs between two versions of a level; null where it is not there. */

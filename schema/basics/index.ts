@@ -1,14 +1,7 @@
 // What levels are made of, with limits and words; engine, game, options and reports need no more of the schema. The schema itself
 // loads zod, which takes as long as starting node and is larger than the engine.
 
-export {
-  ADJUSTABLE_CODES,
-  ADJUSTMENTS,
-  type AdjustableCode,
-  type Adjustment,
-  ALLOWABLE_CODES,
-  type AllowableCode,
-} from './adjustable.ts';
+export * from './adjustable.ts';
 export { adjustmentOf, allCodes, CODES, type CodeExplanation } from './codes.ts';
 export { DEFAULT_RULES, type OwnRules, ownRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './default-rules.ts';
 export * from './kinds.ts';

@@ -12,13 +12,12 @@ import {
   type Problem,
   toWords,
 } from '../basics/index.ts';
-import { readJson, toProblems, withoutExtensions } from '../json/index.ts';
+import { isObject, readJson, toProblems, withoutExtensions } from '../json/index.ts';
 import {
   codeFinding,
   type Fault,
   findFaults,
   found,
-  isObject,
   RULES_SHAPE,
   type Shape,
   tellFaults,

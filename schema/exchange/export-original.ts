@@ -12,7 +12,8 @@ import {
   RULE_NAMES,
   toPointer,
 } from '../basics/index.ts';
-import { type LevelDocument, type LevelFile, RULES } from '../level/index.ts';
+import type { Json } from '../json/index.ts';
+import { type LevelDocument, type LevelFile, objectsOfFile, RULES } from '../level/index.ts';
 
 /** A level object of the original game: plain JSON. */
 export type OriginalLevel = { readonly [key: string]: unknown };
@@ -28,8 +29,6 @@ export interface OriginalExport {
   /** What the original game reads otherwise than this toolkit does; a sentence for each. */
   readonly differences: readonly string[];
 }
-
-type Json = Readonly<Record<string, unknown>>;
 
 interface Picture {
   /** The name of the picture; that of one in several sizes ends with its diameter. */
@@ -115,8 +114,7 @@ function refusals(level: Level, { file, locate }: LevelDocument): Problem[] {
   for (const kind of LISTED_KINDS) {
     const { list, original, many } = KINDS[kind];
     if (original !== null || list === null) continue;
-    const count = ((file as unknown as Json)[list] as readonly Json[] | undefined)?.length ?? 0;
-    for (let i = 0; i < count; i++) {
+    for (const i of objectsOfFile(file, kind).keys()) {
       const message = `${objectName(kind, i)}: the original game has no ${many}`;
       refuse([list, i], message, `Remove it and check the runs again, or leave out all ${many} with --drop.`);
     }
@@ -129,11 +127,8 @@ const words = (names: readonly string[]): string =>
 
 function* everyObject(file: LevelFile): Generator<readonly [kind: ObjectKind, object: Json, name: string]> {
   for (const kind of OBJECT_KINDS) {
-    const { list, original } = KINDS[kind];
-    if (original === null) continue;
-    const value = (file as unknown as Json)[list ?? kind];
-    const objects = list === null ? [value as Json] : ((value ?? []) as readonly Json[]);
-    for (const [i, object] of objects.entries()) yield [kind, object, objectName(kind, i, object)];
+    if (KINDS[kind].original === null) continue;
+    for (const [i, object] of objectsOfFile(file, kind).entries()) yield [kind, object, objectName(kind, i, object)];
   }
 }
 

@@ -14,7 +14,7 @@ import {
   type Problem,
   toWords,
 } from '../basics/index.ts';
-import { decodeUtf8, type JsonReading, otherEditor, readJson, toProblems } from '../json/index.ts';
+import { decodeUtf8, isObject, type Json, type JsonReading, otherEditor, readJson, toProblems } from '../json/index.ts';
 import { type LevelFile, withIds } from '../level/index.ts';
 
 /** A level of the original game, as a level file. */
@@ -43,10 +43,6 @@ export type ImportReading =
       /** The text without a byte order mark; '' if the file is too large or not a text. */
       readonly text: string;
     };
-
-type Json = { readonly [key: string]: unknown };
-
-const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** Reads values of the original's objects, and collects what is wrong and what is ignored. */
 class OriginalReader {

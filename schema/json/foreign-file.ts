@@ -1,8 +1,5 @@
 import { type Finding, formatValue, quote } from '../basics/index.ts';
-
-type Json = Readonly<Record<string, unknown>>;
-
-const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
+import { isObject, type Json } from './values.ts';
 
 /** Maps of a world that a message names. */
 const MOST_NAMED = 5;

@@ -1,9 +1,8 @@
 import { type Finding, MAX_FILE_SIZE, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from '../basics/index.ts';
 import { foreignKind, hintForKind, isUtf16, unmarkedUtf16 } from './foreign-file.ts';
+import { mergeMarkers, pointerFile } from './git-leftovers.ts';
 import { createLocator, createPlaceFinder, type Locator } from './locate.ts';
-import { mergeMarkers } from './merge-markers.ts';
 import { explainMistake } from './mistakes.ts';
-import { pointerFile } from './pointer-file.ts';
 import { scanJson } from './scan.ts';
 import { decodeUtf8 } from './utf8.ts';
 

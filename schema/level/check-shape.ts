@@ -1,5 +1,6 @@
 import { type Finding, MAX_FINDINGS, OBJECT_LISTS, type Path, quote, toWords } from '../basics/index.ts';
-import { type Contradiction, contradictionsIn, type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
+import { isObject } from '../json/index.ts';
+import { type Contradiction, contradictionsIn, type Fault, findFaults, fitsLevel } from './faults.ts';
 import { LEVEL_SHAPE, type Shape } from './shape.ts';
 import { found, named, tellFaults, wrongType } from './shape-findings.ts';
 

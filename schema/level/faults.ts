@@ -1,4 +1,5 @@
 import { OBJECT_LISTS, type Path } from '../basics/index.ts';
+import { isObject } from '../json/index.ts';
 import { LEVEL_SHAPE, type Shape, type ShapesByKey } from './shape.ts';
 
 type Test = (value: unknown) => boolean;
@@ -59,9 +60,6 @@ function testOfObject(keys: ShapesByKey): Test {
     return needed.every((key) => Object.hasOwn(value, key));
   };
 }
-
-export const isObject = (value: unknown): value is Record<string, unknown> =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** Whether a key of an object is free for anyone to use: such keys are kept and not checked. */
 const isExtension = (key: string): boolean => key.startsWith('x-');

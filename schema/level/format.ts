@@ -1,7 +1,6 @@
 import { ALLOWABLE_CODES, OBJECT_LISTS, RULE_NAMES, SINGLE_KINDS } from '../basics/index.ts';
+import { block, entriesOf, inline, type Json } from '../json/index.ts';
 import { LEVEL_SHAPE, type LevelFile, notesInOrder } from './shape.ts';
-
-type Json = { readonly [key: string]: unknown };
 
 const { keys } = LEVEL_SHAPE;
 const run = keys.runs.each;
@@ -17,28 +16,6 @@ const KEYS = {
   ...Object.fromEntries(SINGLE_KINDS.map((kind) => [kind, Object.keys(keys[kind].keys)])),
   ...Object.fromEntries(OBJECT_LISTS.map((list) => [list, Object.keys(keys[list].each.keys)])),
 } as { readonly [part: string]: readonly string[] };
-
-/** Entries in canonical order: the keys in `order` first, then the others as they come, without undefined values. */
-function entriesOf(object: Json, order: readonly string[]): [string, unknown][] {
-  const known = order.filter((key) => Object.hasOwn(object, key)).map((key): [string, unknown] => [key, object[key]]);
-  const others = Object.entries(object).filter(([key]) => !order.includes(key));
-  return [...known, ...others].filter(([, value]) => value !== undefined);
-}
-
-/** A JSON value on one line. Numbers have the shortest form that reads back the same. */
-function inline(value: unknown, order: readonly string[] = []): string {
-  if (typeof value === 'number' && !Number.isFinite(value)) throw new RangeError(`a level file can't hold the number ${value}`);
-  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
-  if (Array.isArray(value)) return `[${value.map((entry) => inline(entry)).join(', ')}]`;
-  const entries = entriesOf(value as Json, order).map(([key, inner]) => `${JSON.stringify(key)}: ${inline(inner)}`);
-  return entries.length === 0 ? '{}' : `{ ${entries.join(', ')} }`;
-}
-
-/** `open`, one row per line, `close`; on a single line when there are no rows. */
-function block(open: string, rows: readonly string[], close: string, indent: string): string {
-  if (rows.length === 0) return open + close;
-  return `${open}\n${rows.map((row) => `${indent}  ${row}`).join(',\n')}\n${indent}${close}`;
-}
 
 function formatRun(value: Json, indent: string): string {
   const list = (rows: readonly string[]): string => block('[', rows, ']', `${indent}  `);

@@ -1,23 +1,16 @@
 // A level file: its shape, what contradicts itself in it, its defaults, its words and its layout. No zod.
 
 export { checkMeaning, checkShape } from './check-shape.ts';
-export { contradictionsIn, type Fault, findFaults, fitsLevel, isObject } from './faults.ts';
+export { contradictionsIn, type Fault, findFaults, fitsLevel } from './faults.ts';
 export { formatLevel } from './format.ts';
 export { withIds } from './ids.ts';
 export { conflictProblems } from './merge-conflicts.ts';
 export { type JsonObject, MIGRATIONS, type Migration, migrate, readVersion } from './migrate.ts';
 export { type LevelDocument, type LevelReading, type ReadLevelOptions, readContent, readLevel } from './read-level.ts';
+export { type ReadRunTextOptions, readRunText } from './read-run-text.ts';
 export { enteringFolder, leavingFolder, resolveLevel } from './resolve.ts';
 export { type GameRule, RULES } from './rules.ts';
-export {
-  formatRunText,
-  type ReadRunTextOptions,
-  type RunScript,
-  type RunTextPlace,
-  type RunTextReading,
-  type RunTextRemark,
-  readRunText,
-} from './run-text/index.ts';
+export * from './run-text.ts';
 export {
   type FileConflict,
   formatLevelShape,
@@ -26,6 +19,7 @@ export {
   LINE_BREAK,
   NOTE_TEXT,
   notesInOrder,
+  objectsOfFile,
   RULES_SHAPE,
   type Shape,
 } from './shape.ts';

@@ -16,6 +16,7 @@ import {
   SINGLE_KINDS,
   type SingleKind,
 } from '../basics/index.ts';
+import type { Json } from '../json/index.ts';
 import { RULES } from './rules.ts';
 
 /** What ends a line: nothing that a note may have. */
@@ -170,6 +171,13 @@ type Flat<T> = { [key in keyof T]: T[key] };
 
 /** The content of a level file: what may be left out may be missing. */
 export type LevelFile = ValueOf<typeof LEVEL_SHAPE>;
+
+/** The objects of a kind in a level file, as they are written. */
+export function objectsOfFile(file: LevelFile, kind: ObjectKind): readonly Json[] {
+  const { list } = KINDS[kind];
+  const value = (file as unknown as Json)[list ?? kind];
+  return list === null ? [value as Json] : ((value ?? []) as readonly Json[]);
+}
 
 /** An entry of `conflicts` in a level file: a property that two merged versions changed in different ways. */
 export type FileConflict = NonNullable<LevelFile['conflicts']>[number];

@@ -1,5 +1,6 @@
 import * as z from 'zod';
 import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/index.ts';
+import { block, inline } from '../json/index.ts';
 import { rulesSchema } from '../level-schema.ts';
 import { VERDICTS } from '../reports/index.ts';
 
@@ -53,32 +54,10 @@ export type LockEntry = z.infer<typeof lockEntrySchema>;
 /** A lock file: the results that were agreed on. */
 export type Lock = z.infer<typeof lockSchema>;
 
-/**
- * The JSON Schema (draft 2020-12) of a lock file, for editors and other tools.
- *
- * @returns a new JSON object
- */
-export const lockJsonSchema = (): object => z.toJSONSchema(lockSchema, { target: 'draft-2020-12' });
-
-/**
- * The text of `lock.schema.json`.
- *
- * @returns the JSON Schema, indented by two spaces
- */
-export const formatLockJsonSchema = (): string => `${JSON.stringify(lockJsonSchema(), null, 2)}\n`;
-
 const KEYS_IN_ORDER = Object.keys(lockEntrySchema.shape) as readonly (keyof LockEntry)[];
 
-/** An object on one line, with spaces as people write it. */
-const onOneLine = (entries: readonly (readonly [string, unknown])[]): string =>
-  entries.length === 0 ? '{}' : `{ ${entries.map(([key, value]) => `${JSON.stringify(key)}: ${inBrief(value)}`).join(', ')} }`;
-
-const inBrief = (value: unknown): string =>
-  typeof value === 'object' && value !== null ? onOneLine(Object.entries(value)) : JSON.stringify(value);
-
-function formatEntry(entry: LockEntry): string {
-  return onOneLine(KEYS_IN_ORDER.flatMap((key) => (entry[key] === undefined ? [] : [[key, entry[key]] as const])));
-}
+/** What was agreed on for a level, on one line. */
+const formatEntry = (entry: LockEntry): string => inline(Object.fromEntries(KEYS_IN_ORDER.map((key) => [key, entry[key]])));
 
 /**
  * The canonical text of a lock file: a line for each level, sorted by path, so that versions merge line by line.
@@ -88,7 +67,11 @@ function formatEntry(entry: LockEntry): string {
  */
 export function formatLock({ $schema, levels }: Lock): string {
   const paths = Object.keys(levels).sort((a, b) => (a < b ? -1 : a > b ? 1 : 0));
-  const lines = paths.map((path) => `    ${JSON.stringify(path)}: ${formatEntry(levels[path])}`);
-  const head = `${$schema === undefined ? '' : `  "$schema": ${JSON.stringify($schema)},\n`}  "version": ${LOCK_VERSION},\n`;
-  return `{\n${head}  "levels": ${lines.length === 0 ? '{}' : `{\n${lines.join(',\n')}\n  }`}\n}\n`;
+  const entries = paths.map((path) => `${JSON.stringify(path)}: ${formatEntry(levels[path])}`);
+  const rows = [
+    ...($schema === undefined ? [] : [`"$schema": ${JSON.stringify($schema)}`]),
+    `"version": ${LOCK_VERSION}`,
+    `"levels": ${block('{', entries, '}', '  ')}`,
+  ];
+  return `${block('{', rows, '}', '')}\n`;
 }

@@ -1,14 +1,12 @@
 // The order in which levels are played.
 export {
   formatPack,
-  formatPackJsonSchema,
   levelOfEntry,
   levelsOfPack,
   PACK_NAME,
   PACK_VERSION,
   type PackEntry,
   type PackFile,
-  packJsonSchema,
   packSchema,
 } from './pack.ts';
 export { type PackReading, readPack } from './read-pack.ts';

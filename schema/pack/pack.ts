@@ -1,4 +1,5 @@
 import * as z from 'zod';
+import { block, entriesOf, inline } from '../json/index.ts';
 
 /** The version of the pack file that this toolkit reads and writes. */
 export const PACK_VERSION = 1;
@@ -86,47 +87,8 @@ export const levelsOfPack = ({ levels }: Pick<PackFile, 'levels'>): string[] => 
   ...new Set(levels.flatMap((entry) => levelOfEntry(entry) ?? [])),
 ];
 
-/**
- * The JSON Schema (draft 2020-12) of a pack file, for editors and other tools. Keys that begin with x- are allowed in every
- * object.
- *
- * @returns a new JSON object
- */
-export const packJsonSchema = (): object =>
-  z.toJSONSchema(packSchema, {
-    target: 'draft-2020-12',
-    override: ({ jsonSchema }) => {
-      if (jsonSchema.type === 'object') jsonSchema.patternProperties = { '^x-': {} };
-    },
-  });
-
-/**
- * The text of `pack.schema.json`.
- *
- * @returns the JSON Schema, indented by two spaces
- */
-export const formatPackJsonSchema = (): string => `${JSON.stringify(packJsonSchema(), null, 2)}\n`;
-
-type Json = Readonly<Record<string, unknown>>;
-
 const KEYS = Object.keys(packSchema.shape);
 const ENTRY_KEYS = ['chapter', ...Object.keys(levelEntrySchema.shape)];
-
-/** The keys in canonical order: those of the schema first, then the others as they come. */
-const inOrder = (object: Json, order: readonly string[]): [string, unknown][] => [
-  ...order.filter((key) => Object.hasOwn(object, key)).map((key): [string, unknown] => [key, object[key]]),
-  ...Object.entries(object).filter(([key]) => !order.includes(key)),
-];
-
-/** A JSON value on one line. */
-function inline(value: unknown, order: readonly string[] = []): string {
-  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
-  if (Array.isArray(value)) return `[${value.map((inner) => inline(inner)).join(', ')}]`;
-  const members = inOrder(value as Json, order).filter(([, inner]) => inner !== undefined);
-  return members.length === 0
-    ? '{}'
-    : `{ ${members.map(([key, inner]) => `${JSON.stringify(key)}: ${inline(inner)}`).join(', ')} }`;
-}
 
 /** An entry in its shortest form: a level of which nothing else is said is its id. */
 function formatEntry(entry: PackEntry): string {
@@ -142,11 +104,9 @@ function formatEntry(entry: PackEntry): string {
  * @returns its text
  */
 export function formatPack(pack: PackFile): string {
-  const members = inOrder(pack, KEYS).flatMap(([key, value]) => {
-    if (value === undefined) return [];
-    if (key !== 'levels') return [`  ${JSON.stringify(key)}: ${inline(value)}`];
-    const rows = pack.levels.map((entry) => `    ${formatEntry(entry)}`).join(',\n');
-    return [`  "levels": ${rows === '' ? '[]' : `[\n${rows}\n  ]`}`];
+  const rows = entriesOf(pack, KEYS).map(([key, value]) => {
+    const text = key === 'levels' ? block('[', pack.levels.map(formatEntry), ']', '  ') : inline(value);
+    return `${JSON.stringify(key)}: ${text}`;
   });
-  return `{\n${members.join(',\n')}\n}\n`;
+  return `${block('{', rows, '}', '')}\n`;
 }

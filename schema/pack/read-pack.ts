@@ -8,8 +8,8 @@ import {
   quote,
   toPointer,
 } from '../basics/index.ts';
-import { readJson, type TextPlace, toProblems, withoutExtensions } from '../json/index.ts';
-import { found, isObject, unknownKey } from '../level/index.ts';
+import { isObject, readJson, type TextPlace, toProblems, withoutExtensions } from '../json/index.ts';
+import { found, unknownKey } from '../level/index.ts';
 import { PACK_LIMITS, PACK_VERSION, type PackFile, packSchema } from './pack.ts';
 
 /** The outcome of {@link readPack}: with `ok` true the pack, otherwise the problems. */

@@ -1,7 +1,6 @@
 import * as z from 'zod';
-import { forecastReportSchema } from './forecast.ts';
 import { problem, termsReportSchema, version } from './parts.ts';
-import { playersReportSchema, playsReportSchema } from './players.ts';
+import { forecastReportSchema, playersReportSchema, playsReportSchema } from './players.ts';
 
 /** The verdicts on a level. All but the first need attention. */
 export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;

@@ -1,54 +1,54 @@
 // The schemas of reports, as `--format json` writes them.
-export {
-  type CheckReport,
+import * as z from 'zod';
+import {
   checkReportSchema,
-  type DifficultyReport,
   difficultyReportSchema,
-  type GenerateReport,
   generateReportSchema,
-  type LevelReport,
-  type RobustnessReport,
-  type RunFoundReport,
-  type RunReport,
-  robustnessReportSchema,
-  runReportSchema,
-  type SimulateReport,
-  type SoftlockReport,
-  type SolutionReport,
-  type SolveReport,
-  type SolveSetReport,
   simulateReportSchema,
-  softlockReportSchema,
   solveReportSchema,
   solveSetReportSchema,
-  VERDICTS,
-  type Verdict,
 } from './check.ts';
-export { type DiffReport, diffReportSchema } from './diff.ts';
-export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './forecast.ts';
-export {
-  type AccuracyReport,
+import { diffReportSchema } from './diff.ts';
+import {
   accuracyReportSchema,
-  type BuildReport,
   buildReportSchema,
-  type ExplainReport,
-  type ExportReport,
   explainReportSchema,
   exportReportSchema,
-  type FixReport,
-  type FmtReport,
   fixReportSchema,
   fmtReportSchema,
-  type ImportReport,
-  type InitReport,
-  type InspectReport,
   importReportSchema,
   initReportSchema,
   inspectReportSchema,
-  type TuneReport,
   tuneReportSchema,
-  type VerifyReport,
   verifyReportSchema,
 } from './others.ts';
+
+export * from './check.ts';
+export { type DiffReport, diffReportSchema } from './diff.ts';
+export * from './others.ts';
 export { type TermsReport, termsReportSchema } from './parts.ts';
-export { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from './schemas.ts';
+export { type FitReport, type ForecastReport, fitReportSchema, forecastReportSchema } from './players.ts';
+
+/** The zod schema of what each command prints with `--format json`, by the name of the command. */
+export const REPORT_SCHEMAS = {
+  check: checkReportSchema,
+  simulate: simulateReportSchema,
+  solve: z.union([solveReportSchema, solveSetReportSchema]),
+  fix: fixReportSchema,
+  difficulty: difficultyReportSchema,
+  tune: tuneReportSchema,
+  generate: generateReportSchema,
+  accuracy: accuracyReportSchema,
+  inspect: inspectReportSchema,
+  explain: explainReportSchema,
+  fmt: fmtReportSchema,
+  import: importReportSchema,
+  export: exportReportSchema,
+  init: initReportSchema,
+  build: buildReportSchema,
+  diff: diffReportSchema,
+  verify: verifyReportSchema,
+} as const satisfies Readonly<Record<string, z.ZodType>>;
+
+/** The name of a command that prints a report as JSON. */
+export type ReportName = keyof typeof REPORT_SCHEMAS;

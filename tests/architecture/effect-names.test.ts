@@ -29,7 +29,7 @@ const mayName = (kind: string): string[] => [
   'engine/effects/parts.ts',
   'engine/light/index.ts',
   'game/light/index.ts',
-  'phaser/drawing/drawings.ts',
+  'phaser/drawing/textures.ts',
   `phaser/drawing/${kind}.ts`,
   `picture/kinds/${kind}.ts`,
   'picture/kinds/index.ts',
@@ -62,10 +62,10 @@ describe.each(LISTED_KINDS.filter((kind) => KINDS[kind].original === null))('%s'
  */
 const STILL = {
   repulsor: { own: ['engine/effects/repulsor/', 'engine/warnings/repulsor-'], elsewhere: 15 },
-  alien: { own: ['engine/effects/aliens/', 'engine/warnings/aliens-'], elsewhere: 64 },
-  nova: { own: ['engine/effects/hazards/'], many: 'novae', elsewhere: 64 },
-  mineral: { own: ['engine/effects/minerals/', 'engine/warnings/minerals'], elsewhere: 211 },
-  hot: { own: ['engine/effects/hazards/'], elsewhere: 38 },
+  alien: { own: ['engine/effects/aliens/'], elsewhere: 59 },
+  nova: { own: ['engine/effects/hazards/'], many: 'novae', elsewhere: 53 },
+  mineral: { own: ['engine/effects/minerals/', 'engine/warnings/minerals'], elsewhere: 190 },
+  hot: { own: ['engine/effects/hazards/'], elsewhere: 35 },
 } as const;
 
 describe.each(Object.entries(STILL))('%s, of the original game', (kind, { elsewhere, own, ...forms }) => {

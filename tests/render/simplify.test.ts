@@ -1,6 +1,6 @@
 import * as fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { type PathPoint, simplify } from '../../picture/simplify.ts';
+import { type PathPoint, simplify } from '../../picture/way.ts';
 
 const points = fc.array(fc.tuple(fc.double({ min: -50, max: 50, noNaN: true }), fc.double({ min: -50, max: 50, noNaN: true })), {
   minLength: 2,

@@ -161,6 +161,7 @@ export const alienChase: EngineEffect = {
   },
   moves: true,
   kills: true,
+  hazard: ({ aliens }) => ({ kind: 'alien', circles: aliens, first: 0, movedBy: 'chase' }),
   events: [touchAlien, wake, fallAsleep],
   attach(m) {
     m.crowd = new AlienCrowd(m);

@@ -1,4 +1,15 @@
-import { CENTRAL, type CentralForce, LINEAR, type Motion, RECORDS, rebase, SLOTS, stir, TURNS } from '../../motion/index.ts';
+import {
+  CENTRAL,
+  type CentralForce,
+  LINEAR,
+  layOutRocks,
+  type Motion,
+  RECORDS,
+  rebase,
+  SLOTS,
+  stir,
+  TURNS,
+} from '../../motion/index.ts';
 import { type Effect, whereAny } from '../effect.ts';
 import { meetTarget, passCentre, switchTarget } from './events.ts';
 import { holdOnLine } from './line.ts';
@@ -71,3 +82,17 @@ function turnToTarget(m: Motion): void {
   s[COS] = -s[SIDE] * s[LINE_X];
   s[SIN] = -s[SIDE] * s[LINE_Y];
 }
+
+export const recoil: Effect = {
+  name: 'recoil',
+  summary: ({ recoil: strength }) =>
+    `the target of the gun accelerates towards her at ${strength} / diameter px/s2 and keeps its velocity after release`,
+  calledFor: (level) => {
+    if (!level.recoil) return { called: false, because: 'the level does not turn recoil on' };
+    if (level.asteroids.length === 0) return { called: false, because: 'no asteroids' };
+    return { called: true, because: 'the level turns recoil on' };
+  },
+  rules: ['recoil'],
+  moves: true,
+  layOut: layOutRocks,
+};

@@ -1,6 +1,6 @@
 import { eachTargetNear, eventRule, listTouching, offerContact, quietOutside, rockDistanceToNear } from '../../events/index.ts';
 import { placeCircle, placeRock } from '../../motion/index.ts';
-import { type Effect, type EngineEffect, whereAny } from '../effect.ts';
+import { type EngineEffect, whereAny } from '../effect.ts';
 
 const touchNova = eventRule({
   name: 'nova',
@@ -23,6 +23,7 @@ export const novae: EngineEffect = {
   summary: () => 'end the run on touch',
   calledFor: whereAny('novae', 'nova'),
   kills: true,
+  hazard: ({ novae }) => ({ kind: 'nova', circles: novae, first: 0, movedBy: 'nothing' }),
   circles: ({ novae }) => novae,
   events: [touchNova],
 };
@@ -45,7 +46,7 @@ const touchHot = eventRule({
   fire: (m, i) => m.scene.targets.index[i],
 });
 
-export const hotAsteroids: Effect = {
+export const hotAsteroids: EngineEffect = {
   name: 'hot-asteroids',
   summary: () => 'end the run on touch, and pull like cold asteroids',
   calledFor: (level) => {
@@ -55,5 +56,6 @@ export const hotAsteroids: Effect = {
       : { called: false, because: 'no hot asteroids' };
   },
   kills: true,
+  hazard: ({ targets, coldCount }) => ({ kind: 'asteroid', circles: targets, first: coldCount, movedBy: 'recoil' }),
   events: [touchHot],
 };

@@ -1,5 +1,6 @@
 import { fieldsOf, KINDS, OBJECT_KINDS, type ObjectKind } from '../../basics/index.ts';
-import type { LevelFile } from '../../level/index.ts';
+import type { Json } from '../../json/index.ts';
+import { type LevelFile, objectsOfFile } from '../../level/index.ts';
 import {
   EXACT,
   MAP_KEYS,
@@ -11,8 +12,6 @@ import {
   type TiledObject,
   type TiledProperty,
 } from './map.ts';
-
-type Json = Readonly<Record<string, unknown>>;
 
 /** The grid of the map, px. */
 const TILE = 32;
@@ -37,12 +36,6 @@ interface Located {
 const radiusOf = (kind: ObjectKind, object: Json): number => {
   const field = KINDS[kind].fields.radius;
   return (object.radius as number | undefined) ?? (field?.type === 'number' ? (field.default ?? 0) : 0);
-};
-
-const objectsOf = (file: LevelFile, kind: ObjectKind): readonly Json[] => {
-  const { list } = KINDS[kind];
-  const value = (file as unknown as Json)[list ?? kind];
-  return list === null ? [value as Json] : ((value ?? []) as readonly Json[]);
 };
 
 const discsOf = (kind: ObjectKind, object: Json): Located[] =>
@@ -139,11 +132,11 @@ class Drawing {
  * @returns the map, in Tiled's JSON map format
  */
 export function exportTiled(file: LevelFile): TiledMap {
-  const discs = OBJECT_KINDS.flatMap((kind) => objectsOf(file, kind).flatMap((object) => discsOf(kind, object)));
+  const discs = OBJECT_KINDS.flatMap((kind) => objectsOfFile(file, kind).flatMap((object) => discsOf(kind, object)));
   const [across, down] = [extent(discs, 'x'), extent(discs, 'y')];
   const drawing = new Drawing([across.offset, down.offset]);
   const layers = OBJECT_KINDS.map((kind, i): TiledLayer => {
-    const objects = objectsOf(file, kind).flatMap((object) => drawing.objects(kind, object));
+    const objects = objectsOfFile(file, kind).flatMap((object) => drawing.objects(kind, object));
     const name = KINDS[kind].list ?? kind;
     const look = { draworder: 'index', color: colorOf(kind), opacity: 1, visible: true, x: 0, y: 0 } as const;
     return { id: i + 1, name, type: 'objectgroup', ...look, objects };

@@ -10,12 +10,12 @@ import {
   SINGLE_KINDS,
   toPointer,
 } from '../../basics/index.ts';
-import { otherEditor, readJson, toProblems, withoutExtensions } from '../../json/index.ts';
+import { isObject, type Json, otherEditor, readJson, toProblems, withoutExtensions } from '../../json/index.ts';
 import { checkMeaning, checkShape, type LevelFile, withIds } from '../../level/index.ts';
 import type { ImportReading } from '../import-original.ts';
 import { LevelMaker, type Made, ownValue } from './level-maker.ts';
 import { MAP_KEYS, OFFSET, PARTNER, POINT_KINDS } from './map.ts';
-import { isObject, type Json, MapReader, type ReadObject, type ReadProperty } from './map-objects.ts';
+import { MapReader, type ReadObject, type ReadProperty } from './map-objects.ts';
 import { hintForType, isNumeric, typeHint } from './property-type.ts';
 import { isTmx, readMapSource } from './read-tmx.ts';
 

@@ -1,8 +1,5 @@
 import { type Finding, formatValue, MAX_FINDINGS, type Path, quote, toPointer } from '../../basics/index.ts';
-
-export type Json = Readonly<Record<string, unknown>>;
-
-export const isObject = (value: unknown): value is Json => typeof value === 'object' && value !== null && !Array.isArray(value);
+import { isObject, type Json } from '../../json/index.ts';
 
 /** What an object of a map is drawn as. */
 export type Shape = 'rectangle' | 'ellipse' | 'point' | 'polygon' | 'polyline' | 'capsule' | 'text' | 'tile' | 'template';

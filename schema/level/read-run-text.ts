@@ -1,6 +1,6 @@
-import { type Hold, LIMITS, type RunNote } from '../../basics/index.ts';
-import { LINE_BREAK, notesInOrder } from '../shape.ts';
-import type { RunTextReading, RunTextRemark } from './run-script.ts';
+import { type Hold, LIMITS, type RunNote } from '../basics/index.ts';
+import type { RunTextReading, RunTextRemark } from './run-text.ts';
+import { LINE_BREAK, notesInOrder } from './shape.ts';
 import { TextWalk } from './text-walk.ts';
 
 /** Options of {@link readRunText}. */

@@ -1,5 +1,5 @@
-import { LINE_BREAK } from '../shape.ts';
-import type { RunTextPlace, RunTextReading } from './run-script.ts';
+import type { RunTextPlace, RunTextReading } from './run-text.ts';
+import { LINE_BREAK } from './shape.ts';
 
 type Mistake = Extract<RunTextReading, { readonly ok: false }>;
 

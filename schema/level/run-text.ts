@@ -1,5 +1,5 @@
-import type { Hold, RunNote } from '../../basics/index.ts';
-import { notesInOrder } from '../shape.ts';
+import type { Hold, RunNote } from '../basics/index.ts';
+import { notesInOrder } from './shape.ts';
 
 /** What a run as text says. */
 export interface RunScript {
