@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { startServer } from '../dist/cli/edit/index.js';
+import { startServer } from '../dist/cli/serve/index.js';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 const LEVEL = '07-nova-lane';

@@ -36,8 +36,8 @@ export const ROOMS: Readonly<Record<string, Room>> = {
     tests: [...robustness('noise', 'any-game', 'measured', 'in-steps'), 'tests/solver/robustness'],
   },
   schema: { sources: ['schema'], tests: ['tests/schema'] },
-  'cli/edit': {
-    sources: ['cli/edit'],
+  'cli/serve': {
+    sources: ['cli/serve'],
     tests: [
       ...server('reorder', 'changes', 'streams', 'watch', 'entries', 'ports', 'crashes', 'first-reading', 'attacks', 'api'),
       ...server('locks', 'refusals', 'disk', 'full-disk', 'leftovers', 'events', 'large', 'concurrent-writers'),

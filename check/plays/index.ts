@@ -10,4 +10,4 @@ export { type FittedPlayers, fitToPlays, observe } from './fit-to-plays.ts';
 export { compareWithModel, type ModelComparison } from './model.ts';
 export { createPlayReplayer, type PlayReplayer } from './replay.ts';
 export type { Reference } from './routes.ts';
-export { collectStatistics, type PlayStatistics, statisticsOf } from './statistics.ts';
+export { collectStatistics, type PlayStatistics } from './statistics.ts';

@@ -1,7 +1,5 @@
 import { joinHolds, type Terms } from '../../engine/index.ts';
-import type { Play } from '../../game/index.ts';
 import type { Level } from '../../schema/index.ts';
-import type { Goal } from '../../solver/index.ts';
 import {
   type Attempt,
   type AttemptNumber,
@@ -14,7 +12,6 @@ import {
 } from './attempt.ts';
 import { type EdgeStatistics, edgeStatistics } from './edges.ts';
 import { type CauseStatistics, causesOf, clustersOf, type FailureCluster } from './failures.ts';
-import { createPlayReplayer } from './replay.ts';
 import { chooseReference, knownRuns, type Reference, type RouteStatistics, routesOf } from './routes.ts';
 
 /** What players teach about a level. */
@@ -45,10 +42,8 @@ export interface PlayStatistics extends Share {
   readonly edges: readonly EdgeStatistics[];
 }
 
-/** Options of {@link statisticsOf}. */
+/** Options of {@link collectStatistics}. */
 export interface StatisticsOptions {
-  /** What an attempt has to achieve; by default only the black hole. */
-  readonly goal?: Goal;
   /**
    * Who made each play, by its index; null if nobody knows. Such plays count, but not by attempt number. By default one player
    * made all of them, in the order given.
@@ -58,33 +53,14 @@ export interface StatisticsOptions {
   readonly reference?: Reference;
 }
 
-const ANY: Goal = { minerals: 'any' };
-
 /**
- * Simulates plays of a level again and says how players fare: how often they succeed, and where, when and why they fail. The
- * claims of the plays are compared with what happens and never trusted. The order of the plays does not matter but for the
- * indices of plays, and for attempt numbers unless `by` has them.
+ * Says how players fare: how often they succeed, and where, when and why they fail. The order of the plays does not matter but for
+ * the indices of plays, and for attempt numbers unless `by` has them.
  * @param level the level
- * @param terms under which plays and the level's own runs are simulated
- * @param plays recorded plays
- * @param options who played, and what counts as success
+ * @param terms under which the level's own runs are simulated
+ * @param replayed what plays turned out to be when they were simulated again, in any order
+ * @param options who played, and what presses and releases are compared with
  */
-export function statisticsOf(
-  level: Level,
-  terms: Terms,
-  plays: readonly Play[],
-  options: StatisticsOptions = {},
-): PlayStatistics {
-  const replayer = createPlayReplayer(level, terms, options.goal ?? ANY);
-  return collectStatistics(
-    level,
-    terms,
-    plays.map((play, i) => replayer.replay(play, i)),
-    options,
-  );
-}
-
-/** {@link statisticsOf} for plays that have been simulated again, in any order. */
 export function collectStatistics(
   level: Level,
   terms: Terms,

@@ -28,9 +28,9 @@ import {
   type ScriptedRun,
   type SoftlockReport,
 } from '../../schema/index.ts';
-import { createDecider, createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
+import { createSoftlockSurvey, type Proof, type SoftlockSurvey } from '../../solver/index.ts';
 import { readBytes } from '../io/index.ts';
-import { type OpenedLevel, placed, reportRun } from '../levels/index.ts';
+import { decideWithin, type OpenedLevel, placed, reportRun } from '../levels/index.ts';
 import { byHolds, showProblems } from '../report-parts/index.ts';
 import { Failure, shellPath } from '../terminal/index.ts';
 import {
@@ -258,9 +258,6 @@ export function commandHints(path: string): Hints {
   };
 }
 
-/** Simulated ticks between two looks at the clock. */
-const SLICE = 50_000;
-
 /** What a search found. */
 interface LevelSearch extends Searched {
   /** A proof that there is no run, found beside the search; null if there is none. */
@@ -269,20 +266,11 @@ interface LevelSearch extends Searched {
   readonly isOutOfTime: boolean;
 }
 
-/**
- * Searches for a run that completes a level: for any run, or if slack is required, for the most robust one. As long as there is
- * none, half of the work goes into proofs with ever finer sets.
- * Blocks the calling thread for as long as the limits allow.
- */
+/** Searches for any run that completes a level, or if slack is required, for the most robust one. */
 function searchLevel(scene: Scene, { limits, seed }: SearchSettings, { requireSlack }: CheckSettings): LevelSearch {
-  const objective = requireSlack === null ? 'first' : 'robust';
-  const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
-  const isLate = (): boolean => performance.now() >= end;
-  const effort = limits.effort ?? undefined;
-  const decider = createDecider(scene, { objective, seed, effort, isStopped: isLate });
-  while (!decider.finished && !isLate()) decider.advance(SLICE);
-  const { best, impossible, closest, finished } = decider;
-  return { found: best?.holds ?? null, impossible, effort: { ...decider.effort }, closest, isOutOfTime: !finished };
+  const decider = decideWithin(scene, limits, seed, requireSlack === null ? 'first' : 'robust');
+  const { best, impossible, effort, closest, finished } = decider;
+  return { found: best?.holds ?? null, impossible, effort: { ...effort }, closest, isOutOfTime: !finished };
 }
 
 /** Where a level is already lost, as reports have it. @param runs those of the level */

@@ -4,8 +4,8 @@ import { placeFragment } from '../../schema/index.ts';
 import { GAME } from '../build/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../edit/index.ts';
 import { wholeNumberOption } from '../options/index.ts';
+import { DEFAULT_PORT, type EditServer, openBrowser, openedPlace, PAGE, startServer } from '../serve/index.ts';
 import { catchSignals, visible } from '../terminal/index.ts';
 
 interface EditOptions extends ConfigOptions {

@@ -6,9 +6,9 @@ import { PLAY_LIMITS } from '../../game/index.ts';
 import type { VerifyReport } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
-import { unreadableFolders } from '../find/index.ts';
+import { nothingFound, unreadableFolders, whyMissing } from '../find/index.ts';
 import { reportWhole, shardOfPlan } from '../fleet/index.ts';
-import { filesBelow, firstPack, once, readRegularFile, STDIN, siblingHint, statOrError } from '../io/index.ts';
+import { filesBelow, firstPack, once, readRegularFile, STDIN, statOrError } from '../io/index.ts';
 import {
   addShardOptions,
   jobsOption,
@@ -144,8 +144,7 @@ function findPlays(paths: readonly string[]): FoundPlays {
   for (const path of paths) {
     const stats = statOrError(path);
     if (stats instanceof Error) {
-      const hint = (stats as NodeJS.ErrnoException).code === 'ENOENT' ? siblingHint(path) : '';
-      unmatched.push(`${namedPath(path)}: ${systemReason(stats)}${hint}`);
+      unmatched.push(`${namedPath(path)}: ${whyMissing(path, stats)}`);
     } else if (stats.isDirectory()) {
       const before = unreadable.length;
       const found = filesBelow(path, (name) => PLAY_FILE.test(name), unreadable);
@@ -155,9 +154,9 @@ function findPlays(paths: readonly string[]): FoundPlays {
     } else files.push(path);
   }
   if (unmatched.length === 0) return { files: once(files), unreadable };
-  throw new Failure(
-    `nothing was verified: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no play\n${unmatched.map((line) => `  ${line}\n`).join('')}expected a .gqr file, a directory of them, a pack, or - for standard input`,
-  );
+  const what = unmatched.length === 1 ? 'a path matches no play' : 'paths match no play';
+  const expected = 'expected a .gqr file, a directory of them, a pack, or - for standard input';
+  throw nothingFound(`nothing was verified: ${what}`, unmatched, expected);
 }
 
 /** The plays in files. Of one that can't be read only the error is kept. */

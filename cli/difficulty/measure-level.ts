@@ -62,7 +62,7 @@ function playersOf(
   { terms, goal, seed, run }: MeasureSettings,
 ): Players {
   const measured = difficulty === null ? null : { holds: difficulty.run.holds, name: runName };
-  const collect = (reference?: Reference) => collectStatistics(level, terms, replayed, { goal, by, reference });
+  const collect = (reference?: Reference) => collectStatistics(level, terms, replayed, { by, reference });
   // the run that players take is mostly one of the level's own; the one that forgives most may be another way
   const own = collect(run === null || measured === null ? undefined : measured);
   const statistics = own.reference === null && measured !== null ? collect(measured) : own;

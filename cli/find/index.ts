@@ -31,6 +31,14 @@ export interface FoundFiles {
 export const unreadableFolders = (folders: FoundFiles['unreadable']): Failure =>
   new Failure(folders.map(({ path, reason }) => `${namedPath(path)}: the directory can't be read: ${reason}`).join('\n'));
 
+/** Why nothing is found at a path, with a name that is nearly the same. */
+export const whyMissing = (path: string, error: NodeJS.ErrnoException): string =>
+  systemReason(error) + (error.code === 'ENOENT' ? siblingHint(path) : '');
+
+/** That paths name nothing that a command works on. @param unmatched the paths, each with the reason */
+export const nothingFound = (what: string, unmatched: readonly string[], expected: string): Failure =>
+  new Failure(`${what}\n${unmatched.map((line) => `  ${line}\n`).join('')}${expected}`);
+
 /** What a configuration leaves out, and which file says so. */
 interface LeftOut {
   readonly file: string | null;
@@ -54,10 +62,9 @@ export async function findLevelFiles(paths: readonly string[], leftOut: LeftOut 
     else for (const file of found) files.push(file);
   }
   if (unmatched.length > 0) {
-    const hint = 'expected a level file, a directory that contains *.level.json, or a pattern like "levels/*.json"';
-    throw new Failure(
-      `nothing was done: ${unmatched.length === 1 ? 'a path matches' : 'paths match'} no level file\n${unmatched.map((u) => `  ${u}\n`).join('')}${hint}`,
-    );
+    const what = unmatched.length === 1 ? 'a path matches no level file' : 'paths match no level file';
+    const expected = 'expected a level file, a directory that contains *.level.json, or a pattern like "levels/*.json"';
+    throw nothingFound(`nothing was done: ${what}`, unmatched, expected);
   }
   return { files: once(files), packs, unreadable };
 }
@@ -81,7 +88,7 @@ async function expand(
   const entry = entryName(path);
   if (entry !== null && !(statOrError(entry.pack) instanceof Error)) return [path];
   if (!/[*?]/.test(path)) {
-    return systemReason(stats) + ((stats as NodeJS.ErrnoException).code === 'ENOENT' ? siblingHint(path) : '');
+    return whyMissing(path, stats);
   }
   const pattern = path.split(sep).join('/');
   const fixed = pattern.slice(0, pattern.search(/[*?]/));

@@ -36,8 +36,17 @@ export {
 export { openPool, runInParts, runInPool, startThread, type Thread } from './pool.ts';
 export { isStream, readBytes, readStdin, STDIN, STDIN_NAME, siblingHint, stdinName } from './read.ts';
 export { NotAFile, openRegularFile, readBeyond, readRegularFile } from './regular-file.ts';
-export { expectOutput, type Inputs, levelsRead, Outputs, realTarget, standing, whyNotWritable } from './replaceable.ts';
-export { filesBelow, isShown, once, readBuilt, statOrError, walk } from './walk.ts';
+export {
+  expectOutput,
+  type Inputs,
+  levelsRead,
+  Outputs,
+  realTarget,
+  standing,
+  whyNotWritable,
+  whyUnreachable,
+} from './replaceable.ts';
+export { filesBelow, isShown, once, onceBy, readBuilt, statOrError, walk } from './walk.ts';
 export {
   differing,
   type FileStatus,

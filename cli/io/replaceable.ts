@@ -200,6 +200,29 @@ export function whyNotWritable(path: string): string | null {
   }
 }
 
+/** Why no file can be written to a path, for people; null if one can. The folders above it may be missing. */
+export function whyUnreachable(file: string): string | null {
+  try {
+    const stats = statSync(file, { throwIfNoEntry: false });
+    if (stats?.isDirectory()) return 'it is a folder; expected a file';
+    if (stats !== undefined) return whyNotWritable(file);
+    if (/[/\\]$/.test(file)) return 'it names a folder; expected a file';
+    for (let folder = dirname(resolve(file)); ; folder = dirname(folder)) {
+      const above = statSync(folder, { throwIfNoEntry: false });
+      if (above === undefined && lstatSync(folder, { throwIfNoEntry: false })?.isSymbolicLink())
+        return `${folder} is a broken link`;
+      if (above?.isDirectory() === false) return `${folder} is a file, not a folder`;
+      if (above !== undefined) {
+        const why = whyNotWritable(folder);
+        return why === null ? null : `${folder}: ${why}`;
+      }
+      if (dirname(folder) === folder) return 'no such folder';
+    }
+  } catch (error) {
+    return systemReason(error);
+  }
+}
+
 /** Links that are followed at most, as many as Linux follows. */
 const MOST_LINKS = 40;
 

@@ -103,10 +103,14 @@ export function readBuilt(folder: string, what: string): Map<string, Uint8Array<
 }
 
 /** Each file once, however its path is written. */
-export function once(files: readonly string[]): string[] {
+export const once = (files: readonly string[]): string[] => onceBy(files, (file) => file);
+
+/** {@link once} for what has the path of a file, or `-` for standard input. */
+export function onceBy<T>(things: readonly T[], pathOf: (thing: T) => string): T[] {
   const seen = new Set<string>();
-  return files.filter((file) => {
-    const full = resolve(file);
+  return things.filter((thing) => {
+    const path = pathOf(thing);
+    const full = path === '-' ? path : resolve(path);
     if (seen.has(full)) return false;
     seen.add(full);
     return true;

@@ -22,8 +22,10 @@ import {
   type RunReport,
   readLevel,
 } from '../../schema/index.ts';
+import { createDecider, type Decider, type Objective } from '../../solver/index.ts';
 import type { CommandResult } from '../command.ts';
 import { isPackFile, NOT_A_LEVEL, readBytes, readRegularFile, replaceFile, whyNotWritable } from '../io/index.ts';
+import type { Limits } from '../options/index.ts';
 import { type ShownProblem, showFileProblems, showProblems } from '../report-parts/index.ts';
 import { colorsFor, Failure, notice, systemReason, visibleLine } from '../terminal/index.ts';
 
@@ -191,4 +193,19 @@ export function withinWorkOf<T>(scene: Scene, holds: readonly Hold[], read: (run
   throw new Failure(
     `the run costs more work than allowed, ${maxWork} pieces of motion: allow more with --max-work, or end it earlier with --max-time`,
   );
+}
+
+/** Simulated ticks between two looks at the clock. */
+const SLICE = 50_000;
+
+/**
+ * Searches for a run that completes a level, and as long as there is none, for a proof that there is none. Blocks the calling thread
+ * for as long as the limits allow.
+ */
+export function decideWithin(scene: Scene, { budget, effort }: Limits, seed: number, objective: Objective): Decider {
+  const end = budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * budget;
+  const isStopped = (): boolean => performance.now() >= end;
+  const decider = createDecider(scene, { objective, seed, effort: effort ?? undefined, isStopped });
+  while (!decider.finished && !isStopped()) decider.advance(SLICE);
+  return decider;
 }

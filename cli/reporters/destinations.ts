@@ -1,8 +1,7 @@
-import { lstatSync, statSync } from 'node:fs';
-import { dirname, resolve } from 'node:path';
+import { statSync } from 'node:fs';
 import { Option } from 'commander';
-import { type Inputs, Outputs, realTarget, standing, whyNotWritable } from '../io/index.ts';
-import { didYouMean, Failure, namedPath, systemReason } from '../terminal/index.ts';
+import { type Inputs, Outputs, realTarget, standing, whyUnreachable } from '../io/index.ts';
+import { didYouMean, Failure, namedPath } from '../terminal/index.ts';
 import { REPORTER_NAMES, type ReporterName } from './reporter.ts';
 
 /** A report that is asked for. */
@@ -88,7 +87,7 @@ export function expectReportFiles(reports: readonly Destination[], inputs: Input
   const wrong: string[] = [];
   for (const { name, file } of files) {
     const given = `--reporter ${name}=${file}`;
-    const why = whyNoReport(file);
+    const why = whyUnreachable(file);
     if (why !== null) {
       wrong.push(`${given}: ${namedPath(file)} can't be written: ${why}`);
       continue;
@@ -113,29 +112,6 @@ const isOther = (file: string): boolean =>
 
 export const forceReportsOption = (): Option =>
   new Option('--force', 'let a report replace a file that is no report of gq; a level, and what is read, is never replaced');
-
-/** Why no report can be written to a file; null if one can. The folders above it may be missing. */
-function whyNoReport(file: string): string | null {
-  try {
-    const stats = statSync(file, { throwIfNoEntry: false });
-    if (stats?.isDirectory()) return 'it is a folder; expected a file';
-    if (stats !== undefined) return whyNotWritable(file);
-    if (/[/\\]$/.test(file)) return 'it names a folder; expected a file';
-    for (let folder = dirname(resolve(file)); ; folder = dirname(folder)) {
-      const above = statSync(folder, { throwIfNoEntry: false });
-      if (above === undefined && lstatSync(folder, { throwIfNoEntry: false })?.isSymbolicLink())
-        return `${folder} is a broken link`;
-      if (above?.isDirectory() === false) return `${folder} is a file, not a folder`;
-      if (above !== undefined) {
-        const why = whyNotWritable(folder);
-        return why === null ? null : `${folder}: ${why}`;
-      }
-      if (dirname(folder) === folder) return 'no such folder';
-    }
-  } catch (error) {
-    return systemReason(error);
-  }
-}
 
 /** Whether writing replaces a file, as opposed to a device such as /dev/null. */
 const isRegularOrNew = (file: string): boolean => statSync(file, { throwIfNoEntry: false })?.isFile() !== false;

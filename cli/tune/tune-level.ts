@@ -11,8 +11,8 @@ import {
   rulesOf,
   type ScriptedRun,
 } from '../../schema/index.ts';
-import { createDecider, type Decider } from '../../solver/index.ts';
 import { nameOfFile, readBytes } from '../io/index.ts';
+import { decideWithin } from '../levels/index.ts';
 import { showProblems } from '../report-parts/index.ts';
 import { Failure } from '../terminal/index.ts';
 import { amountsOf, type RuleValue } from './rule-options.ts';
@@ -20,9 +20,6 @@ import type { RuleInterval, TunedLevel, TunedValue, TuneSettings, TuneTask } fro
 
 /** The shares of a level's value at which a rule is tried without a sweep: from half to twice. */
 const TRIED = Array.from({ length: 31 }, (_, i) => 0.5 + i / 20);
-
-/** Simulated ticks between two looks at the clock. */
-const SLICE = 50_000;
 
 /** Thrown for a value that is not allowed for a rule of this level. */
 class OutOfRange extends Error {}
@@ -147,18 +144,9 @@ function judge(
   if (proveGoalImpossible(scene, { minerals: 'any' }) !== null) {
     return { value, state: 'impossible', holds: null };
   }
-  const { best, impossible } = decide(scene, settings.search);
+  const { best, impossible } = decideWithin(scene, settings.search.limits, settings.search.seed, 'first');
   if (best !== null) return { value, state: 'other', holds: best.holds };
   return { value, state: impossible === null ? 'unproven' : 'impossible', holds: null };
-}
-
-/** Searches for a run that completes a scene, or a proof that there is none, within the limits. */
-function decide(scene: Scene, { limits, seed }: NonNullable<TuneSettings['search']>): Decider {
-  const end = limits.budget === null ? Number.POSITIVE_INFINITY : performance.now() + 1000 * limits.budget;
-  const isStopped = (): boolean => performance.now() >= end;
-  const decider = createDecider(scene, { objective: 'first', seed, effort: limits.effort ?? undefined, isStopped });
-  while (!decider.finished && !isStopped()) decider.advance(SLICE);
-  return decider;
 }
 
 /** The precision of a threshold, as a share of the level's value. */

@@ -5,7 +5,7 @@ export { extentOf } from './extent.ts';
 export { deathOpacity, fillSquares, ShadeLegend } from './HeatMap.tsx';
 export { signOf } from './kinds.ts';
 export { momentPlace, pointsOfWay, reasonOf } from './label-places.ts';
-export { dashesOf, type Line, lengthAlong, linesOf, Rings, scaleIn, strokesOf } from './layers/index.ts';
+export { dashesOf, lengthAlong, linesOf, Rings, scaleIn, strokesOf } from './layers/index.ts';
 export { type CanvasPart, type Drawing, type DrawnPart, type Frame, type OnCanvas, unchanged } from './part.ts';
 export { poseAt } from './picture.ts';
 export { DRAGGED_TOOL } from './pointer/index.ts';

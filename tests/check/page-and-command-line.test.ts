@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { termsOnDisk } from '../../cli/edit/terms-on-disk.ts';
+import { termsOnDisk } from '../../cli/serve/terms-on-disk.ts';
 import { ACCURACIES, type AccuracyName, type Terms, termsOf } from '../../engine/index.ts';
 import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';

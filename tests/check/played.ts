@@ -1,8 +1,15 @@
 import { readFileSync } from 'node:fs';
-import { type AccuracyName, compile } from '../../engine/index.ts';
+import {
+  collectStatistics,
+  createPlayReplayer,
+  type PlayedBy,
+  type PlayStatistics,
+  type Reference,
+} from '../../check/plays/index.ts';
+import { type AccuracyName, compile, type Terms } from '../../engine/index.ts';
 import { createPlayer, type Play, playOf } from '../../game/index.ts';
 import { type Hold, type Level, readLevel } from '../../schema/index.ts';
-import { createRandom } from '../../solver/index.ts';
+import { createRandom, type Goal } from '../../solver/index.ts';
 import { drawShift, shiftHolds, tickNoise } from '../../solver/measure/robustness/index.ts';
 
 /** A shipped level. */
@@ -32,4 +39,16 @@ export function noisy(holds: readonly Hold[], sigma: number, count: number, seed
       holds.flat().map(() => drawShift(noise, random.next())),
     ),
   );
+}
+
+/** Simulates plays of a level again and says how players fare, as `gq difficulty --plays` does. */
+export function statisticsOf(
+  level: Level,
+  terms: Terms,
+  plays: readonly Play[],
+  { goal = { minerals: 'any' }, ...options }: { goal?: Goal; by?: readonly (PlayedBy | null)[]; reference?: Reference } = {},
+): PlayStatistics {
+  const replayer = createPlayReplayer(level, terms, goal);
+  const replayed = plays.map((play, i) => replayer.replay(play, i));
+  return collectStatistics(level, terms, replayed, options);
 }

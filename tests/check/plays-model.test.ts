@@ -1,13 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Attempt, collectStatistics, compareWithModel, statisticsOf } from '../../check/plays/index.ts';
+import { type Attempt, collectStatistics, compareWithModel } from '../../check/plays/index.ts';
 import { decreasing, explainingNoise } from '../../check/plays/model.ts';
 import { chooseReference } from '../../check/plays/routes.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/measure/robustness/index.ts';
 import { isHunt, itDeep } from '../depth.ts';
-import { noisy, playedBy, shippedLevel } from './played.ts';
+import { noisy, playedBy, shippedLevel, statisticsOf } from './played.ts';
 
 const ANY = { minerals: 'any' } as const;
 const FAST = { ...DEFAULT_TERMS, accuracy: ACCURACIES.fast };

@@ -2,12 +2,12 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { alignEdges, Tally } from '../../check/plays/edges.ts';
 import { dbscan } from '../../check/plays/failures.ts';
-import { type PlayStatistics, statisticsOf } from '../../check/plays/index.ts';
+import type { PlayStatistics } from '../../check/plays/index.ts';
 import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';
 import type { Play } from '../../game/index.ts';
 import type { Place } from '../../schema/basics/index.ts';
 import { type Hold, readLevel } from '../../schema/index.ts';
-import { noisy, playedBy, shippedLevel } from './played.ts';
+import { noisy, playedBy, shippedLevel, statisticsOf } from './played.ts';
 
 /** DBSCAN as its authors wrote it, but that border points choose the nearest core point: every pair is compared. */
 function plainDbscan(points: readonly Place[], reach: number, least: number): number[] {

@@ -4,7 +4,7 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import type { BrowserContext, BrowserContextOptions, Page } from 'playwright-core';
 import { describe, expect } from 'vitest';
-import { startServer } from '../../cli/edit/index.ts';
+import { startServer } from '../../cli/serve/index.ts';
 import { type LevelFile, readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { gqEdit } from '../server/command.ts';

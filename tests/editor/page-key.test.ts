@@ -1,6 +1,6 @@
 import { webcrypto } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
-import { createAccess, newKey } from '../../cli/edit/access.ts';
+import { createAccess, newKey } from '../../cli/serve/access.ts';
 import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
 import { createPageKey } from '../../editor/core/files/page-key.ts';
 import { createServerStorage } from '../../editor/core/files/server-storage.ts';

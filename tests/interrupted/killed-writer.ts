@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { pathToFileURL } from 'node:url';
-import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { openLevelFolder } from '../../cli/serve/level-folder.ts';
 import { readLevel } from '../../schema/index.ts';
 import { type Interruption, interruptAt, projectFolder } from './step.ts';
 
@@ -72,7 +72,7 @@ export async function killWriterAt(number: number, of = 'change'): Promise<Kille
 
 /** @returns what the writer said before it ended */
 function write(folder: string, interruption: Interruption): Promise<string> {
-  const BUILT = pathToFileURL(join(projectFolder(), 'dist/cli/edit/level-folder.js')).href;
+  const BUILT = pathToFileURL(join(projectFolder(), 'dist/cli/serve/level-folder.js')).href;
   const child = spawn(process.execPath, ['--input-type=module', '-e', WRITER], {
     cwd: folder,
     env: { ...process.env, ...interruptAt(interruption), BUILT, TEXT: levelText(NEW) },

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { changesBetween } from '../../cli/edit/changes.ts';
+import { changesBetween } from '../../cli/serve/changes.ts';
 import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
 

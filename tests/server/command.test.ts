@@ -4,7 +4,7 @@ import { networkInterfaces } from 'node:os';
 import { delimiter, join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
-import { readPage } from '../../cli/edit/app.ts';
+import { readPage } from '../../cli/serve/app.ts';
 import { EDIT_API } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
 import { itDeep } from '../depth.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type AppOptions, createApp, guard } from '../../cli/edit/app.ts';
-import { Refusal } from '../../cli/edit/refusal.ts';
+import { type AppOptions, createApp, guard } from '../../cli/serve/app.ts';
+import { Refusal } from '../../cli/serve/refusal.ts';
 
 /** An incoming request as Node represents it. */
 const incoming = (headers: Record<string, string>, method = 'GET', url = '/api/levels') => ({

@@ -1,9 +1,9 @@
 import { readdirSync, readFileSync, utimesSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { openLevelFolder } from '../../cli/edit/level-folder.ts';
-import { oneAtATime } from '../../cli/edit/one-at-a-time.ts';
 import { createFile, replaceFile } from '../../cli/io/disk.ts';
+import { openLevelFolder } from '../../cli/serve/level-folder.ts';
+import { oneAtATime } from '../../cli/serve/one-at-a-time.ts';
 import { levelText, makeFolder } from './running.ts';
 
 // The steps on the disk, their order, and what another process does in between.

@@ -3,11 +3,11 @@ import { join } from 'node:path';
 import process from 'node:process';
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createKnownLevels } from '../../cli/edit/known-levels.ts';
-import { findLevel, findLevels, findLike, hasFolder, joinId, splitId } from '../../cli/edit/level-files.ts';
-import { createEntryReader } from '../../cli/edit/read-entry.ts';
-import { findTrash, makeStampFolder, moveToTrash } from '../../cli/edit/trash.ts';
 import { inOrderOfPlay } from '../../cli/io/level-names.ts';
+import { createKnownLevels } from '../../cli/serve/known-levels.ts';
+import { findLevel, findLevels, findLike, hasFolder, joinId, splitId } from '../../cli/serve/level-files.ts';
+import { createEntryReader } from '../../cli/serve/read-entry.ts';
+import { findTrash, makeStampFolder, moveToTrash } from '../../cli/serve/trash.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
 

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, it } from 'vitest';
-import { createKnownLevels } from '../../cli/edit/known-levels.ts';
-import { createEntryReader } from '../../cli/edit/read-entry.ts';
+import { createKnownLevels } from '../../cli/serve/known-levels.ts';
+import { createEntryReader } from '../../cli/serve/read-entry.ts';
 import type { EditEvent } from '../../schema/index.ts';
 import { levelText, makeFolder } from './running.ts';
 

@@ -2,9 +2,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { LevelFolder } from '../../cli/edit/level-folder.ts';
-import { openLevelFolder } from '../../cli/edit/level-folder.ts';
-import { Refusal } from '../../cli/edit/refusal.ts';
+import type { LevelFolder } from '../../cli/serve/level-folder.ts';
+import { openLevelFolder } from '../../cli/serve/level-folder.ts';
+import { Refusal } from '../../cli/serve/refusal.ts';
 import { gqEdit } from './command.ts';
 import { everythingIn, levelPath, levelText, makeFolder, pageOf } from './running.ts';
 

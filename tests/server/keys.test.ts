@@ -17,7 +17,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { createAccess, keptKey, newKey } from '../../cli/edit/access.ts';
+import { createAccess, keptKey, newKey } from '../../cli/serve/access.ts';
 import { EDIT_API, keyResponseSchema, runMessage, runResponseSchema, tokenMessage } from '../../schema/index.ts';
 import { levelText, makeFolder, serve } from './running.ts';
 

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { openLevelFolder } from '../../cli/serve/level-folder.ts';
 import { killWriterAt } from '../interrupted/killed-writer.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { gqEdit } from './command.ts';

@@ -1,9 +1,9 @@
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect } from 'vitest';
-import { createEventStreams } from '../../cli/edit/event-stream.ts';
-import type { KnownLevels } from '../../cli/edit/known-levels.ts';
-import { openLevelFolder } from '../../cli/edit/level-folder.ts';
+import { createEventStreams } from '../../cli/serve/event-stream.ts';
+import type { KnownLevels } from '../../cli/serve/known-levels.ts';
+import { openLevelFolder } from '../../cli/serve/level-folder.ts';
 import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
 import { itDeep, itQuick } from '../depth.ts';

@@ -3,7 +3,7 @@ import { hostname } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { ASIDE, oneAtATime } from '../../cli/edit/one-at-a-time.ts';
+import { ASIDE, oneAtATime } from '../../cli/serve/one-at-a-time.ts';
 import { makeFolder } from './running.ts';
 
 // Waits take no time here: they are counted, and a hook acts in the middle of them.

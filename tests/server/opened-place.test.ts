@@ -2,7 +2,7 @@ import { symlinkSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { openedPlace } from '../../cli/edit/opened-place.ts';
+import { openedPlace } from '../../cli/serve/opened-place.ts';
 import { levelText, makeFolder } from './running.ts';
 
 const made = makeFolder({

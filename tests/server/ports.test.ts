@@ -4,8 +4,8 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { keepPort, lastPort } from '../../cli/edit/access.ts';
-import { startServer } from '../../cli/edit/index.ts';
+import { keepPort, lastPort } from '../../cli/serve/access.ts';
+import { startServer } from '../../cli/serve/index.ts';
 import { levelText, makeFolder, PAGE_FILES } from './running.ts';
 
 const before = process.env.XDG_STATE_HOME;

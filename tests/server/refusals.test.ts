@@ -2,8 +2,8 @@ import { chmodSync, readdirSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { type LevelFolder, openLevelFolder } from '../../cli/edit/level-folder.ts';
-import { Refusal, refusalOf } from '../../cli/edit/refusal.ts';
+import { type LevelFolder, openLevelFolder } from '../../cli/serve/level-folder.ts';
+import { Refusal, refusalOf } from '../../cli/serve/refusal.ts';
 import { EDIT_API } from '../../schema/index.ts';
 import { levelPath, levelText, makeFolder, serve } from './running.ts';
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import { inSafeOrder, namesInOrder } from '../../cli/edit/reorder.ts';
 import { inOrderOfPlay } from '../../cli/io/level-names.ts';
+import { inSafeOrder, namesInOrder } from '../../cli/serve/reorder.ts';
 
 const word = fc.stringMatching(/^[a-c]{1,3}$/);
 const name = fc.oneof(

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
-import { type EditServer, startServer } from '../../cli/edit/index.ts';
+import { type EditServer, startServer } from '../../cli/serve/index.ts';
 import { EDIT_API } from '../../schema/index.ts';
 
 // servers remember their ports, which must not happen in the home of the user who runs the tests

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { createEventStreams, inParts } from '../../cli/edit/event-stream.ts';
-import type { KnownLevels } from '../../cli/edit/known-levels.ts';
-import { Refusal } from '../../cli/edit/refusal.ts';
+import { createEventStreams, inParts } from '../../cli/serve/event-stream.ts';
+import type { KnownLevels } from '../../cli/serve/known-levels.ts';
+import { Refusal } from '../../cli/serve/refusal.ts';
 import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
 

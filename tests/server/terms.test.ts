@@ -4,7 +4,7 @@ import { mkdirSync, renameSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, expect, it } from 'vitest';
-import { NO_CONFIG, termsOnDisk } from '../../cli/edit/terms-on-disk.ts';
+import { NO_CONFIG, termsOnDisk } from '../../cli/serve/terms-on-disk.ts';
 import { EDIT_API, type FolderTerms, type ListResponse } from '../../schema/index.ts';
 import { levelText, makeFolder, put, serve } from './running.ts';
 

@@ -3,8 +3,8 @@ import { mkdirSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { KnownLevels } from '../../cli/edit/known-levels.ts';
-import { watchFolder } from '../../cli/edit/watch.ts';
+import type { KnownLevels } from '../../cli/serve/known-levels.ts';
+import { watchFolder } from '../../cli/serve/watch.ts';
 import { makeFolder } from './running.ts';
 
 // How events of the system are handled; events.test.ts tests that the system sends them.

@@ -97,7 +97,7 @@ const SOON = 1500;
 
 /** Opens an address. @returns why it failed; null if it did not */
 async function opened(address: string): Promise<string | null> {
-  const { openBrowser } = await import('../../edit/index.ts');
+  const { openBrowser } = await import('../../serve/index.ts');
   return new Promise((resolve) => {
     const timer = setTimeout(() => resolve(null), SOON);
     openBrowser(address, (why) => {

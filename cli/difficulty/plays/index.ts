@@ -1,12 +1,12 @@
 import { createReadStream } from 'node:fs';
-import { resolve } from 'node:path';
 import process from 'node:process';
 import type { Attempt, PlayedBy, RefusedPlay } from '../../../check/plays/index.ts';
 import type { Terms } from '../../../engine/index.ts';
 import { levelHash, type PlayVerdict } from '../../../game/index.ts';
 import { readLevel } from '../../../schema/index.ts';
 import type { Goal } from '../../../solver/index.ts';
-import { filesBelow, readBytes, runInPool, STDIN, STDIN_NAME, siblingHint, sortedByPlay, statOrError } from '../../io/index.ts';
+import { nothingFound, whyMissing } from '../../find/index.ts';
+import { filesBelow, onceBy, readBytes, runInPool, STDIN, STDIN_NAME, sortedByPlay, statOrError } from '../../io/index.ts';
 import { Failure, namedPath, systemReason } from '../../terminal/index.ts';
 import { linesOf } from '../../verify/index.ts';
 import type { PlayedLevel, PlayFinding, PlaySource, PlayTask } from './read-plays.ts';
@@ -215,8 +215,7 @@ function findPlays(paths: readonly string[]): FoundPlays {
     }
     const stats = path === STDIN ? null : statOrError(path);
     if (stats instanceof Error) {
-      const hint = (stats as NodeJS.ErrnoException).code === 'ENOENT' ? siblingHint(path) : '';
-      unmatched.push(`${namedPath(path)}: ${systemReason(stats)}${hint}`);
+      unmatched.push(`${namedPath(path)}: ${whyMissing(path, stats)}`);
     } else if (stats === null || !stats.isDirectory()) {
       files.push({ path, hasLines: !PLAY.test(path), player: null });
     } else {
@@ -234,20 +233,10 @@ function findPlays(paths: readonly string[]): FoundPlays {
     }
   }
   if (unmatched.length > 0) {
-    const what = unmatched.length === 1 ? 'a path of --plays has' : 'paths of --plays have';
-    throw new Failure(
-      `nothing was done: ${what} no plays\n${unmatched.map((line) => `  ${line}\n`).join('')}` +
-        'expected plays (.gqr), NDJSON, or directories of them',
-    );
+    const what = unmatched.length === 1 ? 'a path of --plays has no plays' : 'paths of --plays have no plays';
+    throw nothingFound(`nothing was done: ${what}`, unmatched, 'expected plays (.gqr), NDJSON, or directories of them');
   }
-  const seen = new Set<string>();
-  const once = files.filter(({ path }) => {
-    const full = path === STDIN ? path : resolve(path);
-    if (seen.has(full)) return false;
-    seen.add(full);
-    return true;
-  });
-  return { files: once, ignored, unreadable };
+  return { files: onceBy(files, ({ path }) => path), ignored, unreadable };
 }
 
 /** The folder of a file, from the directory in which it was found; null if that is the directory itself. */

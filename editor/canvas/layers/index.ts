@@ -4,4 +4,4 @@ export { ObjectLayer } from './object-layer.ts';
 export { OverlayLayer } from './overlay-layer.ts';
 export { Rings } from './rings.ts';
 export { SpaceScene, starsOf } from './space-scene.ts';
-export { type Line, linesOf, WayLayer } from './way-layer.ts';
+export { linesOf, WayLayer } from './way-layer.ts';

@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { checkGithub } from '../../../cli/reporters/github.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
-import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.tsx';
+import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 /** Reads workflow commands as GitHub does. */
 function annotations(text: string) {

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { validateXML } from 'xmllint-wasm';
 import { checkJunit } from '../../../cli/reporters/junit.ts';
-import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.tsx';
+import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 const JENKINS = { ...CONTEXT, isJenkins: true };
 const schema = {

@@ -13,7 +13,7 @@ import {
 } from '../../../cli/reporters/markdown.ts';
 import { itQuick } from '../../depth.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
-import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.tsx';
+import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 const MIB = 1024 * 1024;
 const files = makeFiles({ 'levels/a.level.json': fallThrough(), 'levels/b.level.json': fallThrough({ runs: [] }) });

@@ -8,7 +8,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import { checkSarif } from '../../../cli/reporters/sarif.ts';
 import { itDeep } from '../../depth.ts';
 import { fallThrough, gq, makeFiles } from '../gq.ts';
-import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.tsx';
+import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 // the schema is of draft 4, of which it uses nothing that has another meaning in draft 7, but for the name of its id
 const {

@@ -6,7 +6,7 @@ import { checkJunit } from '../../../cli/reporters/junit.ts';
 import { checkMarkdown } from '../../../cli/reporters/markdown.ts';
 import { checkPretty } from '../../../cli/reporters/pretty.ts';
 import { checkSarif } from '../../../cli/reporters/sarif.ts';
-import { CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.tsx';
+import { CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 const excess = '1 warning: at most 0 allowed (--max-warnings)';
 const warned = resultsOf([checkedLevel({ problems: [shownProblem({ severity: 'warning' })] })]);
