@@ -94,7 +94,6 @@ describe('rules are read from the level', () => {
     const allowed = {
       'engine/contact.ts': 'defines the box of the game’s own rules',
       'engine/index.ts': 'passes it on',
-      'engine/work-precision/tunnelling.ts': 'a scene of its own, not of a level',
       'game/play/level-hash.ts': 'leaves out the rules of a level that are the game’s own',
       'schema/basics/default-rules.ts': 'defines them',
       'schema/basics/index.ts': 'passes them on',
