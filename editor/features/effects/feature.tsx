@@ -1,8 +1,9 @@
 import { Puzzle, Timer } from 'lucide-react';
-import { useEffect, useRef, useState } from 'react';
+import { useEffect, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
+import { inSlices } from '../../core/ask/index.ts';
 import { useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
-import { type Fact, nextTurn, percent } from '../../core/figures/index.ts';
+import { type Fact, percent } from '../../core/figures/index.ts';
 import { Facts, Section } from '../../core/panel/index.ts';
 import { limitInWords } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
@@ -37,28 +38,25 @@ function Effects() {
 function Surveyed({ survey }: { readonly survey: Survey }) {
   const { proof } = useLevel();
   const [measured, setMeasured] = useState<{ readonly key: string; readonly times: Times } | null>(null);
-  const [isMeasuring, setMeasuring] = useState(false);
-  const abort = useRef<AbortController | null>(null);
-  useEffect(() => () => abort.current?.abort(), []);
+  /** Stops a measurement; null: there is none. */
+  const [stop, setStop] = useState<(() => void) | null>(null);
+  useEffect(() => stop ?? undefined, [stop]);
   const { simulated, notCalledFor, key } = survey;
   const times = measured?.key === key ? measured.times : null;
 
-  const measure = async () => {
-    abort.current?.abort();
-    const mine = new AbortController();
-    abort.current = mine;
+  const measure = () => {
     const { level, terms, run } = proof.proof();
     const asked = surveyOf(proof.proof());
     if (asked === null) return;
     const without = new Map(
       asked.simulated.flatMap(({ name, cost }) => (cost.kind === 'same' ? [[name, cost.level] as const] : [])),
     );
-    setMeasuring(true);
-    const parts = { now: () => performance.now(), pause: nextTurn, signal: mine.signal };
-    const found = await timeEffects(level, terms, run.holds, without, parts);
-    if (abort.current !== mine) return;
-    setMeasuring(false);
-    if (found !== null) setMeasured({ key: asked.key, times: found });
+    const onDone = (found: Times) => {
+      setStop(null);
+      setMeasured({ key: asked.key, times: found });
+    };
+    const measuring = inSlices(timeEffects(level, terms, run.holds, without), { wait: 0, slice: 0, onDone });
+    setStop(() => measuring);
   };
   const canMeasure = simulated.some(({ cost }) => cost.kind === 'same');
 
@@ -69,18 +67,11 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
         aside={
           canMeasure && (
             <Button
-              hint={isMeasuring ? 'Stop' : 'Time the run with and without each effect, in this page'}
+              hint={stop !== null ? 'Stop' : 'Time the run with and without each effect, in this page'}
               icon={<Timer size={14} />}
-              onClick={() => {
-                if (!isMeasuring) void measure();
-                else {
-                  abort.current?.abort();
-                  abort.current = null;
-                  setMeasuring(false);
-                }
-              }}
+              onClick={() => (stop === null ? measure() : setStop(null))}
             >
-              {isMeasuring ? 'Cancel' : 'Measure time'}
+              {stop === null ? 'Measure time' : 'Cancel'}
             </Button>
           )
         }
