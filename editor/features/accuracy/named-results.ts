@@ -45,6 +45,8 @@ function* costsOfNamed(level: Level, terms: Terms, holds: readonly Hold[]): Gene
   return new Map(NAMES.map((name, i) => [name, Math.min(...samples[i])]));
 }
 
+// on the page, while the run changes
+
 /** ms without a change before a run is compared again */
 const REST = 200;
 /** ms after the comparison before the costs are measured */

@@ -27,76 +27,6 @@ export const effects: Feature = {
 /** ms: each effect that can be left out is one more run to simulate */
 const WAIT = 300;
 
-type Times = ReadonlyMap<string, EffectTime>;
-
-/** the cost in counts: `118 of 430 guards` */
-function countText({ name, cost }: SimulatedEffect, { work }: Survey, range: number): string {
-  if (cost.kind === 'always') return name === 'alien-explosion' ? 'part of the aliens: see alien-chase' : 'always simulated';
-  if (cost.kind === 'other') return `without it the run differs: she ${outcomeAsPredicate(cost.run, range)}`;
-  const parts = (['guards', 'pieces', 'roots'] as const)
-    .filter((what) => cost.saved[what] !== 0)
-    .map((what) => `${cost.saved[what]} of ${work[what]} ${what}`);
-  return parts.length === 0 ? 'no cost in this run' : parts.join(', ');
-}
-
-function timeText({ all, saved, low, high }: EffectTime): string {
-  const between = `${low.toFixed(2)} to ${high.toFixed(2)} in the two halves of the rounds`;
-  if (low <= 0) return `time: too small to measure (${between}, µs per simulated second)`;
-  return `time: ${saved.toFixed(2)} of ${all.toFixed(2)} µs per simulated second, ${percent(saved / all)} (${between})`;
-}
-
-function EffectRow({ effect, survey, time }: { effect: SimulatedEffect; survey: Survey; time: EffectTime | undefined }) {
-  const { proof } = useLevel();
-  const { name, because, summary, cost } = effect;
-  const share = cost.kind === 'same' ? Math.max(0, cost.saved.guards / Math.max(1, survey.work.guards)) : null;
-  return (
-    <li className="effect">
-      <p className="effect__head">
-        <b>{name}</b> <span className="part__note">{because}</span>
-      </p>
-      <p className="part__note">{summary}</p>
-      {share !== null && (
-        <span className="effect__bar" aria-hidden title="its share of the guards">
-          <span style={{ width: `${100 * share}%` }} />
-        </span>
-      )}
-      <p className="effect__cost numbers">{countText(effect, survey, proof.proof().level.range)}</p>
-      {time !== undefined && cost.kind === 'same' && <p className="effect__cost numbers">{timeText(time)}</p>}
-    </li>
-  );
-}
-
-/** How the time of the run is divided, as a bar and in words. */
-function Modes({ survey }: { readonly survey: Survey }) {
-  const modes = [...survey.modes].sort((a, b) => b.share - a.share);
-  return (
-    <>
-      <div className="modes" aria-hidden>
-        {modes.map(({ name, share }, i) => (
-          <span key={name} className={`modes__part modes__part--${i % 5}`} style={{ flexGrow: share }} title={name} />
-        ))}
-      </div>
-      <ul className="modes__list numbers">
-        {modes.map(({ name, share }, i) => (
-          <li key={name}>
-            <span className={`modes__sign modes__part--${i % 5}`} aria-hidden /> {name} {percent(share)}
-          </li>
-        ))}
-      </ul>
-    </>
-  );
-}
-
-function workFacts({ work, time }: Survey): Fact[] {
-  const each = (count: number) => `${count.toLocaleString('en')} (${(count / Math.max(time, 1e-9)).toFixed(1)} per second)`;
-  return [
-    { label: 'pieces of motion', value: each(work.pieces) },
-    { label: 'force evaluations', value: each(work.forceEvaluations) },
-    { label: 'guards watched', value: each(work.guards) },
-    { label: 'roots found', value: each(work.roots) },
-  ];
-}
-
 /** The effects that the level calls for and those it does not, and what each costs in the shown run. */
 function Effects() {
   const survey = useProofInPace(surveyOf, WAIT);
@@ -171,4 +101,74 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
       </Section>
     </div>
   );
+}
+
+type Times = ReadonlyMap<string, EffectTime>;
+
+function EffectRow({ effect, survey, time }: { effect: SimulatedEffect; survey: Survey; time: EffectTime | undefined }) {
+  const { proof } = useLevel();
+  const { name, because, summary, cost } = effect;
+  const share = cost.kind === 'same' ? Math.max(0, cost.saved.guards / Math.max(1, survey.work.guards)) : null;
+  return (
+    <li className="effect">
+      <p className="effect__head">
+        <b>{name}</b> <span className="part__note">{because}</span>
+      </p>
+      <p className="part__note">{summary}</p>
+      {share !== null && (
+        <span className="effect__bar" aria-hidden title="its share of the guards">
+          <span style={{ width: `${100 * share}%` }} />
+        </span>
+      )}
+      <p className="effect__cost numbers">{countText(effect, survey, proof.proof().level.range)}</p>
+      {time !== undefined && cost.kind === 'same' && <p className="effect__cost numbers">{timeText(time)}</p>}
+    </li>
+  );
+}
+
+/** the cost in counts: `118 of 430 guards` */
+function countText({ name, cost }: SimulatedEffect, { work }: Survey, range: number): string {
+  if (cost.kind === 'always') return name === 'alien-explosion' ? 'part of the aliens: see alien-chase' : 'always simulated';
+  if (cost.kind === 'other') return `without it the run differs: she ${outcomeAsPredicate(cost.run, range)}`;
+  const parts = (['guards', 'pieces', 'roots'] as const)
+    .filter((what) => cost.saved[what] !== 0)
+    .map((what) => `${cost.saved[what]} of ${work[what]} ${what}`);
+  return parts.length === 0 ? 'no cost in this run' : parts.join(', ');
+}
+
+function timeText({ all, saved, low, high }: EffectTime): string {
+  const between = `${low.toFixed(2)} to ${high.toFixed(2)} in the two halves of the rounds`;
+  if (low <= 0) return `time: too small to measure (${between}, µs per simulated second)`;
+  return `time: ${saved.toFixed(2)} of ${all.toFixed(2)} µs per simulated second, ${percent(saved / all)} (${between})`;
+}
+
+/** How the time of the run is divided, as a bar and in words. */
+function Modes({ survey }: { readonly survey: Survey }) {
+  const modes = [...survey.modes].sort((a, b) => b.share - a.share);
+  return (
+    <>
+      <div className="modes" aria-hidden>
+        {modes.map(({ name, share }, i) => (
+          <span key={name} className={`modes__part modes__part--${i % 5}`} style={{ flexGrow: share }} title={name} />
+        ))}
+      </div>
+      <ul className="modes__list numbers">
+        {modes.map(({ name, share }, i) => (
+          <li key={name}>
+            <span className={`modes__sign modes__part--${i % 5}`} aria-hidden /> {name} {percent(share)}
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+function workFacts({ work, time }: Survey): Fact[] {
+  const each = (count: number) => `${count.toLocaleString('en')} (${(count / Math.max(time, 1e-9)).toFixed(1)} per second)`;
+  return [
+    { label: 'pieces of motion', value: each(work.pieces) },
+    { label: 'force evaluations', value: each(work.forceEvaluations) },
+    { label: 'guards watched', value: each(work.guards) },
+    { label: 'roots found', value: each(work.roots) },
+  ];
 }

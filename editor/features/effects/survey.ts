@@ -59,6 +59,8 @@ export function surveyOf({ level, scene, terms, run, full, limit }: LiveProof): 
   };
 }
 
+// what an effect costs: the run with and without it
+
 /** Functions that leave one effect out of a level, by the effect's name. */
 const LEAVE_OUT: Readonly<Record<string, (level: Level) => Level>> = {
   recoil: (level) => ({ ...level, recoil: false }),
