@@ -9,7 +9,6 @@ import {
   deviationOf,
   METHODS,
   measureCosts,
-  missedContacts,
   type Path,
   type Player,
   playerOf,
@@ -27,6 +26,7 @@ import {
   type TunnellingCurve,
 } from '../picture/accuracy/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
+import { missedContacts } from '../tests/judges/tunnelling.ts';
 import { seeded } from '../tests/scenes/seeded.ts';
 import { atMost, define, machine, PROJECT, packLevels, text } from './harness/index.ts';
 import { buttonPerStep, loadPeers, type Peer, type PeerWorld, unsupportedIn } from './peers/index.ts';

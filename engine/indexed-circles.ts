@@ -8,7 +8,11 @@ export interface IndexedCircles extends Circles {
 
 const NO_NUMBERS = new Float64Array(0);
 
-const NO_CIRCLES: Circles = { count: 0, x: NO_NUMBERS, y: NO_NUMBERS, r: NO_NUMBERS, index: new Int32Array(0) };
+/** No circles at all. */
+export const NO_CIRCLES: IndexedCircles = {
+  ...{ count: 0, x: NO_NUMBERS, y: NO_NUMBERS, r: NO_NUMBERS, index: new Int32Array(0) },
+  spatial: null,
+};
 
 /** Adds an index to a list of circles where it is worth one. */
 export function indexed(circles: Circles, indexing: Indexing): IndexedCircles {

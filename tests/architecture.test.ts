@@ -94,7 +94,6 @@ describe('rules are read from the level', () => {
     const allowed = {
       'engine/contact.ts': 'defines the box of the game’s own rules',
       'engine/index.ts': 'passes it on',
-      'engine/work-precision/tunnelling.ts': 'a scene of its own, not of a level',
       'game/play/level-hash.ts': 'leaves out the rules of a level that are the game’s own',
       'schema/basics/default-rules.ts': 'defines them',
       'schema/basics/index.ts': 'passes them on',
@@ -111,7 +110,7 @@ describe('terms are a value', () => {
   const ALLOWED: Readonly<Record<string, string>> = {
     'cli/options/terms.ts': 'makes the terms of every command',
     'cli/verify/play-options.ts': 'says in its help what holds',
-    'editor/core/files/folder-terms.ts': 'a page without a server has no configuration',
+    'editor/core/files/folder-list.ts': 'a page without a server has no configuration',
     'game/light/index.ts': 'a published entry that says its default',
     'game/play/verify.ts': 'a published entry that says its default',
     'game/player/index.ts': 'a published entry that says its default',

@@ -1,6 +1,7 @@
 import { EXPLOSION_FRAMES, TICK, TICK_RATE } from '../constants.ts';
 import { type Box, boxOverlapsCircle, circlesOverlap } from '../contact.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
+import { NO_CIRCLES } from '../indexed-circles.ts';
 import type { ChaserCircles } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { WorkBudget } from '../work-budget.ts';
@@ -22,13 +23,7 @@ const APART_FRAMES = 60;
 /** Resting chasers that are farther than this from mattering are ignored, px. */
 const NEAR = 8;
 
-const NO_NUMBERS = new Float64Array(0);
-const NO_INDICES = new Int32Array(0);
-
-const NOBODY: ChaserCircles = {
-  ...{ count: 0, x: NO_NUMBERS, y: NO_NUMBERS, r: NO_NUMBERS, index: NO_INDICES },
-  ...{ spatial: null, explosions: NO_INDICES },
-};
+const NOBODY: ChaserCircles = { ...NO_CIRCLES, explosions: NO_CIRCLES.index };
 
 const DT = TICK; // V8 folds constants of the same module
 

@@ -8,11 +8,11 @@ import {
   BLACK_HOLE,
   COLLIDED,
   COS,
+  COUNTED,
   FRAME,
   HEAD,
   LOST,
   limitSpeed,
-  MINERALS,
   OUTCOME,
   SIN,
   TOUCHED,
@@ -76,7 +76,7 @@ export class Encounters {
     const kickback = numbers[RECOIL];
     const speedLimit = numbers[LIMIT];
     const { left, right, top, bottom, rivals, deadly, discs } = cell;
-    const near = cell.minerals;
+    const near = cell.collectables;
     const rangeSquared = range * range;
     const limit = Math.min(until, s[FRAME] + (alert ? FRAMES_ALERT : FRAMES_AMONG));
     let frame = s[FRAME];
@@ -151,7 +151,7 @@ export class Encounters {
           this.touch(code);
           break;
         }
-        if (near.length > 0) this.collectMinerals(near);
+        if (near.length > 0) this.collect(near);
         if (alert) chasers.explode(frame, recorder);
       }
       if (alert) {
@@ -222,18 +222,18 @@ export class Encounters {
     }
   }
 
-  /** Of several minerals touched in one frame all are counted, but only the last is removed, as in the original game. */
-  private collectMinerals(near: Int32Array): void {
+  /** Of several things touched in one frame all are counted, but only the last is removed, as in the original game. */
+  private collect(near: Int32Array): void {
     const { recorder } = this;
-    const { s, box, collected, mineralX, mineralY, mineralR } = this.world;
+    const { s, box, collected, collectableX, collectableY, collectableR } = this.world;
     let last = -1;
     for (let k = 0; k < near.length; k++) {
       const i = near[k];
       if (s[collected + i] !== 0) continue;
-      if (!boxOverlapsCircle(box, mineralX[i] - s[X], mineralY[i] - s[Y], s[COS], s[SIN], mineralR[i])) continue;
-      s[MINERALS]++;
+      if (!boxOverlapsCircle(box, collectableX[i] - s[X], collectableY[i] - s[Y], s[COS], s[SIN], collectableR[i])) continue;
+      s[COUNTED]++;
       last = i;
-      if (recorder !== null) recorder.mineral(s[FRAME], i);
+      if (recorder !== null) recorder.collected(s[FRAME], i);
     }
     if (last >= 0) s[collected + last] = 1;
   }

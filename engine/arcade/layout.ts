@@ -11,8 +11,8 @@ export const COS = 8;
 export const SIN = 9;
 export const OUTCOME = 10;
 export const TOUCHED = 11;
-/** Number of minerals counted. */
-export const MINERALS = 12;
+/** How many things she has collected, as they are counted. */
+export const COUNTED = 12;
 /** 1 once a chaser has been awake; until then all of them sleep where the level has them. */
 export const ROUSED = 13;
 /** Number of asteroids that recoil has moved. */

@@ -30,7 +30,8 @@ export interface Neighbourhood {
   readonly rivals: Int32Array;
   /** Codes of what ends the run by touch, ascending; 0 is the black hole. */
   readonly deadly: Int32Array;
-  readonly minerals: Int32Array;
+  /** What she may collect by touch. */
+  readonly collectables: Int32Array;
   /** Discs of each frame rule. */
   readonly discs: readonly Int32Array[];
   /** How many of all these a frame here looks at. */
@@ -85,12 +86,13 @@ export class Neighbourhoods {
     chasers: Watchers,
     /** What ends the run by touch, besides the black hole. */
     lists: readonly Deadly[],
+    private readonly collectables: IndexedCircles,
     /** Discs of each frame rule. */
     private readonly discs: readonly IndexedCircles[],
     /** Which of these count as looks of the budget. */
     private readonly areWork: readonly boolean[],
   ) {
-    const { targets, minerals, level } = scene;
+    const { targets, level } = scene;
     this.square = new Square(scene, chasers, lists, level.recoil ? DRIFT : 0);
     const deadly = [0];
     for (const { from, first, circles } of lists) for (let i = first; i < circles.count; i++) deadly.push(from + i);
@@ -101,9 +103,9 @@ export class Neighbourhoods {
       bottom: Number.POSITIVE_INFINITY,
       rivals: below(targets.count),
       deadly: Int32Array.from(deadly),
-      minerals: below(minerals.count),
+      collectables: below(collectables.count),
       discs: discs.map(({ count }) => below(count)),
-      things: deadly.length + minerals.count + this.looks(discs.map(({ count }) => count)),
+      things: deadly.length + collectables.count + this.looks(discs.map(({ count }) => count)),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -143,15 +145,16 @@ export class Neighbourhoods {
     square.place(x, y, SIDE / 2);
     square.addDeadly();
     const deadly = square.taken();
-    square.addMinerals();
-    const minerals = square.taken();
+    square.addTouching(this.collectables);
+    const collectables = square.taken();
     const discs = this.discs.map((list) => {
       square.addDiscs(list);
       return square.taken();
     });
     square.addRivals();
     const rivals = square.taken();
-    const quiet = square.isInRange && deadly.length === 0 && minerals.length === 0 && discs.every(({ length }) => length === 0);
+    const quiet =
+      square.isInRange && deadly.length === 0 && collectables.length === 0 && discs.every(({ length }) => length === 0);
     const unseen = square.isUnseen;
     const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
     // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
@@ -160,9 +163,9 @@ export class Neighbourhoods {
       row,
       rivals,
       deadly,
-      minerals,
+      collectables,
       discs,
-      things: deadly.length + minerals.length + this.looks(discs.map(({ length }) => length)),
+      things: deadly.length + collectables.length + this.looks(discs.map(({ length }) => length)),
       quiet,
       unseen,
       left: column * SIDE,
@@ -196,7 +199,7 @@ export class Neighbourhoods {
     const { square } = this;
     if (!square.isInRange) return false;
     square.addDeadly();
-    square.addMinerals();
+    square.addTouching(this.collectables);
     for (const list of this.discs) square.addDiscs(list);
     return square.counted() === 0;
   }

@@ -128,7 +128,7 @@ export class FrameRecorder implements Trajectory {
     s[SEEN_HELD] = held ? 1 : 0;
   }
 
-  mineral(frame: number, index: number): void {
+  collected(frame: number, index: number): void {
     this.events.push({ time: frame * TICK, type: 'mineral', index });
   }
 

@@ -7,11 +7,11 @@ import { Flight } from './flight.ts';
 import {
   BLACK_HOLE,
   COS,
+  COUNTED,
   FRAME,
   HELD,
   HELD_FRAMES,
   LOST,
-  MINERALS,
   MOVED,
   OUTCOME,
   SIN,
@@ -67,7 +67,7 @@ export class ArcadeSimulation implements Simulation {
 
   get work(): Work {
     const pieces = this.s[FRAME];
-    const circles = 1 + this.hazards + this.scene.minerals.count;
+    const circles = 1 + this.hazards + this.world.collectableX.length;
     return { pieces, forceEvaluations: this.s[HELD_FRAMES], guards: pieces * circles, roots: 0 };
   }
 
@@ -82,7 +82,7 @@ export class ArcadeSimulation implements Simulation {
   }
 
   get mineralCount(): number {
-    return this.s[MINERALS];
+    return this.s[COUNTED];
   }
 
   get time(): number {
@@ -160,8 +160,8 @@ export class ArcadeSimulation implements Simulation {
     }
   }
 
-  isCollected(mineral: number): boolean {
-    return this.s[this.world.collected + mineral] !== 0;
+  isCollected(index: number): boolean {
+    return this.s[this.world.collected + index] !== 0;
   }
 
   advance(ticks: number, held: boolean): number {

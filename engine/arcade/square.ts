@@ -81,10 +81,9 @@ export class Square {
     }
   }
 
-  /** Adds the minerals that she may touch. */
-  addMinerals(): void {
-    const { minerals, box } = this.scene;
-    this.add(minerals, minerals.spatial, 0, 0, box.halfDiagonal, 0);
+  /** Adds circles that she may touch. */
+  addTouching(circles: IndexedCircles): void {
+    this.add(circles, circles.spatial, 0, 0, this.scene.box.halfDiagonal, 0);
   }
 
   /** Adds the discs that her centre may enter. */

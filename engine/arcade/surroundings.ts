@@ -26,6 +26,7 @@ export class Surroundings {
       world.scene,
       world.chasers,
       world.deadly,
+      world.collectables,
       this.discs,
       world.frameRules.map(({ isWork }) => isWork === true),
     );
@@ -109,7 +110,7 @@ export class Surroundings {
   /** How far she can move along each axis before anything in the neighbourhood can matter, px. */
   private gap(cell: Neighbourhood): number {
     const { s, range, recoil, rocks, places, placesFrom, placesStep, deadlyX, deadlyY, deadlyR, firstTarget } = this.world;
-    const { mineralX, mineralY, mineralR, collected, box } = this.world;
+    const { collectableX, collectableY, collectableR, collected, box } = this.world;
     const { halfDiagonal } = box;
     const { rivals, deadly } = cell;
     if (rivals.length === 0) return 0;
@@ -133,12 +134,12 @@ export class Surroundings {
       const dy = Math.abs((moves ? places[o + 1] : deadlyY[code]) - y);
       gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - deadlyR[code] - leeway);
     }
-    for (let k = 0; k < cell.minerals.length && gap >= AWAY; k++) {
-      const i = cell.minerals[k];
+    for (let k = 0; k < cell.collectables.length && gap >= AWAY; k++) {
+      const i = cell.collectables[k];
       if (s[collected + i] !== 0) continue;
-      const dx = Math.abs(mineralX[i] - x);
-      const dy = Math.abs(mineralY[i] - y);
-      gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - mineralR[i]);
+      const dx = Math.abs(collectableX[i] - x);
+      const dy = Math.abs(collectableY[i] - y);
+      gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - collectableR[i]);
     }
     for (let k = 0; k < cell.discs.length && gap >= AWAY; k++) {
       const { x: discX, y: discY, r } = this.discs[k];

@@ -2,6 +2,7 @@ import { type HazardList, hazardCount } from '../clearance.ts';
 import type { Box } from '../contact.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
 import type { FrameRule } from '../frames.ts';
+import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
 import { type BodyKind, expectSnapshot } from '../simulation.ts';
 import type { WorkBudget } from '../work-budget.ts';
@@ -39,10 +40,12 @@ export class World {
   readonly chasers: Chasers;
   readonly range: number;
   readonly targetR: Float64Array;
-  readonly mineralX: Float64Array;
-  readonly mineralY: Float64Array;
-  readonly mineralR: Float64Array;
-  /** Index in the state of the flags of collected minerals. */
+  /** What she collects by touch. */
+  readonly collectables: IndexedCircles;
+  readonly collectableX: Float64Array;
+  readonly collectableY: Float64Array;
+  readonly collectableR: Float64Array;
+  /** Index in the state of the flags of what is collected. */
   readonly collected: number;
   /** What ends the run by touch, besides the black hole and what chases her. */
   readonly deadly: readonly DeadlyList[];
@@ -66,15 +69,16 @@ export class World {
     readonly scene: Scene,
     readonly budget: WorkBudget,
   ) {
-    const { level, targets, minerals } = scene;
+    const { level, targets } = scene;
     this.recoil = level.recoil;
     const { pull, recoil, speedLimit } = scene.rules;
     this.numbers = Float64Array.of(pull, recoil, speedLimit);
     this.box = scene.box;
     this.frameRules = ALL_EFFECTS.frameRulesOf(scene.effects);
+    const collectables = ALL_EFFECTS.collectedOf(scene);
     const chase = ALL_EFFECTS.chaseOf(scene.effects);
     const chased = chase?.circles(scene).count ?? 0;
-    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Chasers.length(chased) + minerals.count;
+    let length = HEAD + (this.recoil ? (ROCK + 1) * targets.count : 0) + Chasers.length(chased) + collectables.count;
     this.frameStates = this.frameRules.map((rule) => {
       const at = length;
       length += rule.stateLength?.(scene) ?? 0;
@@ -87,9 +91,10 @@ export class World {
     this.collected = this.chasers.end;
     this.range = level.range;
     this.targetR = targets.r;
-    this.mineralX = minerals.x;
-    this.mineralY = minerals.y;
-    this.mineralR = minerals.r;
+    this.collectables = collectables;
+    this.collectableX = collectables.x;
+    this.collectableY = collectables.y;
+    this.collectableR = collectables.r;
     this.places = this.recoil ? this.s : new Float64Array(2 * targets.count);
     this.placesFrom = this.recoil ? HEAD : 0;
     this.placesStep = this.recoil ? ROCK : 2;

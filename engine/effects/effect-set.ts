@@ -2,7 +2,7 @@ import type { Level, Rules } from '../../schema/basics/index.ts';
 import type { HazardList } from '../clearance.ts';
 import { layOutRules } from '../events/index.ts';
 import type { FrameRule } from '../frames.ts';
-import type { Indexing } from '../indexed-circles.ts';
+import { type IndexedCircles, type Indexing, NO_CIRCLES } from '../indexed-circles.ts';
 import type { Chase, EventRule, Parts } from '../motion/index.ts';
 import type { ChosenEffect, EffectChoice, Scene } from '../scene.ts';
 import type { Effect, EngineEffect } from './effect.ts';
@@ -83,6 +83,11 @@ export class EffectSet {
   /** The objects of a scene that end the run by touch, a list for each effect that has any; the list of one that is not called for is empty. */
   hazardsOf(scene: Scene): readonly HazardList[] {
     return byName(this.all, HAZARDS_IN_ORDER).flatMap((effect) => effect.hazard?.(scene) ?? []);
+  }
+
+  /** The objects of a scene that she collects by touch. */
+  collectedOf(scene: Scene): IndexedCircles {
+    return this.all.find(({ collects }) => collects !== undefined)?.collects?.(scene) ?? NO_CIRCLES;
   }
 
   private chosenBy(choice: EffectChoice): Chosen {

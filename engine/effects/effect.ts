@@ -128,6 +128,13 @@ export interface EngineEffect extends Effect {
    */
   hazard?(scene: Scene): HazardList;
   /**
+   * Its objects, if she collects them by touch.
+   *
+   * @param scene - the scene
+   * @returns the circles
+   */
+  collects?(scene: Scene): IndexedCircles;
+  /**
    * The circles that its events look for. Where there are many, an index finds those near her.
    *
    * @param scene - the scene

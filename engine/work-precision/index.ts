@@ -1,3 +1,2 @@
 export { type Cost, measureCosts, type Player, playerOf, quantile } from './cost.ts';
 export * from './measure.ts';
-export { missedContacts } from './tunnelling.ts';

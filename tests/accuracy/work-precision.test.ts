@@ -7,7 +7,6 @@ import {
   type Measured,
   measureCosts,
   measureWorkPrecision,
-  missedContacts,
   pathOf,
   quantile,
   RATES,
@@ -16,6 +15,7 @@ import {
   TOLERANCES,
 } from '../../engine/work-precision/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { missedContacts } from '../judges/tunnelling.ts';
 import { SWING } from './scenes.ts';
 
 const TICKS = 600;

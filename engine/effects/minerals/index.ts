@@ -34,6 +34,7 @@ export const minerals: EngineEffect = {
   name: 'minerals',
   summary: () => 'collected on touch',
   calledFor: whereAny('minerals', 'mineral'),
+  collects: ({ minerals }) => minerals,
   circles: ({ minerals }) => minerals,
   events: [collect],
 };

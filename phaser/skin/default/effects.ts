@@ -1,6 +1,6 @@
 import type { GameObjects } from 'phaser';
-import type { PlayEvent } from '../../../game/index.ts';
-import { dice, TEXTURE_UNIT } from '../../drawing/index.ts';
+import type { RunEvent } from '../../../engine/index.ts';
+import { dice, type GameColours, TEXTURE_UNIT } from '../../drawing/index.ts';
 import type { Skin, SkinStage } from '../skin.ts';
 import { colouredTexture } from '../skin-texture.ts';
 import { colouredImage, imageOf } from './pieces.ts';
@@ -118,49 +118,39 @@ class Rings {
   }
 }
 
+/** What is shown of an event: its colour, sparks and a ring. */
+interface Shown {
+  readonly colour: keyof GameColours;
+  readonly sparks?: readonly [count: number, speed: number, life: number];
+  readonly ring?: readonly [reach: number, life: number];
+}
+
+const SHOWN: { readonly [type in RunEvent['type']]?: Shown } = {
+  mineral: { colour: 'mineral', sparks: [16, 130, 0.6], ring: [34, 0.45] },
+  explosion: { colour: 'alien', sparks: [34, 240, 0.9], ring: [90, 0.6] },
+  wake: { colour: 'alien', ring: [60, 0.5] },
+  target: { colour: 'beam', sparks: [5, 70, 0.35] },
+  effect: { colour: 'holeRim', sparks: [14, 120, 0.6], ring: [44, 0.5] },
+  collided: { colour: 'lava', sparks: [44, 260, 0.9], ring: [80, 0.5] },
+  completed: { colour: 'holeRim', sparks: [40, 210, 1.1], ring: [120, 0.9] },
+  lost: { colour: 'beam', ring: [60, 0.9] },
+};
+
 /** Sparks and rings where something happens. */
 export const effects: Skin['effects'] = (stage) => {
-  const { colours } = stage;
   const sparks = new Sparks(stage);
   const rings = new Rings(stage);
-  const { mineral: cyan, alien: green, lava: orange, holeRim: violet, beam: blue } = colours;
-  const show = ({ event, x, y }: PlayEvent) => {
-    switch (event.type) {
-      case 'mineral':
-        sparks.burst(x, y, cyan, 16, 130, 0.6);
-        rings.spread(x, y, cyan, 34, 0.45);
-        break;
-      case 'explosion':
-        sparks.burst(x, y, green, 34, 240, 0.9);
-        rings.spread(x, y, green, 90, 0.6);
-        break;
-      case 'wake':
-        rings.spread(x, y, green, 60, 0.5);
-        break;
-      case 'target':
-        sparks.burst(x, y, blue, 5, 70, 0.35);
-        break;
-      case 'effect':
-        sparks.burst(x, y, violet, 14, 120, 0.6);
-        rings.spread(x, y, violet, 44, 0.5);
-        break;
-      case 'collided':
-        sparks.burst(x, y, orange, 44, 260, 0.9);
-        rings.spread(x, y, orange, 80, 0.5);
-        break;
-      case 'completed':
-        sparks.burst(stage.level.blackHole.x, stage.level.blackHole.y, violet, 40, 210, 1.1);
-        rings.spread(stage.level.blackHole.x, stage.level.blackHole.y, violet, 120, 0.9);
-        rings.spread(stage.level.blackHole.x, stage.level.blackHole.y, '#ffffff', 70, 0.6);
-        break;
-      case 'lost':
-        rings.spread(x, y, blue, 60, 0.9);
-        break;
-    }
-  };
   return {
     objects: [...sparks.images, ...rings.images],
-    onEvent: show,
+    onEvent({ event, x, y }) {
+      const shown = SHOWN[event.type];
+      if (shown === undefined) return;
+      const colour = stage.colours[shown.colour];
+      const place = event.type === 'completed' ? stage.level.blackHole : { x, y };
+      if (shown.sparks !== undefined) sparks.burst(place.x, place.y, colour, ...shown.sparks);
+      if (shown.ring !== undefined) rings.spread(place.x, place.y, colour, ...shown.ring);
+      if (event.type === 'completed') rings.spread(place.x, place.y, '#ffffff', 70, 0.6);
+    },
     onRestart() {
       sparks.clear();
       rings.clear();

@@ -1,9 +1,13 @@
-import { type Level, NO_OBJECTS } from '../../schema/basics/index.ts';
-import { ACCURACIES, type Accuracy } from '../accuracy.ts';
-import { compile } from '../compile.ts';
-import { TICK_RATE } from '../constants.ts';
-import { boxOverlapsCircle, DEFAULT_BOX } from '../contact.ts';
-import { createSimulation } from '../simulate.ts';
+import {
+  ACCURACIES,
+  type Accuracy,
+  boxOverlapsCircle,
+  compile,
+  createSimulation,
+  DEFAULT_BOX,
+  TICK_RATE,
+} from '../../engine/index.ts';
+import { type Level, NO_OBJECTS } from '../../schema/index.ts';
 
 export interface TunnellingOptions {
   /** Frames per second at which contact is tested, Hz. */
