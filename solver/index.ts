@@ -90,7 +90,7 @@ export {
   type PlayerShare,
   playAsPlayers,
   UNCALIBRATED,
-} from './measure/difficulty/player/index.ts';
+} from './measure/player/index.ts';
 export {
   BRIEF_CERTIFY_RUNS,
   type Certification,

@@ -12,7 +12,7 @@ import {
 } from '../../measure/robustness/index.ts';
 import type { Effort } from '../../search/explore/index.ts';
 import { advancing, type Steps } from '../../steps.ts';
-import { type Candidate, edgesOf, holdsOf, verifyRun } from '../../verified-run.ts';
+import { type Candidate, holdsOf, verifyRun } from '../../verified-run.ts';
 import { seek } from './seek.ts';
 import { type Completing, type Move, movesOf, shifted, Task } from './task.ts';
 
@@ -127,7 +127,7 @@ export function createRetime(scene: Scene, holds: readonly Hold[], options: Reti
     best = retimed(edges) ?? best;
   };
   function* work(): Steps<void> {
-    for (const _ of seek(task, warm === null || warm.length !== given.length ? null : edgesOf(warm))) {
+    for (const _ of seek(task, warm === null || warm.length !== given.length ? null : warm.flat())) {
       take(task.best?.edges);
       yield null;
     }
