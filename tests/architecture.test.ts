@@ -110,7 +110,7 @@ describe('terms are a value', () => {
   const ALLOWED: Readonly<Record<string, string>> = {
     'cli/options/terms.ts': 'makes the terms of every command',
     'cli/verify/play-options.ts': 'says in its help what holds',
-    'editor/core/files/folder-terms.ts': 'a page without a server has no configuration',
+    'editor/core/files/folder-list.ts': 'a page without a server has no configuration',
     'game/light/index.ts': 'a published entry that says its default',
     'game/play/verify.ts': 'a published entry that says its default',
     'game/player/index.ts': 'a published entry that says its default',

@@ -1,11 +1,10 @@
 import { useStore } from 'zustand';
+import { plural } from '../../check/words/index.ts';
 import { useDocument, useEditor, usePageTerms, useProof, useProofInPace, useSession } from '../core/context/index.ts';
 import { objectsOf } from '../core/document/index.ts';
 import { endInWords, type LiveProof } from '../core/proof/index.ts';
 import { FEATURES, useProblemCount } from '../features/index.ts';
 import { AccuracySign } from './VerdictBadge.tsx';
-
-const plural = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 const msOf = ({ ms }: LiveProof): string => ms.toFixed(1);
 

@@ -1,6 +1,7 @@
 import type { Command } from '../core/commands/index.ts';
 import type { Editor } from '../core/context/index.ts';
 import { listHistoryOf } from '../core/levels/index.ts';
+import { showLayer } from '../core/session/index.ts';
 import { LAYERS } from './panels.tsx';
 
 /** Commands that work whatever is shown. */
@@ -84,7 +85,7 @@ export function appCommands(editor: Editor): readonly Command[] {
         keys,
         run: () => {
           const { layers } = session.getState();
-          session.setState({ layers: { ...layers, [id]: !layers[id] } });
+          showLayer(session, id, !layers[id]);
         },
       }),
     ),

@@ -2,10 +2,10 @@ import { readText } from '../../editor/core/files/index.ts';
 import {
   createProver,
   type FoundByWorker,
+  knownProblems,
+  knownVerdict,
   type LiveProof,
   type Proved,
-  toldProblems,
-  toldVerdict,
   toPlay,
   toProve,
 } from '../../editor/core/proof/index.ts';
@@ -65,7 +65,7 @@ export function onThePage(source: string | Uint8Array, terms: Terms, { most }: O
   const proof = createProver(() => 0, most).prove({ file: read.file, run: null, terms, patience: 1 });
   const worker = foundByWorker(proof);
   const known = proved(proof);
-  return { verdict: toldVerdict(proof, worker, known), problems: toldProblems(proof, worker, known).map(shown) };
+  return { verdict: knownVerdict(proof, worker, known), problems: knownProblems(proof, worker, known).map(shown) };
 }
 
 /** The verdict that the list of levels shows beside a file's picture. */

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Findings, onceProved, problemsOf, unproved, verdictOfFindings } from '../../check/index.ts';
 import { commandHints } from '../../cli/check/check-level.ts';
-import { PAGE_HINTS } from '../../editor/core/proof/told.ts';
+import { PAGE_HINTS } from '../../editor/core/proof/known-problems.ts';
 import { findWarnings, type Outcome } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
 import { proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';

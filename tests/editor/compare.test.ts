@@ -22,7 +22,7 @@ import {
   toggleCompared,
   watchCompared,
 } from '../../editor/features/compare/compared.ts';
-import { placeOf, raceOf } from '../../editor/features/compare/racers.ts';
+import { poseOf, raceOf } from '../../editor/features/compare/racers.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
@@ -260,7 +260,7 @@ describe('racers', () => {
     const state = new Float64Array(STATE_SIZE);
     for (let tick = 0; tick < Math.floor(racer.end); tick++) {
       simulation.readState(state);
-      const at = placeOf(racer, tick);
+      const at = poseOf(racer, tick);
       expect(at.x).toBeCloseTo(state[0], 3);
       expect(at.y).toBeCloseTo(state[1], 3);
       playScript(simulation, holds, tick + 1);
@@ -268,8 +268,8 @@ describe('racers', () => {
     const last = { x: points[points.length - 2], y: points[points.length - 1] };
     fc.assert(
       fc.property(fc.double({ min: -50, max: racer.end + 500, noNaN: true }), (tick) => {
-        const at = placeOf(racer, tick);
-        const [before, behind] = [placeOf(racer, Math.floor(tick)), placeOf(racer, Math.min(racer.end, Math.floor(tick) + 1))];
+        const at = poseOf(racer, tick);
+        const [before, behind] = [poseOf(racer, Math.floor(tick)), poseOf(racer, Math.min(racer.end, Math.floor(tick) + 1))];
         for (const axis of ['x', 'y'] as const) {
           expect(at[axis]).toBeGreaterThanOrEqual(Math.min(before[axis], behind[axis]) - 1e-3);
           expect(at[axis]).toBeLessThanOrEqual(Math.max(before[axis], behind[axis]) + 1e-3);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { Box } from '../../editor/canvas/index.ts';
 import {
   createEditedLevel,
   createSelection,
@@ -18,8 +19,7 @@ import {
   reachInWords,
   samplingInWords,
 } from '../../editor/features/leeway/leeway-words.ts';
-import { isOnlyMoved, type Question, type Seen } from '../../editor/features/leeway/question.ts';
-import { leewayOf, watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
+import { isOnlyMoved, leewayOf, type Question, watchLeeway } from '../../editor/features/leeway/watch-leeway.ts';
 import { type Leeway, MOST_REACH, type Reach, type Requests } from '../../editor/workers/index.ts';
 import { DEFAULT_TERMS, termsOf } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
@@ -56,7 +56,7 @@ function stage() {
   const selection = createSelection(document);
   const session = createSession([{ id: 'leeway', title: 'leeway', isShown: false }]);
   const settings = createSettings(null);
-  const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Seen, calls: [] as (() => void)[] };
+  const view = { seen: { left: 0, top: 0, right: 900, bottom: 900 } as Box, calls: [] as (() => void)[] };
   const workers = new FakeWorkers();
   const jobs = workers.jobs as (FakeJob & { readonly request: Requests['leeway'] })[];
   let waiting: (() => void) | null = null;
@@ -94,7 +94,7 @@ function stage() {
       call?.();
     },
     show: (leeway: boolean) => session.setState(({ layers }) => ({ layers: { ...layers, leeway } })),
-    see(seen: Seen) {
+    see(seen: Box) {
       view.seen = seen;
       for (const call of view.calls) call();
     },

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
+import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-list.ts';
 import { createWorkspace, type LevelStorage, pageTimers } from '../../editor/core/files/index.ts';
 import type { Journal } from '../../editor/core/journal/index.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';

@@ -101,18 +101,18 @@ describe('the picture of a loss', () => {
   it('follows the run from where it is lost to its end, first as not found and then as proved', () => {
     const last = now.run.way.count - 1;
     const losses = new Map([[key, loss({ last, lost: moment(60, 'not found'), proved: moment(300, 'proved') })]]);
-    const { ways, squares } = lostPictureOf({ losing: null, losses }, now, []);
+    const { stretches, squares } = lostPictureOf({ losing: null, losses }, now, []);
     expect(squares).toEqual([]);
-    expect(ways.map(({ known, isShownRun, at }) => [known, isShownRun, at.tick])).toEqual([
+    expect(stretches.map(({ known, isShownRun, at }) => [known, isShownRun, at.tick])).toEqual([
       ['not found', true, 60],
       ['proved', true, 300],
     ]);
     const { trajectory } = simulate(compile(resolveLevel(PAST)), [[0, 600]]);
     const state = new Float64Array(6);
     trajectory.at(300 * TICK, state);
-    expect(ways[1].points[0]).toBeCloseTo(state[0], 6);
-    expect(ways[1].points[1]).toBeCloseTo(state[1], 6);
-    expect(ways[1].points.length / 2).toBeCloseTo((last - 300) / 2, -1);
+    expect(stretches[1].points[0]).toBeCloseTo(state[0], 6);
+    expect(stretches[1].points[1]).toBeCloseTo(state[1], 6);
+    expect(stretches[1].points.length / 2).toBeCloseTo((last - 300) / 2, -1);
   });
 
   it('has nothing where the whole loss is unknown, and the ways of attempts', () => {
@@ -122,8 +122,10 @@ describe('the picture of a loss', () => {
       { key: 'attempt', points },
       { key: 'unknown', points },
     ];
-    const { ways } = lostPictureOf({ losing: null, losses }, now, attempts);
-    expect(ways.map(({ known, isShownRun, points: [x, y] }) => [known, isShownRun, x, y])).toEqual([['proved', false, 80, 81]]);
+    const { stretches } = lostPictureOf({ losing: null, losses }, now, attempts);
+    expect(stretches.map(({ known, isShownRun, points: [x, y] }) => [known, isShownRun, x, y])).toEqual([
+      ['proved', false, 80, 81],
+    ]);
   });
 });
 

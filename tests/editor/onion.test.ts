@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createStore } from 'zustand/vanilla';
+import { dashesOf } from '../../editor/canvas/layers/dashes.ts';
 import {
   createEditedLevel,
   deleteObjects,
@@ -12,9 +13,9 @@ import {
 import { tightestOf } from '../../editor/core/figures/index.ts';
 import { createProofStore } from '../../editor/core/proof/index.ts';
 import { createSession } from '../../editor/core/session/index.ts';
-import { cardPlace, type Side } from '../../editor/features/onion/card-position.ts';
+import { cardPosition, type Side } from '../../editor/features/onion/card-position.ts';
 import type { Figures } from '../../editor/features/onion/former.ts';
-import { changedObjects, dashesOf, onionPictureOf } from '../../editor/features/onion/onion-picture.ts';
+import { changedObjects, onionPictureOf } from '../../editor/features/onion/onion-picture.ts';
 import { rowsInWords, rowsOf, whyUnknown } from '../../editor/features/onion/rows.ts';
 import { FAILS, MEASURING, measured, type ShownSlack } from '../../editor/features/onion/slack.ts';
 import { onionOf, STAYS, WAITS, watchOnion } from '../../editor/features/onion/watch-onion.ts';
@@ -441,7 +442,7 @@ describe('the place of the card', () => {
     const sides = fc.constantFrom<Side | null>(null, 'right', 'left', 'below', 'above');
     fc.assert(
       fc.property(beside, card, points, sides, (rect, size, covered, last) => {
-        const { x, y, side } = cardPlace(rect, size, page, () => covered, last);
+        const { x, y, side } = cardPosition(rect, size, page, () => covered, last);
         expect(x).toBeGreaterThanOrEqual(8);
         expect(y).toBeGreaterThanOrEqual(8);
         expect(x + size.width).toBeLessThanOrEqual(792);
@@ -454,7 +455,7 @@ describe('the place of the card', () => {
         const covers = (at: { x: number; y: number }) =>
           covered.filter((p) => p.x > at.x && p.x < at.x + size.width && p.y > at.y && p.y < at.y + size.height).length;
         for (const other of ['right', 'left', 'below', 'above'] as const) {
-          const there = cardPlace(rect, size, page, () => covered, other);
+          const there = cardPosition(rect, size, page, () => covered, other);
           if (there.side === other && last === null) expect(covers({ x, y })).toBeLessThanOrEqual(covers(there));
         }
       }),
@@ -463,7 +464,13 @@ describe('the place of the card', () => {
 
   it('is still on the page where no side has room', () => {
     const card = { width: 260, height: 120 };
-    const place = cardPlace({ left: 100, top: 100, right: 212, bottom: 212 }, card, { width: 320, height: 320 }, () => [], null);
+    const place = cardPosition(
+      { left: 100, top: 100, right: 212, bottom: 212 },
+      card,
+      { width: 320, height: 320 },
+      () => [],
+      null,
+    );
     expect(place).toEqual({ side: null, x: 52, y: 192 });
   });
 });

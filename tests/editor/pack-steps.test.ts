@@ -16,7 +16,7 @@ import { addLevels, deleteLevel, duplicateLevel, restoreLevel } from '../../edit
 import { listHistoryOf } from '../../editor/core/levels/list-history.ts';
 import { editPack } from '../../editor/core/levels/pack-steps.ts';
 import { createNotices } from '../../editor/core/notices/index.ts';
-import { moveTo } from '../../editor/features/levels/level-menu.ts';
+import { moveTo } from '../../editor/features/levels/level-rows.ts';
 import { formatLevel, formatPack, type LevelEntry, type LevelFile, type PackFile } from '../../schema/index.ts';
 import { breathe, createChannels, createKeyValues, createLine, LockKeeper, passingVersions, TurnedClock } from './stage.ts';
 

@@ -8,7 +8,7 @@ import { noConfiguration } from '../../cli/config/configuration.ts';
 import { findLevelFiles } from '../../cli/find/index.ts';
 import { checkPackFile } from '../../cli/pack-file/index.ts';
 import { openLevelFolder } from '../../cli/serve/level-folder.ts';
-import { folderPackIn, inOrderOfPack } from '../../editor/core/files/folder-pack.ts';
+import { folderPackIn, inOrderOfPack } from '../../editor/core/files/folder-list.ts';
 import { moveByKey, spotAfter } from '../../editor/features/pack/card-order.ts';
 import { curveOf, heightOf } from '../../editor/features/pack/PackCurve.tsx';
 import {

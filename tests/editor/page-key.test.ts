@@ -1,8 +1,8 @@
 import { webcrypto } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import { createAccess, newKey } from '../../cli/serve/access.ts';
-import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
-import { createPageKey } from '../../editor/core/files/page-key.ts';
+import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-list.ts';
+import { createPageKey } from '../../editor/core/files/page-access.ts';
 import { createServerStorage } from '../../editor/core/files/server-storage.ts';
 import { EDIT_API, type ListResponse } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';

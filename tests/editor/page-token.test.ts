@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { isOtherToken, mayBeServed, type TokenPage, takeToken } from '../../editor/core/files/page-token.ts';
+import { isOtherToken, mayBeServed, type TokenPage, takeToken } from '../../editor/core/files/page-access.ts';
 
 /** A tab on an address, which history.replaceState changes. */
 function tab(address: string, { keeps = true, kept = new Map<string, string>() } = {}) {

@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { firstDifference } from '../../check/runs/index.ts';
 import { createEditedLevel, moveHold, moveObjects, setLevelProperty, stretchHold } from '../../editor/core/document/index.ts';
 import { createProofStore, createProver, type LiveProof } from '../../editor/core/proof/index.ts';
-import { March, MarchRoom } from '../../editor/core/proof/march.ts';
+import { RecorderRoom, RunRecorder } from '../../editor/core/proof/recorder.ts';
 import type { Tracks } from '../../editor/core/proof/tracks.ts';
 import {
   ACCURACIES,
@@ -36,8 +36,8 @@ const bytes = (list: ArrayLike<number>): string => Buffer.from(Float64Array.from
 /** The state of all bodies at every entry. */
 const placesOf = (tracks: Tracks, count: number): number[] => Array.from({ length: count }, (_, k) => [...tracks.all(k)]).flat();
 
-/** A copy of everything that a march returns, as it reuses its arrays. */
-const copied = ({ way, ending, minerals }: ReturnType<March['run']>) => ({
+/** A copy of everything that a recorder returns, as it reuses its arrays. */
+const copied = ({ way, ending, minerals }: ReturnType<RunRecorder['run']>) => ({
   ending,
   minerals,
   last: [...way.last],
@@ -47,11 +47,11 @@ const copied = ({ way, ending, minerals }: ReturnType<March['run']>) => ({
   asteroids: placesOf(way.asteroids, way.count),
 });
 
-describe('a march', () => {
+describe('a recorder', () => {
   it('that continues where two scripts differ has the same bits as one from the start', () => {
     let resumed = 0;
     // reused for all scenes, as in the page
-    const room = new MarchRoom();
+    const room = new RecorderRoom();
     fc.assert(
       fc.property(
         arbitraryPlayableLevel,
@@ -60,16 +60,16 @@ describe('a march', () => {
         fc.nat(TICKS),
         (level, name, scripts, part) => {
           const scene = compile(level, name);
-          const march = new March(scene, TICKS, room);
+          const recorder = new RunRecorder(scene, TICKS, room);
           const first = scripts[0];
           for (const script of scripts) {
             // everything before `part` is the same in all
             const early = first.filter(([, release]) => release < part);
             const holds = joinHolds([...early, ...script.map(([a, b]) => [Math.max(a, part), Math.max(b, part)] as const)]);
-            const again = march.run(holds);
+            const again = recorder.run(holds);
             if (again.resumedFrom > 0) resumed++;
             const told = copied(again);
-            const whole = copied(new March(scene, TICKS).run(holds));
+            const whole = copied(new RunRecorder(scene, TICKS).run(holds));
             expect(told.ending).toEqual(whole.ending);
             expect(told.minerals).toEqual(whole.minerals);
             for (const part of ['last', 'states', 'held', 'aliens', 'asteroids'] as const)
@@ -89,7 +89,7 @@ describe('a march', () => {
         const scene = compile(level, name);
         const holds = joinHolds(script);
         const run = simulate(scene, holds, { maxTime: TICKS / 60 });
-        const { way, ending, minerals } = new March(scene, TICKS).run(holds);
+        const { way, ending, minerals } = new RunRecorder(scene, TICKS).run(holds);
         expect(ending?.outcome ?? 'timeout').toBe(run.outcome);
         if (ending !== null) expect([ending.time, ending.tick, ending.with]).toEqual([run.time, run.tick, run.with]);
         if (name !== 'arcade')
@@ -115,7 +115,7 @@ describe('a march', () => {
       fc.property(arbitraryPlayableLevel, accuracy, arbitraryHolds(TICKS), (level, name, script) => {
         const scene = compile(level, name);
         const holds = joinHolds(script);
-        const { way } = new March(scene, TICKS).run(holds);
+        const { way } = new RunRecorder(scene, TICKS).run(holds);
         const simulation = createSimulation(scene);
         const aliens = new Float64Array(3 * way.aliens.count);
         const asteroids = new Float64Array(2 * way.asteroids.count);

@@ -113,7 +113,7 @@ const lostFrom = (open: ReturnType<typeof openLevel>) => {
   withLayer('lost', open);
   open.session.subscribe(({ run }) => open.proof.showRun(run));
   open.session.setState({ run: 'fails' });
-  return { level: { ...open, attempts: createAttempts() }, session: open.session, settled: new Set<string>() };
+  return { level: { ...open, attempts: createAttempts() }, session: open.session, finished: new Set<string>() };
 };
 
 const STAGES: Readonly<Record<string, Stage>> = {
@@ -236,7 +236,7 @@ it('every question of the page is staged here', () => {
   const editor = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'editor');
   const found = readdirSync(editor, { recursive: true, encoding: 'utf8' })
     .filter((path) => /\.tsx?$/.test(path))
-    .flatMap((path) => [...readFileSync(join(editor, path), 'utf8').matchAll(/const (\w+)\s*=\s*question\(/g)])
+    .flatMap((path) => [...readFileSync(join(editor, path), 'utf8').matchAll(/const (\w+)\s*=\s*(?:question|onDemand)\(/g)])
     .map(([, name]) => name);
   expect(found.sort()).toEqual([...names].sort());
 });

@@ -3,7 +3,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel, resetRules, setRule } from '../../editor/core/document/index.ts';
-import { NO_FOLDER_TERMS, withKeptTerms } from '../../editor/core/files/folder-terms.ts';
+import { NO_FOLDER_TERMS, withKeptTerms } from '../../editor/core/files/folder-list.ts';
 import { createProofStore, createProver } from '../../editor/core/proof/index.ts';
 import {
   originOf,

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SearchState } from '../../editor/features/solver/search-session.ts';
+import { askedInWords, summaryOf } from '../../editor/features/solver/search-summary.ts';
 import { createSearchSettings } from '../../editor/features/solver/search-task.ts';
-import { askedInWords, standingOf } from '../../editor/features/solver/search-words.ts';
 
 const settings = createSearchSettings().getState();
 const NOBODY = { meets: null, completes: null };
@@ -36,8 +36,8 @@ const state = (changes: Partial<SearchState>): SearchState => ({
   hovered: null,
   ...changes,
 });
-const say = (changes: Partial<SearchState>, own: Parameters<typeof standingOf>[1] = NOBODY) => {
-  const { text, note } = standingOf(state(changes), own, COUNT, 5);
+const say = (changes: Partial<SearchState>, own: Parameters<typeof summaryOf>[1] = NOBODY) => {
+  const { text, note } = summaryOf(state(changes), own, COUNT, 5);
   return note === null ? text : `${text} | ${note}`;
 };
 const all = { ...settings, minerals: 'all' } as const;

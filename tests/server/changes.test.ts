@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { changesBetween } from '../../cli/serve/changes.ts';
-import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
+import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-list.ts';
 import type { EditEvent, LevelEntry, ListResponse } from '../../schema/index.ts';
 
 const entry = (id: string, content: number): LevelEntry => ({

@@ -4,7 +4,7 @@ import { expect } from 'vitest';
 import { createEventStreams } from '../../cli/serve/event-stream.ts';
 import type { KnownLevels } from '../../cli/serve/known-levels.ts';
 import { openLevelFolder } from '../../cli/serve/level-folder.ts';
-import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
+import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-list.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
 import { itDeep, itQuick } from '../depth.ts';
 import { levelPath, levelText, makeFolder, put, serve } from './running.ts';

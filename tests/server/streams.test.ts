@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { createEventStreams, inParts } from '../../cli/serve/event-stream.ts';
 import type { KnownLevels } from '../../cli/serve/known-levels.ts';
 import { Refusal } from '../../cli/serve/refusal.ts';
-import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-terms.ts';
+import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-list.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
 
 const listOf = (...ids: string[]): ListResponse => ({

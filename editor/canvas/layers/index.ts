@@ -1,6 +1,7 @@
 export { AstronautLayer, scaleIn } from './astronaut-layer.ts';
+export { dashesOf, lengthAlong, strokesOf } from './dashes.ts';
 export { ObjectLayer } from './object-layer.ts';
 export { OverlayLayer } from './overlay-layer.ts';
 export { Rings } from './rings.ts';
 export { SpaceScene, starsOf } from './space-scene.ts';
-export { type Line, linesOf, WayLayer } from './way-layer.ts';
+export { linesOf, WayLayer } from './way-layer.ts';

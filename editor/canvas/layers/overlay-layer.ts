@@ -1,6 +1,5 @@
 import type { GameObjects, Scene } from 'phaser';
-import type { Box } from '../../../engine/index.ts';
-import { appearanceOfObject, DEFAULT_RANGE, type Disc, KINDS, type LevelFile } from '../../../schema/index.ts';
+import { appearanceOfObject, DEFAULT_RANGE, type Disc, KINDS } from '../../../schema/index.ts';
 import {
   type FoundObject,
   hiddenIn,
@@ -14,6 +13,7 @@ import type { CanvasState } from '../canvas-state.ts';
 import { type Colours, colourNumber } from '../colours.ts';
 import { boxesOf, type SelectionBox, selectionBox } from '../extent.ts';
 import { REACH, resizedByRim } from '../hit-test.ts';
+import type { Picture } from '../picture.ts';
 import { drawnBox, handlesOf } from '../selection-handles.ts';
 import { type Point, toLevel, type View } from '../view.ts';
 import { Rings } from './rings.ts';
@@ -37,20 +37,8 @@ const HANDLES = [
 const DASH = 6;
 const MOST_DASHES = 200;
 
-interface OverlayInput {
-  readonly file: LevelFile;
-  /** The astronaut's box under the rules of the level. */
-  readonly her: Box;
-  readonly canvas: CanvasState;
-  readonly selected: readonly ObjectKey[];
-  /** The object under the pointer, here or in a list. */
-  readonly hovered: ObjectKey | null;
-  readonly layers: Readonly<Record<string, boolean>>;
-  /** px between grid lines; null: none */
-  readonly grid: number | null;
-  /** Whether the level is being edited: selection, grid and guides are hidden in a playtest. */
-  readonly editing: boolean;
-}
+/** What the overlays depend on; the selection, the grid and the guides are hidden in a playtest. */
+type OverlayInput = Pick<Picture, 'file' | 'her' | 'canvas' | 'selected' | 'hovered' | 'layers' | 'grid' | 'editing'>;
 
 /** The objects that are shown: hidden ones only in a playtest. */
 const shownIn = ({ file, editing }: OverlayInput): ReadonlyMap<ObjectKey, FoundObject> =>

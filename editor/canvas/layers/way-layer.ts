@@ -1,8 +1,9 @@
 import type { GameObjects, Scene } from 'phaser';
 import { isJump, STATE_SIZE, TICK } from '../../../engine/index.ts';
 import type { Ghost } from '../../core/context/index.ts';
-import { isWhole, type LiveProof } from '../../core/proof/index.ts';
+import { isWhole } from '../../core/proof/index.ts';
 import { type Colours, colourNumber } from '../colours.ts';
+import type { Picture } from '../picture.ts';
 
 /** ticks between the dots of a path */
 const DOTS = 6;
@@ -22,13 +23,10 @@ const GHOST_LINES = {
   crowd: { colour: 'select', width: 1.2, alpha: 0.5 },
 } as const satisfies Readonly<Record<Ghost['look'] | 'crowd', { colour: keyof Colours; width: number; alpha: number }>>;
 
-interface WayInput {
-  readonly proof: LiveProof;
-  readonly ghosts: readonly Ghost[];
-  readonly layers: Readonly<Record<string, boolean>>;
+/** What the path depends on; in a playtest the run and its details would give the solution away. */
+interface WayInput extends Pick<Picture, 'proof' | 'ghosts' | 'layers' | 'showsRun'> {
+  /** px of screen per px of the level */
   readonly zoom: number;
-  /** Whether the run and its details are shown. In a playtest they would give the solution away. */
-  readonly showsRun: boolean;
 }
 
 /** The path of the run: dots at equal times, thick where the gun is held, near misses, and its end; ghosts behind it. */

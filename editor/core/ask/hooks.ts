@@ -59,6 +59,20 @@ export const useAtRest = <S, T>(store: Store<S>, pick: (state: S) => T, ms: numb
 export const useInPace = <S, T>(store: Store<S>, pick: (state: S) => T, pace: Pace): T =>
   useSeen({ store, pick, restarts: false, wait: (call) => inPace(pace, call) });
 
+/** What a promise resolves to, which `ask` makes of a value that stays the same; null until then, and after another value. */
+export function usePromised<K, T>(of: K, ask: (of: K) => Promise<T>): T | null {
+  const [known, setKnown] = useState<{ readonly of: K; readonly value: T } | null>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: it is asked once for each value
+  useEffect(() => {
+    let isGone = false;
+    void ask(of).then((value) => !isGone && setKnown({ of, value }));
+    return () => {
+      isGone = true;
+    };
+  }, [of]);
+  return known?.of === of ? known.value : null;
+}
+
 /** What a question follows that a component asks; null: nothing. */
 export type Wanted<O> = Pick<StoreApi<O | null>, 'getState' | 'subscribe'>;
 

@@ -152,6 +152,9 @@ export const question =
     };
   };
 
+/** A question on demand alone: the worker is asked what it is about. */
+export const onDemand = <Q, A, P>(job: Job<Q, A, P>) => question({ job, request: (of: Q) => of });
+
 /** A question that was asked once. */
 export interface AskedOnce<O, A, P> {
   /** How it ended: `stopped` if it was stopped. Never rejects. */

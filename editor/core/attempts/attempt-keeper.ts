@@ -50,7 +50,8 @@ export function createAttemptKeeper(
   let cancelRetry = () => {};
   /** What failed, oldest first: it is tried again whenever the database answers. */
   let failed: Work[] = [];
-  const told = (error: unknown) => trouble.setState(error === null ? (isLasting ? null : MISSING) : troubleInWords(error), true);
+  const report = (error: unknown) =>
+    trouble.setState(error === null ? (isLasting ? null : MISSING) : troubleInWords(error), true);
   const work = async (act: Work): Promise<void> => {
     failed = [...failed, act];
     try {
@@ -59,9 +60,9 @@ export function createAttemptKeeper(
         await one();
         failed = failed.filter((other) => other !== one);
       }
-      told(null);
+      report(null);
     } catch (error) {
-      told(error);
+      report(error);
       cancelRetry();
       cancelRetry = after(RETRY, tryAgain);
     }

@@ -1,5 +1,7 @@
 import type { EdgeSlack } from '../../../solver/index.ts';
 
+export { timeInTurns } from './time-in-turns.ts';
+
 /** `3 presses`, `1 press` */
 export const plural = (count: number, one: string, many = `${one}s`): string =>
   `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
@@ -62,8 +64,6 @@ export function tightestOf(slack: readonly EdgeSlack[]): Tightest | null {
   }
   return best;
 }
-
-export { nextTurn, type TurnsOptions, timeInTurns } from './time-in-turns.ts';
 
 /** A labelled value. */
 export interface Fact {

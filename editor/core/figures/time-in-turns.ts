@@ -1,13 +1,5 @@
 import type { Player } from '../../../engine/work-precision/index.ts';
 
-export interface TurnsOptions {
-  /** A clock, ms. */
-  readonly now: () => number;
-  /** Lets the page draw and respond between samples. */
-  readonly pause: () => Promise<void>;
-  readonly signal: AbortSignal;
-}
-
 /** least duration of a sample in ms: many times the resolution of a browser's clock */
 const SAMPLE = 2;
 const ROUNDS = 24;
@@ -15,17 +7,17 @@ const ROUNDS = 24;
 const WARM_UP = 3;
 
 /**
- * Times players in turns, so that a slowdown of the machine affects all of them; the page draws between samples.
- * @returns the samples of each player, one per round, in microseconds per simulated second; null if aborted
+ * Times players in turns, so that a slowdown of the machine affects all of them. Yields after every sample.
+ * @param now a clock, ms
+ * @returns the samples of each player, one per round, in microseconds per simulated second
  */
-export async function timeInTurns(
+export function* timeInTurns(
   players: readonly Player[],
-  { now, pause, signal }: TurnsOptions,
-): Promise<readonly (readonly number[])[] | null> {
+  now: () => number,
+): Generator<null, readonly (readonly number[])[], void> {
   const samples = players.map((): number[] => []);
   for (let round = 0; round < WARM_UP + ROUNDS; round++) {
     for (let k = 0; k < players.length; k++) {
-      if (signal.aborted) return null;
       const i = (round + k) % players.length;
       const start = now();
       let seconds = 0;
@@ -35,11 +27,8 @@ export async function timeInTurns(
         spent = now() - start;
       }
       if (round >= WARM_UP) samples[i].push((1000 * spent) / seconds);
-      await pause();
+      yield null;
     }
   }
   return samples;
 }
-
-/** Lets the page draw and respond. */
-export const nextTurn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));

@@ -1,16 +1,21 @@
 import type { EditEvent } from '../../../schema/index.ts';
 import { type Answer, type LevelStorage, type StorageError, storageError } from './level-storage.ts';
-import { EMPTY, entryOf, listOf, mustExist, Refused, type Shelf } from './shelf.ts';
 import {
   duplicateLevel,
+  EMPTY,
+  entryOf,
+  listOf,
+  mustExist,
   orderLevels,
+  Refused,
   removeLevel,
   renameLevel,
   restoreLevel,
+  type Shelf,
   type ShelfChange,
   writeLevel,
   writePack,
-} from './shelf-changes.ts';
+} from './shelf.ts';
 import type { Channel } from './writer-lock.ts';
 
 /** A key-value database; `update` reads and writes in one transaction, so that two pages can't interfere. */

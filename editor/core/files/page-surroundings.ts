@@ -7,8 +7,7 @@ import { createVersionKeeper, openIndexedDbVersions } from '../versions/index.ts
 import { createBrowserStorage, type KeyValues } from './browser-storage.ts';
 import type { LevelStorage } from './level-storage.ts';
 import type { Surroundings } from './open-level.ts';
-import { createPageKey } from './page-key.ts';
-import { mayBeServed, takeToken } from './page-token.ts';
+import { createPageKey, mayBeServed, takeToken } from './page-access.ts';
 import { createServerStorage } from './server-storage.ts';
 import { pageTimers, type Timers } from './timers.ts';
 import type { Channel } from './writer-lock.ts';

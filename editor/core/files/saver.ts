@@ -1,13 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { type Choices, mergeLevels } from '../../../review/index.ts';
-import type { LevelFile, ReadResponse } from '../../../schema/index.ts';
+import { type Choices, type Conflict, mergeLevels } from '../../../review/index.ts';
+import type { LevelFile, Problem, ReadResponse } from '../../../schema/index.ts';
 import { type DocumentEvent, type EditedLevel, levelText } from '../document/index.ts';
-import { diskNews } from './disk-news.ts';
-import { type DiskBase, KnownDisk } from './known-disk.ts';
+import { type DiskBase, diskNews, KnownDisk } from './known-disk.ts';
 import type { LevelStorage, StorageError } from './level-storage.ts';
-import type { SaveState } from './save-state.ts';
-import { atMost, type Timers } from './timers.ts';
-import { WritePacing } from './write-pacing.ts';
+import { atMost, type Timers, WritePacing } from './timers.ts';
 
 /** Keeps the disk up to date with a level, and the level with the disk. */
 export interface Saver {
@@ -41,7 +38,7 @@ export interface Saver {
   close(): void;
 }
 
-export interface SaverOptions {
+interface SaverOptions {
   readonly storage: LevelStorage;
   readonly timers: Timers;
   readonly base: DiskBase;
@@ -349,3 +346,22 @@ class LevelSaver implements Saver {
     return ok;
   }
 }
+
+/** Where the work is stored, as the user sees it. In all states but the first two, the journal has what the disk lacks. */
+export type SaveState =
+  | { readonly kind: 'saved' }
+  | { readonly kind: 'saving' }
+  /** will be written in a moment */
+  | { readonly kind: 'unsaved' }
+  /** no answer; retried automatically */
+  | { readonly kind: 'offline'; readonly message: string; readonly hint: string }
+  /** the disk does not accept it; retried automatically */
+  | { readonly kind: 'failing'; readonly message: string; readonly hint: string }
+  /** both the disk and this page changed the same thing: `resolve` continues */
+  | { readonly kind: 'conflict'; readonly conflicts: readonly Conflict[] }
+  /** the file was deleted: `keepMine` writes it again */
+  | { readonly kind: 'deleted' }
+  /** the file is no longer a valid level: continues once the file is fixed, or `keepMine` overwrites it */
+  | { readonly kind: 'unreadable'; readonly problems: readonly Problem[] }
+  /** `unsaved`: changes of this page that were not written before another page took the level */
+  | { readonly kind: 'readOnly'; readonly why: string; readonly unsaved: boolean };

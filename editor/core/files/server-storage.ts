@@ -22,7 +22,7 @@ import {
   writeResponseSchema,
 } from '../../../schema/index.ts';
 import { type Answer, type LevelStorage, type Link, storageError } from './level-storage.ts';
-import type { PageKey } from './page-key.ts';
+import type { PageKey } from './page-access.ts';
 import { pageTimers, type Timers } from './timers.ts';
 
 export interface ServerOptions {

@@ -10,14 +10,12 @@ import {
 } from '../../../schema/index.ts';
 import { createListeners } from '../document/index.ts';
 import type { Move } from '../versions/index.ts';
-import { folderPackIn, inOrderOfPack, withKeptPack } from './folder-pack.ts';
-import { withKeptTerms } from './folder-terms.ts';
-import { idsIn, inOrder, withEntry, withPart } from './level-list.ts';
+import { folderPackIn, idsIn, inOrder, inOrderOfPack, withEntry, withKeptPack, withKeptTerms, withPart } from './folder-list.ts';
 import type { Answer, LevelStorage, Link, StorageError } from './level-storage.ts';
 import { type OpenedLevel, type Opening, openLevel, placeOf, type Remembered, type Surroundings } from './open-level.ts';
 
 /** The folder that is edited. */
-export interface WorkspaceState {
+interface WorkspaceState {
   /** null until the storage has answered once */
   readonly list: ListResponse | null;
   readonly link: Link;
@@ -340,4 +338,19 @@ class StorageWorkspace implements Workspace {
     this.last = turn;
     return turn;
   }
+}
+
+/** The list of levels once it is complete: a long one comes in parts. */
+export function allLevels({ store }: Pick<Workspace, 'store'>): Promise<readonly LevelEntry[]> {
+  return new Promise((resolve) => {
+    let stop = () => {};
+    const look = () => {
+      const { list, error } = store.getState();
+      if (error === null && list !== null && list.unread > 0) return false;
+      stop();
+      resolve(list?.levels ?? []);
+      return true;
+    };
+    if (!look()) stop = store.subscribe(look);
+  });
 }

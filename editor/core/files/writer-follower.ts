@@ -1,7 +1,7 @@
 import { createStore } from 'zustand/vanilla';
 import type { LevelFile } from '../../../schema/index.ts';
 import type { DocumentEvent, EditedLevel } from '../document/index.ts';
-import { readText } from './disk-text.ts';
+import { readText } from './read-text.ts';
 import type { Saver } from './saver.ts';
 import type { Timers } from './timers.ts';
 import type { Shown } from './writer-lock.ts';

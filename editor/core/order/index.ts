@@ -31,7 +31,8 @@ export interface OrderActions {
   renameGroup(group: string, name: string): void;
 }
 
-const plural = (count: number): string => (count === 1 ? '' : ` ${count} objects`);
+/** The rest of a label: nothing for one, ` 3 objects` for more. */
+const several = (count: number): string => (count === 1 ? '' : ` ${count} objects`);
 
 export function orderActions({ notices }: Editor, { document, selection }: OpenLevel): OrderActions {
   const change = (label: string, recipe: Recipe) => {
@@ -55,11 +56,11 @@ export function orderActions({ notices }: Editor, { document, selection }: OpenL
     lock(keys, isLocked) {
       const those = markable(keys, 'isLocked');
       if (those.length > 0)
-        change(`${isLocked ? 'Lock' : 'Unlock'}${plural(those.length)}`, setMark(those, 'isLocked', isLocked));
+        change(`${isLocked ? 'Lock' : 'Unlock'}${several(those.length)}`, setMark(those, 'isLocked', isLocked));
     },
     hide(keys, isHidden) {
       const those = markable(keys, 'isHidden');
-      if (those.length > 0) change(`${isHidden ? 'Hide' : 'Show'}${plural(those.length)}`, setMark(those, 'isHidden', isHidden));
+      if (those.length > 0) change(`${isHidden ? 'Hide' : 'Show'}${several(those.length)}`, setMark(those, 'isHidden', isHidden));
     },
     name(key, name) {
       const those = markable([key], 'name');
@@ -70,7 +71,7 @@ export function orderActions({ notices }: Editor, { document, selection }: OpenL
       const those = markable(keys, 'group');
       if (those.length < 2) return;
       const name = freeGroupName(document.file(), 'group 1');
-      change(`Group${plural(those.length)}`, setMark(those, 'group', name));
+      change(`Group${several(those.length)}`, setMark(those, 'group', name));
       selection.select(those);
     },
     ungroup(keys) {
@@ -78,7 +79,7 @@ export function orderActions({ notices }: Editor, { document, selection }: OpenL
       const names = new Set(keys.flatMap((key) => groupOf(file, key) ?? []));
       const members = [...names].flatMap((name) => groupsIn(file).get(name) ?? []);
       if (members.length === 0) return;
-      change(`Ungroup${plural(members.length)}`, setMark(members, 'group', null));
+      change(`Ungroup${several(members.length)}`, setMark(members, 'group', null));
     },
     renameGroup: (group, name) => change(`Rename the group ${name}`, renameGroup(document.file(), group, name)),
   };
@@ -92,11 +93,6 @@ export const areAll = (level: OpenLevel, keys: readonly ObjectKey[], flag: 'isLo
     return found !== undefined && marksOf(found)[flag];
   });
 };
-
-const PREFIX = '@group ';
-
-/** The key of the row of a group among the rows of objects, whose keys never begin like this. */
-export const groupRowKey = (group: string): string => `${PREFIX}${group}`;
 
 /** Commands that lock, hide, name and group the selection. */
 export function orderCommands(editor: Editor, level: OpenLevel): readonly Command[] {
@@ -191,3 +187,6 @@ export function orderCommands(editor: Editor, level: OpenLevel): readonly Comman
     },
   ];
 }
+
+/** The key of the row of a group among the rows of objects, whose keys never begin like this. */
+export const groupRowKey = (group: string): string => `@group ${group}`;

@@ -1,5 +1,5 @@
 import './parts.css';
 
-export { FolderSelect, Offer, PlayButton, SamplesButton } from './Offer.tsx';
-export { Facts, OutcomeSign, outcomeWord, Progress, Section, Segments } from './Section.tsx';
+export { FolderSelect, Offer, PlayButton, SamplesButton } from './offers.tsx';
+export { Facts, OutcomeSign, outcomeWord, Progress, Section, Segments } from './parts.tsx';
 export { TextDialog } from './TextDialog.tsx';

@@ -2,8 +2,8 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import { plural } from '../../../check/words/index.ts';
 import { decodePlay, ENGINE_ID, levelHash, type Play } from '../../../game/index.ts';
 import { type LevelEntry, readLevel } from '../../../schema/index.ts';
-import { type AskedOf, jobs } from '../../workers/index.ts';
-import { askOnce, question } from '../ask/index.ts';
+import { jobs } from '../../workers/index.ts';
+import { askOnce, onDemand } from '../ask/index.ts';
 import type { Editor, OpenLevel } from '../context/index.ts';
 import { allLevels, folderTermsIn } from '../files/index.ts';
 import { keptWith } from '../kept/index.ts';
@@ -90,7 +90,7 @@ async function take(
 }
 
 /** Whether plays are what they claim, and what they teach. */
-export const playsQuestion = question({ job: jobs.plays, request: (of: AskedOf<typeof jobs.plays>) => of });
+export const playsQuestion = onDemand(jobs.plays);
 
 /** Verifies plays of the open level and adds them to its shelf. */
 async function addPlays(editor: Editor, level: OpenLevel, hash: string, plays: readonly ReadPlay[]): Promise<void> {

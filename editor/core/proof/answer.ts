@@ -2,8 +2,8 @@ import type { LevelVerdict, RunFindings } from '../../../check/index.ts';
 import { outcomeAsPredicate, type RunEnd } from '../../../check/words/index.ts';
 import type { Run, Scene, Terms } from '../../../engine/index.ts';
 import type { Hold, Level, LevelFile, Problem } from '../../../schema/index.ts';
-import type { Marched, Way } from './march.ts';
 import type { Margins } from './margins.ts';
+import type { RecordedRun, Way } from './recorder.ts';
 
 /** A request of the editor. */
 export interface Question {
@@ -27,7 +27,7 @@ export interface ShownRun extends RunEnd {
   readonly holds: readonly Hold[];
   readonly way: Way;
   /** the collected minerals, each once, with the tick */
-  readonly minerals: Marched['minerals'];
+  readonly minerals: RecordedRun['minerals'];
   /** The tick from which on the run was simulated again. */
   readonly resumedFrom: number;
 }

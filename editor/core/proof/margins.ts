@@ -1,5 +1,5 @@
 import { boxCircleGap, type Scene, STATE_SIZE } from '../../../engine/index.ts';
-import type { Way } from './march.ts';
+import type { Way } from './recorder.ts';
 
 /** A moment at which she passes a hazard closely. */
 export interface NearMiss extends Hazard {

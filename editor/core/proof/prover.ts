@@ -4,10 +4,10 @@ import type { RunEnd } from '../../../check/words/index.ts';
 import { joinHolds, type Run, TICK, TICK_RATE, WorkBudget } from '../../../engine/index.ts';
 import { type Hold, type Level, type Problem, resolveLevel } from '../../../schema/index.ts';
 import { type Limit, type LiveProof, MOST_WORK, type Question, type ShownRun } from './answer.ts';
-import type { Marched } from './march.ts';
+import { knownProblems } from './known-problems.ts';
 import { type Margins, marginsOf } from './margins.ts';
+import type { RecordedRun } from './recorder.ts';
 import { createSceneKeeper, type SceneRecord, toEnd } from './scene-record.ts';
-import { toldProblems } from './told.ts';
 
 interface Prover {
   /** Equal questions give the same object. */
@@ -82,7 +82,7 @@ export function createProver(now: () => number = () => performance.now(), most =
           return findings;
         },
         get problems() {
-          problems ??= toldProblems(this, null, NOTHING_PROVED);
+          problems ??= knownProblems(this, null, NOTHING_PROVED);
           return problems;
         },
         get full() {
@@ -151,7 +151,7 @@ function findProvingRun(
 /**
  * If several minerals are touched in one frame, `arcade` removes only one but counts them all; only the full record knows them.
  */
-function takenInFrames(run: Run): Marched['minerals'] {
+function takenInFrames(run: Run): RecordedRun['minerals'] {
   const first = new Map<number, number>();
   for (const { index, time } of run.minerals) if (!first.has(index)) first.set(index, Math.round(time * TICK_RATE));
   return [...first].map(([index, tick]) => ({ index, tick }));
@@ -175,7 +175,7 @@ function showRun(
   // the same list as before if it is equal, so that subscribers see no change
   const before = shown ?? joined;
   const holds = firstDifference(before, joined) === Number.POSITIVE_INFINITY ? before : joined;
-  const { way, ending, minerals, resumedFrom, isCut, looks } = known.march.run(holds, isLate);
+  const { way, ending, minerals, resumedFrom, isCut, looks } = known.recorder.run(holds, isLate);
   const inFrames = known.scene.accuracy.integrator === 'arcade' && minerals.length > 0 && !isCut;
   const taken = inFrames ? takenInFrames(known.full(holds).run) : minerals;
   const tick = Math.max(0, way.count - 1);

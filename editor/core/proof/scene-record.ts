@@ -16,7 +16,7 @@ import {
 } from '../../../engine/index.ts';
 import { type Hold, type Level, type LevelFile, OBJECT_LISTS, RULE_NAMES } from '../../../schema/index.ts';
 import { bareOf } from './answer.ts';
-import { March, MarchRoom } from './march.ts';
+import { RecorderRoom, RunRecorder } from './recorder.ts';
 
 /** ticks between two readings of the clock */
 const STRIDE = 60;
@@ -40,7 +40,7 @@ interface CountedRun {
 /** Everything known about one scene: runs by their holds. */
 export class SceneRecord {
   readonly scene: Scene;
-  readonly march: March;
+  readonly recorder: RunRecorder;
   /** The work limit per answer. */
   readonly budget: WorkBudget;
   /** The longest a run may last, ticks. */
@@ -52,14 +52,14 @@ export class SceneRecord {
     readonly file: LevelFile,
     readonly level: Level,
     readonly terms: Terms,
-    room: MarchRoom,
+    room: RecorderRoom,
     /** pieces of motion per answer */
     readonly work: number,
   ) {
     this.scene = compile(level, terms);
     this.maxTicks = maxTicksOf(terms);
     this.budget = new WorkBudget(work, Number.POSITIVE_INFINITY);
-    this.march = new March(this.scene, this.maxTicks, room, this.budget);
+    this.recorder = new RunRecorder(this.scene, this.maxTicks, room, this.budget);
   }
 
   /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null if it was stopped */
@@ -110,7 +110,7 @@ interface SceneKeeper {
 /** A new scene keeper. */
 export function createSceneKeeper(): SceneKeeper {
   // both records share the same arrays, as only one of them exists at a time
-  const room = new MarchRoom();
+  const room = new RecorderRoom();
   let played: SceneRecord | null = null;
   let still: SceneRecord | null = null;
   return {

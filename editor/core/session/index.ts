@@ -103,6 +103,10 @@ export function createSession(layers: readonly LayerSwitch[]): SessionStore {
   }));
 }
 
+/** Shows or hides a layer. */
+export const showLayer = (session: SessionStore, id: string, isShown: boolean): void =>
+  session.setState(({ layers }) => ({ layers: { ...layers, [id]: isShown } }));
+
 /** Chooses a tool. Tools that place nothing end the lock. */
 export function chooseTool(session: SessionStore, tool: Tool): void {
   const places = tool !== 'select' && tool !== 'hand';

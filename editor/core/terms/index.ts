@@ -4,23 +4,6 @@ import { type FolderTerms, RULE_NAMES } from '../../../schema/index.ts';
 import { folderTermsIn, type Workspace } from '../files/index.ts';
 import type { SettingsStore } from '../settings/index.ts';
 
-/** The same terms at another accuracy. */
-export const termsAt = (terms: Terms, accuracy: AccuracyName): Terms =>
-  terms.accuracy.name === accuracy ? terms : { ...terms, accuracy: ACCURACIES[accuracy] };
-
-/** Everything that terms say, as a key: what is kept about a level is kept under it. */
-export const termsKey = ({ accuracy, maxTime, maxWork, rules }: Terms): string =>
-  `${accuracy.name} ${maxTime} ${maxWork} ${RULE_NAMES.map((name) => rules[name])}`;
-
-/** Whether the open level is shown at another accuracy than that of the folder. */
-export const isOtherAccuracy = ({ folder, shown }: PageTerms): boolean => folder.accuracy !== shown.accuracy;
-
-/** At which accuracy the open level is shown: `precise`, or `at precise; gq check here: arcade`. */
-export const termsInWords = (terms: PageTerms): string =>
-  isOtherAccuracy(terms)
-    ? `at ${terms.shown.accuracy.name}; gq check here: ${terms.folder.accuracy.name}`
-    : terms.folder.accuracy.name;
-
 /** The terms of the page. */
 export interface PageTerms {
   /** Those of the folder, under which `gq check` judges its levels. */
@@ -57,3 +40,20 @@ export function createPageTerms(workspace: Pick<Workspace, 'store'>, settings: S
   settings.subscribe(update);
   return store;
 }
+
+/** The same terms at another accuracy. */
+export const termsAt = (terms: Terms, accuracy: AccuracyName): Terms =>
+  terms.accuracy.name === accuracy ? terms : { ...terms, accuracy: ACCURACIES[accuracy] };
+
+/** Everything that terms say, as a key: what is kept about a level is kept under it. */
+export const termsKey = ({ accuracy, maxTime, maxWork, rules }: Terms): string =>
+  `${accuracy.name} ${maxTime} ${maxWork} ${RULE_NAMES.map((name) => rules[name])}`;
+
+/** Whether the open level is shown at another accuracy than that of the folder. */
+export const isOtherAccuracy = ({ folder, shown }: PageTerms): boolean => folder.accuracy !== shown.accuracy;
+
+/** At which accuracy the open level is shown: `precise`, or `at precise; gq check here: arcade`. */
+export const termsInWords = (terms: PageTerms): string =>
+  isOtherAccuracy(terms)
+    ? `at ${terms.shown.accuracy.name}; gq check here: ${terms.folder.accuracy.name}`
+    : terms.folder.accuracy.name;

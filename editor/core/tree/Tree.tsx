@@ -1,4 +1,5 @@
 import { useVirtualizer } from '@tanstack/react-virtual';
+import { EllipsisVertical } from 'lucide-react';
 import { ContextMenu } from 'radix-ui';
 import {
   Fragment,
@@ -16,7 +17,6 @@ import { actOnKey } from './tree-keys.ts';
 import type { MenuEntry, TreeProps, TreeRow } from './tree-rows.ts';
 import { rowAt, useRowDrag } from './use-row-drag.ts';
 import './tree.css';
-import { EllipsisVertical } from 'lucide-react';
 
 /**
  * A virtual list or tree for pointer and keyboard: arrows move, Enter opens, Alt + arrows reorder, the menu key opens the

@@ -1,3 +1,3 @@
 export { InlineName } from './InlineName.tsx';
 export { MoreButton, Tree } from './Tree.tsx';
-export { leavesBetween, type MenuEntry, type Modifiers, type TreeRow } from './tree-rows.ts';
+export { leavesBetween, type MenuEntry, type Modifiers, type TreeRow, toggledIn } from './tree-rows.ts';

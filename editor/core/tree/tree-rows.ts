@@ -94,3 +94,10 @@ export interface TreeProps<R extends TreeRow> {
   readonly onHover?: (row: R | null) => void;
   readonly menu?: (row: R) => readonly MenuEntry[];
 }
+
+/** A set with a value that was not in it, or without one that was. */
+export function toggledIn<T>(values: ReadonlySet<T>, value: T): ReadonlySet<T> {
+  const toggled = new Set(values);
+  if (!toggled.delete(value)) toggled.add(value);
+  return toggled;
+}

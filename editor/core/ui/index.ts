@@ -1,3 +1,3 @@
-export { Button, Dialog, Hint } from './Button.tsx';
+export { Button, Dialog, Hint } from './controls.tsx';
 export { focusHome, keepFocus } from './focus.ts';
 export { NumberField } from './NumberField.tsx';

@@ -4,10 +4,10 @@ import { type AskedOf, jobs, type Proofs } from '../../workers/index.ts';
 import { type Asked, type Desk, question } from '../ask/index.ts';
 import {
   type FoundByWorker,
+  knownProblems,
   type LiveProof,
   type ProofStore,
   type Proved,
-  toldProblems,
   toPlay,
   toProve,
 } from '../proof/index.ts';
@@ -55,7 +55,7 @@ export const problemsKnown = (
   known: Pick<LiveProof, 'findings' | 'level' | 'terms' | 'limit'>,
   checked: Checked | null,
   proved: Proved,
-): readonly Problem[] => toldProblems(known, checkedOf(known, checked), proved);
+): readonly Problem[] => knownProblems(known, checkedOf(known, checked), proved);
 
 export interface ProofWatch {
   /** What is proved about the current level; empty while not known. */

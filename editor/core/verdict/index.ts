@@ -1,7 +1,7 @@
 import { useStore } from 'zustand';
 import type { LevelVerdict } from '../../../check/index.ts';
 import { type OpenLevel, ofLevel, useEditor } from '../context/index.ts';
-import { limitInWords, toldVerdict } from '../proof/index.ts';
+import { knownVerdict, limitInWords } from '../proof/index.ts';
 import { type CheckWatch, checkedOf, type ProofWatch, watchChecks, watchProofs } from './evidence.ts';
 
 export { problemsKnown } from './evidence.ts';
@@ -23,7 +23,7 @@ export function useVerdict(level: OpenLevel): Verdict {
   const terms = useStore(level.proof.store, (proof) => proof.terms);
   const checked = checkedOf({ level: played, terms, limit }, useStore(checks.store));
   const impossible = useStore(proofs.store, (proved) => proved.impossible);
-  const verdict = toldVerdict({ verdict: own }, checked, { impossible });
+  const verdict = knownVerdict({ verdict: own }, checked, { impossible });
   if (verdict === 'completable') return { verdict, reason: null, limit: null };
   if (impossible !== null) return { verdict, reason: impossible.reason, limit: null };
   if (limit === null || checked?.result != null) return { verdict, reason: null, limit: null };

@@ -28,6 +28,77 @@ export const accuracy: Feature = {
   status: OtherAccuracy,
 };
 
+/** The results and costs of the named settings for this level and run; selects the one in use. */
+function AccuracyPanel() {
+  const terms = usePageTerms();
+  const current = accuracyNameOf(terms.shown);
+  const { results, costs, isFresh } = useNamedResults();
+  const { phase, message, measured, start, cancel } = useMeasured();
+  const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
+  const holds = useProof((proof) => proof.run.holds.join());
+  const isOld = measured !== null && (measured.holds !== holds || !isAlike);
+  return (
+    <div className="panel__body accuracies">
+      <Section
+        title="All settings"
+        aside={
+          phase === 'measuring' ? (
+            <Button hint="Stop measuring" icon={<Square size={13} />} onClick={cancel}>
+              Cancel
+            </Button>
+          ) : (
+            <Button hint="Time all settings on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
+              {measured === null ? 'Measure' : 'Measure again'}
+            </Button>
+          )
+        }
+      >
+        {(phase === 'measuring' || measured !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
+        {phase === 'failed' && (
+          <p className="tone--bad" role="alert">
+            The measurement failed: {message}. Try again.
+          </p>
+        )}
+        {measured === null ? (
+          phase === 'idle' && (
+            <p className="part__note">
+              Times and errors of 59 settings on this run: the work-precision diagram, with the one in use ringed.
+            </p>
+          )
+        ) : (
+          <>
+            {isOld && <p className="part__note">Measured before the last change of the level or its run.</p>}
+            <DiagramView measured={measured} current={current} />
+          </>
+        )}
+      </Section>
+      <Section title="Named settings" aside={!isFresh && <span className="part__note">comparing…</span>}>
+        <div
+          className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
+          role="radiogroup"
+          aria-label="Accuracy"
+        >
+          {NAMES.map((name) => (
+            <Choice
+              key={name}
+              name={name}
+              result={results.find((result) => result.name === name)}
+              cost={costs?.get(name)}
+              isCurrent={name === current}
+              isOfFolder={name === terms.folder.accuracy.name}
+            />
+          ))}
+        </div>
+        <p className="part__note">
+          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The setting in
+          use applies to this level: to its verdict, the playtest and the solver. The list, the pack and publishing say what gq
+          check says here.
+        </p>
+      </Section>
+    </div>
+  );
+}
+
 const ABOUT: Readonly<Record<AccuracyName, string>> = {
   arcade: 'the original game, frame by frame, quirks included',
   fast: 'Verlet at 60 Hz, contacts swept',
@@ -116,76 +187,5 @@ function DiagramView({ measured, current }: { readonly measured: MeasuredSetting
         <img className="diagram__large" src={picture} alt={alt} />
       </Dialog>
     </>
-  );
-}
-
-/** The results and costs of the named settings for this level and run; selects the one in use. */
-function AccuracyPanel() {
-  const terms = usePageTerms();
-  const current = accuracyNameOf(terms.shown);
-  const { results, costs, isFresh } = useNamedResults();
-  const { phase, message, measured, start, cancel } = useMeasured();
-  const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
-  const holds = useProof((proof) => proof.run.holds.join());
-  const isOld = measured !== null && (measured.holds !== holds || !isAlike);
-  return (
-    <div className="panel__body accuracies">
-      <Section
-        title="All settings"
-        aside={
-          phase === 'measuring' ? (
-            <Button hint="Stop measuring" icon={<Square size={13} />} onClick={cancel}>
-              Cancel
-            </Button>
-          ) : (
-            <Button hint="Time all settings on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
-              {measured === null ? 'Measure' : 'Measure again'}
-            </Button>
-          )
-        }
-      >
-        {(phase === 'measuring' || measured !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
-        {phase === 'failed' && (
-          <p className="tone--bad" role="alert">
-            The measurement failed: {message}. Try again.
-          </p>
-        )}
-        {measured === null ? (
-          phase === 'idle' && (
-            <p className="part__note">
-              Times and errors of 59 settings on this run: the work-precision diagram, with the one in use ringed.
-            </p>
-          )
-        ) : (
-          <>
-            {isOld && <p className="part__note">Measured before the last change of the level or its run.</p>}
-            <DiagramView measured={measured} current={current} />
-          </>
-        )}
-      </Section>
-      <Section title="Named settings" aside={!isFresh && <span className="part__note">comparing…</span>}>
-        <div
-          className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
-          role="radiogroup"
-          aria-label="Accuracy"
-        >
-          {NAMES.map((name) => (
-            <Choice
-              key={name}
-              name={name}
-              result={results.find((result) => result.name === name)}
-              cost={costs?.get(name)}
-              isCurrent={name === current}
-              isOfFolder={name === terms.folder.accuracy.name}
-            />
-          ))}
-        </div>
-        <p className="part__note">
-          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The setting in
-          use applies to this level: to its verdict, the playtest and the solver. The list, the pack and publishing say what gq
-          check says here.
-        </p>
-      </Section>
-    </div>
   );
 }

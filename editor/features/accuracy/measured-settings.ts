@@ -3,10 +3,10 @@ import { useStore } from 'zustand';
 import { type AccuracyName, isAccuracyName } from '../../../engine/index.ts';
 import { METHODS } from '../../../engine/work-precision/index.ts';
 import { drawDiagram, type Ground, linesOf, noteOf } from '../../../picture/accuracy/index.ts';
-import { question } from '../../core/ask/index.ts';
+import { onDemand } from '../../core/ask/index.ts';
 import { useEditor, useLevel } from '../../core/context/index.ts';
 import { type PlayedFile, withoutRuns } from '../../core/proof/index.ts';
-import { type AskedOf, jobs, type Setting } from '../../workers/index.ts';
+import { jobs, type Setting } from '../../workers/index.ts';
 
 /** The measured cost of all settings for one level and run. */
 export interface MeasuredSettings {
@@ -26,7 +26,7 @@ interface Measuring {
 }
 
 /** What every setting costs for a level and run. */
-export const accuracyQuestion = question({ job: jobs.accuracy, request: (of: AskedOf<typeof jobs.accuracy>) => of });
+export const accuracyQuestion = onDemand(jobs.accuracy);
 
 /** Measures all settings in a worker on demand; the job ends when the component unmounts. */
 export function useMeasured(): Measuring {

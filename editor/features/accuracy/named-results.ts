@@ -3,8 +3,9 @@ import type { RunEnd } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName, compile, createSimulation, maxTicksOf, type Terms } from '../../../engine/index.ts';
 import { deviationOf, pathOf, playerOf, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
+import { inSlices } from '../../core/ask/index.ts';
 import { useLevel } from '../../core/context/index.ts';
-import { nextTurn, type TurnsOptions, timeInTurns } from '../../core/figures/index.ts';
+import { timeInTurns } from '../../core/figures/index.ts';
 import { type PlayedFile, playsAlike } from '../../core/proof/index.ts';
 import { termsAt } from '../../core/terms/index.ts';
 
@@ -37,15 +38,17 @@ export function* compareNamed(level: Level, terms: Terms, holds: readonly Hold[]
 /** Microseconds per simulated second, by the name of the setting. */
 type Costs = ReadonlyMap<AccuracyName, number>;
 
-/** The cost of the named settings on a run, timed in turns; the minimum of the rounds counts. @returns null if aborted */
-async function costsOfNamed(level: Level, terms: Terms, holds: readonly Hold[], options: TurnsOptions): Promise<Costs | null> {
+/** The cost of the named settings on a run, timed in turns; the minimum of the rounds counts. */
+function* costsOfNamed(level: Level, terms: Terms, holds: readonly Hold[]): Generator<null, Costs, void> {
   const players = NAMES.map((name) => playerOf([{ level, holds }], ACCURACIES[name], maxTicksOf(terms)));
-  const samples = await timeInTurns(players, options);
-  return samples && new Map(NAMES.map((name, i) => [name, Math.min(...samples[i])]));
+  const samples = yield* timeInTurns(players, () => performance.now());
+  return new Map(NAMES.map((name, i) => [name, Math.min(...samples[i])]));
 }
 
+// on the page, while the run changes
+
 /** ms without a change before a run is compared again */
-const SETTLE = 200;
+const REST = 200;
 /** ms after the comparison before the costs are measured */
 const CALM = 300;
 
@@ -62,50 +65,47 @@ export function useNamedResults(): NamedResults {
   const { proof } = useLevel();
   const [state, setState] = useState<NamedResults>({ results: [], costs: null, isFresh: false });
   useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined;
     let last: (PlayedFile & { readonly holds: string; readonly maxTime: number }) | null = null;
-    let abort = new AbortController();
-    const measure = async () => {
-      const { level, terms, run } = proof.proof();
-      const { signal } = abort;
-      const costs = await costsOfNamed(level, terms, run.holds, { now: () => performance.now(), pause: nextTurn, signal });
-      if (costs !== null) setState((state) => ({ ...state, costs }));
-    };
-    const compare = () => {
+    let cancel = () => {};
+    /** @returns whether the page simulates the run to its end */
+    function* compare(): Generator<NamedResult, boolean, void> {
       const { level, terms, run, limit } = proof.proof();
-      if (limit !== null) return;
-      const steps = compareNamed(level, terms, run.holds);
+      if (limit !== null) return false;
+      yield* compareNamed(level, terms, run.holds);
+      return true;
+    }
+    function* measure(): Generator<null, Costs, void> {
+      const { level, terms, run } = proof.proof();
+      return yield* costsOfNamed(level, terms, run.holds);
+    }
+    const begin = (wait: number) => {
       const results: NamedResult[] = [];
-      const step = () => {
-        const next = steps.next();
-        if (next.done === true) {
+      cancel = inSlices(compare(), {
+        wait,
+        slice: 0,
+        onSlice: (made) => results.push(...made),
+        onDone(isPlayed) {
+          if (!isPlayed) return;
           setState({ results, costs: null, isFresh: true });
-          timer = setTimeout(() => void measure(), CALM);
-          return;
-        }
-        results.push(next.value);
-        timer = setTimeout(step, 0);
-      };
-      step();
+          cancel = inSlices(measure(), { wait: CALM, slice: 0, onDone: (costs) => setState((now) => ({ ...now, costs })) });
+        },
+      });
     };
     const look = () => {
       const { file, level, terms, run } = proof.proof();
       const holds = run.holds.join();
       if (last !== null && last.holds === holds && last.maxTime === terms.maxTime && playsAlike(last, { file, level })) return;
-      const wait = last === null ? 0 : SETTLE;
+      const wait = last === null ? 0 : REST;
       last = { file, level, holds, maxTime: terms.maxTime };
-      clearTimeout(timer);
-      abort.abort();
-      abort = new AbortController();
+      cancel();
       setState(({ results }) => ({ results, costs: null, isFresh: false }));
-      timer = setTimeout(compare, wait);
+      begin(wait);
     };
     look();
     const stop = proof.store.subscribe(look);
     return () => {
       stop();
-      abort.abort();
-      clearTimeout(timer);
+      cancel();
     };
   }, [proof]);
   return state;

@@ -65,6 +65,8 @@ export const isSameGame = (a: LevelFile, b: LevelFile): boolean =>
   SINGLE_KINDS.every((kind) => isAlike(a[kind], b[kind])) &&
   OBJECT_LISTS.every((list) => isAlike(a[list], b[list]));
 
+// runs that are played again
+
 /** How a run that completes a level does so. */
 interface Completion {
   readonly tick: number;
@@ -90,6 +92,8 @@ export function replayed(scene: Scene, holds: readonly Hold[]): Completion | nul
     throw error;
   }
 }
+
+// holds that were put in place of others
 
 /** The holds that were put in place of the author's within one step, by run. */
 export interface ReplacedHolds {

@@ -45,7 +45,7 @@ interface AliveParts {
 }
 
 /** @param isAbout whether the result is about the level as it is: otherwise its slack and minerals are not known */
-function told(best: Retimed, run: string, isAbout: boolean, isFinal: boolean): AliveState {
+function aliveState(best: Retimed, run: string, isAbout: boolean, isFinal: boolean): AliveState {
   const { edges, most, lost, slack, certified } = best;
   const known = isAbout ? { lost: lost.length, certified } : { lost: 0, certified: null };
   const least = slack?.reduce((all, { earlier, later }) => Math.min(all, earlier, later), Number.POSITIVE_INFINITY) ?? null;
@@ -109,7 +109,7 @@ export function keepAlive({ level, settings, desk }: AliveParts): () => void {
       replaced.note(current.start, former.name, best.holds);
     }
     const isFinal = step !== null && isLast;
-    show(best.total === 0 ? { kind: 'idle' } : told(best, former.name, isSameGame(about.file, document.file()), isFinal));
+    show(best.total === 0 ? { kind: 'idle' } : aliveState(best, former.name, isSameGame(about.file, document.file()), isFinal));
     return true;
   };
 
@@ -220,6 +220,8 @@ export function keepAlive({ level, settings, desk }: AliveParts): () => void {
     if (isBroken()) document.gesture()?.also(null);
   };
 }
+
+// the other runs of the level
 
 /** Ticks that are simulated for each run. */
 const EFFORT_OF_OTHERS = 1_000_000;

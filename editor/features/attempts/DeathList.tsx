@@ -4,6 +4,7 @@ import type { FailureCluster } from '../../../check/plays/index.ts';
 import { causeInWords } from '../../core/attempts/index.ts';
 import { useEditor, useLevel, useSession } from '../../core/context/index.ts';
 import { percent, plural } from '../../core/figures/index.ts';
+import { showLayer } from '../../core/session/index.ts';
 import { shelfOf } from '../../core/shelf/index.ts';
 
 /** Places that are listed. */
@@ -36,9 +37,7 @@ export function DeathList() {
             <input
               type="checkbox"
               checked={isShown}
-              onChange={({ target: { checked } }) =>
-                session.setState(({ layers }) => ({ layers: { ...layers, deaths: checked } }))
-              }
+              onChange={({ target: { checked } }) => showLayer(session, 'deaths', checked)}
             />
             on the canvas
           </label>

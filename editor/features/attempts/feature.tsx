@@ -7,7 +7,7 @@ import { plural } from '../../core/figures/index.ts';
 import { PlayButton, Progress } from '../../core/panel/index.ts';
 import { type Reading, readingOf } from '../../core/plays/index.ts';
 import { hashNow, shelfOf } from '../../core/shelf/index.ts';
-import { leavesBetween, type Modifiers, Tree } from '../../core/tree/index.ts';
+import { leavesBetween, type Modifiers, Tree, toggledIn } from '../../core/tree/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import type { Loss } from '../../workers/index.ts';
 import type { Feature } from '../feature.ts';
@@ -80,7 +80,7 @@ function AttemptsPanel() {
 
   const pick = ({ key }: AttemptRow, { shift, mod }: Modifiers) => {
     if (shift && active !== null) select(leavesBetween(rows, active, key));
-    else if (mod) select(selected.has(key) ? [...selected].filter((other) => other !== key) : [...selected, key]);
+    else if (mod) select(toggledIn(selected, key));
     else select([key]);
   };
   const onKey = (event: KeyboardEvent, { attempt }: AttemptRow): boolean => {

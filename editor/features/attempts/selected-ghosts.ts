@@ -1,7 +1,7 @@
 import { useEffect, useMemo } from 'react';
 import { useStore } from 'zustand';
 import type { StoreApi } from 'zustand/vanilla';
-import { type Desk, keepAnswers, question } from '../../core/ask/index.ts';
+import { type Desk, keepAnswers, onDemand } from '../../core/ask/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
 import { attemptGhosts, type Ghost, putGhosts, useEditor, useLevel } from '../../core/context/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
@@ -16,7 +16,7 @@ const MOST = 40;
 const KEPT = 200;
 
 /** Her path in a play. */
-export const pathQuestion = question({ job: jobs.path, request: (of: AskedOf<typeof jobs.path>) => of });
+export const pathQuestion = onDemand(jobs.path);
 
 interface SelectedGhosts {
   /** Shows the paths of these attempts and plays. Those of plays are computed by a worker. @param played the level that was played */

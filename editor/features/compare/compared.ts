@@ -81,6 +81,8 @@ export function toggleCompared(store: ComparingStore, source: Source): boolean {
   return true;
 }
 
+// their trajectories
+
 type ComparedLevel = Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
 
 /** A run whose trajectory is not known. */
@@ -176,7 +178,7 @@ export function watchCompared(level: ComparedLevel, desk: Desk): () => void {
     shown: level.proof.proof().run.name,
   });
   let before = seen();
-  const settle = () => {
+  const follow = () => {
     if (store.getState().runs.length > 0) leave(store, level, level.proof.proof().run.name, before);
     before = seen();
   };
@@ -184,10 +186,10 @@ export function watchCompared(level: ComparedLevel, desk: Desk): () => void {
     const { runs, trajectories } = store.getState();
     if (runs.length === 0 && trajectories.size > 0) store.setState({ trajectories: new Map(), chosen: null });
   };
-  settle();
+  follow();
   empty();
   // first, as the question is about the runs that are left
-  const stops = [level.proof.store.subscribe(settle), level.attempts.store.subscribe(settle), store.subscribe(empty)];
+  const stops = [level.proof.store.subscribe(follow), level.attempts.store.subscribe(follow), store.subscribe(empty)];
   const trajectory = trajectoryQuestion(desk, { level, store, asked });
   stops.push(
     trajectory.store.subscribe(({ phase, of, answer }) => {

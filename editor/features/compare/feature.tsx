@@ -8,10 +8,9 @@ import { type Beside, looksLike } from '../../timeline/index.ts';
 import type { Feature } from '../feature.ts';
 import { ComparedLanes } from './ComparedLanes.tsx';
 import { chosenOf, comparedOf, isCompared, type Source, sourceKey, watchCompared } from './compared.ts';
-import { compareOrTell, showCompared, useComparedRows } from './compared-rows.ts';
+import { compareOrTell, showCompared, useComparedRows, useDifference } from './compared-rows.ts';
 import { RaceLayer } from './race-layer.ts';
 import { type Race, raceOf } from './racers.ts';
-import { useDifference } from './use-difference.ts';
 
 const drawn: DrawnPart<Race> = {
   pictureOf: raceOf,

@@ -1,3 +1,2 @@
 export { sourceKey } from './compared.ts';
-export { compareOrTell, useComparedRows } from './compared-rows.ts';
-export { useDifference } from './use-difference.ts';
+export { compareOrTell, useComparedRows, useDifference } from './compared-rows.ts';

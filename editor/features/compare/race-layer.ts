@@ -1,7 +1,17 @@
 import type { GameObjects, Scene } from 'phaser';
-import { COLOURS, colourNumber, type Drawing, type Frame, type Line, linesOf, scaleIn, type Theme } from '../../canvas/index.ts';
+import {
+  COLOURS,
+  colourNumber,
+  type Drawing,
+  type Frame,
+  lengthAlong,
+  linesOf,
+  scaleIn,
+  strokesOf,
+  type Theme,
+} from '../../canvas/index.ts';
 import { MOST_COMPARED } from './compared.ts';
-import { LOOKS, placeOf, type Race, type Racer } from './racers.ts';
+import { LOOKS, poseOf, type Race, type Racer } from './racers.ts';
 
 /** px of screen */
 const WIDTH = 2;
@@ -96,7 +106,7 @@ export class RaceLayer implements Drawing<Race> {
   /** Moves the figures to a moment. */
   private pose(racers: readonly Racer[], tick: number, { zoom, her: { halfHeight } }: Frame): void {
     for (const racer of racers) {
-      const { x, y, cos, sin } = placeOf(racer, tick);
+      const { x, y, cos, sin } = poseOf(racer, tick);
       const { body, ring, name } = this.figures[racer.slot];
       body.setPosition(x, y).setRotation(Math.atan2(sin, cos));
       ring.setPosition(x, y);
@@ -115,7 +125,14 @@ export class RaceLayer implements Drawing<Race> {
 
   private path({ slot, points, completes, isStale }: Racer, zoom: number): void {
     this.paths.lineStyle(WIDTH / zoom, this.colourOf(slot), isStale ? OPACITY.stale : OPACITY.fresh).beginPath();
-    for (const line of linesOf(points)) this.strokes(line, LOOKS[slot].dashes, zoom);
+    const pattern = LOOKS[slot].dashes.map((length) => length / zoom);
+    for (const line of linesOf(points)) {
+      const isLong = lengthAlong(line) / Math.min(...pattern) > MOST_STROKES;
+      for (const stroke of isLong ? [line] : strokesOf(line, pattern)) {
+        this.paths.moveTo(stroke[0], stroke[1]);
+        for (let i = 2; i < stroke.length; i += 2) this.paths.lineTo(stroke[i], stroke[i + 1]);
+      }
+    }
     this.paths.strokePath();
     const [x, y] = [points[points.length - 2], points[points.length - 1]];
     const arm = 5 / zoom;
@@ -123,37 +140,4 @@ export class RaceLayer implements Drawing<Race> {
     if (completes) this.paths.strokeCircle(x, y, arm);
     else this.paths.lineBetween(x - arm, y - arm, x + arm, y + arm).lineBetween(x - arm, y + arm, x + arm, y - arm);
   }
-
-  /** A line in strokes. @param dashes px of screen: strokes and gaps in turn */
-  private strokes(line: Line, dashes: readonly number[], zoom: number): void {
-    const { paths } = this;
-    const shortest = Math.min(...dashes) / zoom;
-    const isLong = lengthOf(line) / shortest > MOST_STROKES;
-    let part = 0;
-    let left = dashes[0] / zoom;
-    paths.moveTo(line[0], line[1]);
-    for (let i = 2; i < line.length; i += 2) {
-      let [x, y] = [line[i - 2], line[i - 1]];
-      const [toX, toY] = [line[i], line[i + 1]];
-      let rest = Math.hypot(toX - x, toY - y);
-      while (!isLong && rest > left) {
-        x += ((toX - x) * left) / rest;
-        y += ((toY - y) * left) / rest;
-        rest -= left;
-        if (part % 2 === 0) paths.lineTo(x, y);
-        else paths.moveTo(x, y);
-        part = (part + 1) % dashes.length;
-        left = dashes[part] / zoom;
-      }
-      left -= rest;
-      if (isLong || part % 2 === 0) paths.lineTo(toX, toY);
-      else paths.moveTo(toX, toY);
-    }
-  }
-}
-
-function lengthOf(line: Line): number {
-  let length = 0;
-  for (let i = 2; i < line.length; i += 2) length += Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
-  return length;
 }

@@ -85,7 +85,7 @@ export function raceOf({ session, settings }: Pick<Editor, 'session' | 'settings
 const MOST_STEP = 25;
 
 /** Where a racer is at a tick, which may be fractional; after its end it stays where it ended. */
-export function placeOf({ points, turns, end }: Racer, tick: number): { x: number; y: number; cos: number; sin: number } {
+export function poseOf({ points, turns, end }: Racer, tick: number): { x: number; y: number; cos: number; sin: number } {
   const last = points.length / 2 - 1;
   const at = Math.max(0, Math.min(tick, end));
   const k = at >= end ? last : Math.min(last, Math.floor(at));

@@ -2,13 +2,13 @@ import { useEffect, useMemo, useState } from 'react';
 import { useStore } from 'zustand';
 import { type Choices, type Conflict, conflictsOf, mergeLevels, resolveConflicts, type Side } from '../../../review/index.ts';
 import { formatLevel, type LevelFile, type Problem } from '../../../schema/index.ts';
+import { usePromised } from '../../core/ask/index.ts';
 import { LevelContext, useDocument, useEditor, useLevel, useSession } from '../../core/context/index.ts';
 import { folderOf, readStored } from '../../core/files/index.ts';
 import { addLevels, openListed, stemOf } from '../../core/levels/index.ts';
 import { TextDialog } from '../../core/panel/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
-import { diffLines } from './line-diff.ts';
-import { valueInWords } from './value-in-words.ts';
+import { diffLines, valueInWords } from './conflict-text.ts';
 
 /** Asks how to resolve a difference between the file on disk and the page. */
 export function ConflictDialog() {
@@ -45,19 +45,11 @@ function Disagreement({ onClose }: { readonly onClose: () => void }) {
 function useTheirs(): LevelFile | null {
   const { workspace } = useEditor();
   const { opened } = useLevel();
-  const [theirs, setTheirs] = useState<LevelFile | null>(null);
-  useEffect(() => {
-    let isGone = false;
-    void workspace.storage.read(opened.id()).then((answer) => {
-      if (isGone || !answer.ok) return;
-      const reading = readStored(answer.value);
-      if (reading.ok) setTheirs(reading.file);
-    });
-    return () => {
-      isGone = true;
-    };
-  }, [workspace, opened]);
-  return theirs;
+  const answer = usePromised(opened, () => workspace.storage.read(opened.id()));
+  return useMemo(() => {
+    const reading = answer?.ok === true ? readStored(answer.value) : null;
+    return reading?.ok === true ? reading.file : null;
+  }, [answer]);
 }
 
 function Merge({ conflicts, onClose }: { readonly conflicts: readonly Conflict[]; readonly onClose: () => void }) {

@@ -1,7 +1,7 @@
 import { compile, EFFECTS, type Mode, maxTicksOf, type Run, simulate, type Terms, type Work } from '../../../engine/index.ts';
 import { playerOf } from '../../../engine/work-precision/index.ts';
 import { type Hold, kindOfList, type Level, OBJECT_LISTS, type Rules } from '../../../schema/index.ts';
-import { type TurnsOptions, timeInTurns } from '../../core/figures/index.ts';
+import { timeInTurns } from '../../core/figures/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 
 export interface SimulatedEffect {
@@ -58,6 +58,8 @@ export function surveyOf({ level, scene, terms, run, full, limit }: LiveProof): 
     runName: run.name,
   };
 }
+
+// what an effect costs: the run with and without it
 
 /** Functions that leave one effect out of a level, by the effect's name. */
 const LEAVE_OUT: Readonly<Record<string, (level: Level) => Level>> = {
@@ -137,19 +139,17 @@ export function savingOf(base: readonly number[], without: readonly number[]): E
 /**
  * Times a run with all effects and without each effect, in turns.
  * @param without the level without each effect, by the effect's name
- * @returns the times by effect; null if aborted
+ * @returns the times by effect
  */
-export async function timeEffects(
+export function* timeEffects(
   level: Level,
   terms: Terms,
   holds: readonly Hold[],
   without: ReadonlyMap<string, Level>,
-  options: TurnsOptions,
-): Promise<ReadonlyMap<string, EffectTime> | null> {
+): Generator<null, ReadonlyMap<string, EffectTime>, void> {
   const players = [level, ...without.values()].map((played) =>
     playerOf([{ level: played, holds }], terms.accuracy, maxTicksOf(terms)),
   );
-  const samples = await timeInTurns(players, options);
-  if (samples === null) return null;
+  const samples = yield* timeInTurns(players, () => performance.now());
   return new Map([...without.keys()].map((name, i) => [name, savingOf(samples[0], samples[i + 1])]));
 }

@@ -6,7 +6,7 @@ import { type Editor, type OpenLevel, useEditor, useLevel, usePageTerms, usePage
 import { VerdictSign } from '../../core/levels/index.ts';
 import { Segments } from '../../core/panel/index.ts';
 import { pictureKey, picturesOf } from '../../core/pictures/index.ts';
-import { Tree } from '../../core/tree/index.ts';
+import { Tree, toggledIn } from '../../core/tree/index.ts';
 import type { Version } from '../../core/versions/index.ts';
 import { agoInWords, clockTime, type HistoryRow, historyRows, keyOf, stepsInWords } from './version-rows.ts';
 
@@ -60,9 +60,7 @@ export function VersionList({ versions, picked, onPick }: VersionListProps) {
           follows
           onActive={setActive}
           onPick={({ version }) => version !== null && onPick(version.number)}
-          onToggle={({ day }) =>
-            setFolded((days) => (days.has(day) ? new Set([...days].filter((other) => other !== day)) : new Set([...days, day])))
-          }
+          onToggle={({ day }) => setFolded((days) => toggledIn(days, day))}
           render={(row) =>
             row.version === null ? (
               <span className="history__day">

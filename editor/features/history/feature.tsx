@@ -1,6 +1,7 @@
 import { Download, Upload } from 'lucide-react';
 import { useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { usePromised } from '../../core/ask/index.ts';
 import type { Command } from '../../core/commands/index.ts';
 import { type Editor, LevelContext, PerLevel, useEditor, useLevel, useSession } from '../../core/context/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
@@ -86,15 +87,8 @@ function History({ onClose }: { readonly onClose: () => void }) {
   const trouble = useStore(editor.versions.trouble);
   const [picked, setPicked] = useState<number | null>(null);
   const [said, setSaid] = useState('');
-  const [isRead, setIsRead] = useState(false);
   const root = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    let isGone = false;
-    void versions.load().then(() => !isGone && setIsRead(true));
-    return () => {
-      isGone = true;
-    };
-  }, [versions]);
+  const isRead = usePromised(versions, (asked) => asked.load().then(() => true)) !== null;
   const isThere = isRead && list !== null && list.length > 0;
   // the dialog itself takes the focus when it opens
   useEffect(() => {

@@ -16,32 +16,8 @@ import { readText } from '../../core/files/index.ts';
 import type { Version } from '../../core/versions/index.ts';
 import { type AnswerOf, type AskedOf, jobs } from '../../workers/index.ts';
 
-/** A version that is compared: loading, damaged, or there. */
-type ReadVersion = LevelFile | 'loading' | 'damaged';
-
 /** With what a version is compared: the level as it is now, or the version before it. */
 export type ComparedWith = 'now' | 'previous';
-
-/** The file of a version. */
-function useVersionFile(version: Version | null): ReadVersion {
-  const { versions } = useLevel().opened;
-  const [read, setRead] = useState<{ readonly of: Version | null; readonly file: ReadVersion }>({ of: null, file: 'loading' });
-  const check = version?.check;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: a version that is renamed is read only once
-  useEffect(() => {
-    if (version === null) return;
-    let isGone = false;
-    void versions.text(version).then((text) => {
-      if (isGone) return;
-      const reading = text === null ? null : readText(text);
-      setRead({ of: version, file: reading?.ok === true ? reading.file : 'damaged' });
-    });
-    return () => {
-      isGone = true;
-    };
-  }, [versions, check]);
-  return read.of !== null && read.of.check === check ? read.file : 'loading';
-}
 
 /** Two versions and what differs. */
 interface Comparison {
@@ -54,20 +30,6 @@ interface Comparison {
   /** The picture and what is true of both; null while it is made; a text if it can't be made. */
   readonly drawn: AnswerOf<typeof jobs.compare> | string | null;
 }
-
-const fileOf = (read: ReadVersion): LevelFile | null => (typeof read === 'string' ? null : read);
-
-/** Two versions in one picture. */
-export const comparisonQuestion = question({
-  job: jobs.compare,
-  request: (of: AskedOf<typeof jobs.compare>) => of,
-  follows: {
-    wait: { rest: 0 },
-    of: (wanted: Wanted<AskedOf<typeof jobs.compare>>) => wanted.getState(),
-    same: (asked, now) => asked === now,
-    on: (wanted) => [wanted.subscribe],
-  },
-});
 
 /** Compares a version with the present level, or with the version before it. */
 export function useComparison(version: Version, previous: Version | null, compared: ComparedWith): Comparison {
@@ -92,12 +54,45 @@ export function useComparison(version: Version, previous: Version | null, compar
   return { version: own, before, after, differences, drawn };
 }
 
-/** A difference that can be taken back alone. */
-export interface DifferencePart {
-  readonly key: string;
-  readonly words: string;
-  readonly change: Change;
+/** Two versions in one picture. */
+export const comparisonQuestion = question({
+  job: jobs.compare,
+  request: (of: AskedOf<typeof jobs.compare>) => of,
+  follows: {
+    wait: { rest: 0 },
+    of: (wanted: Wanted<AskedOf<typeof jobs.compare>>) => wanted.getState(),
+    same: (asked, now) => asked === now,
+    on: (wanted) => [wanted.subscribe],
+  },
+});
+
+/** A version that is compared: loading, damaged, or there. */
+type ReadVersion = LevelFile | 'loading' | 'damaged';
+
+/** The file of a version. */
+function useVersionFile(version: Version | null): ReadVersion {
+  const { versions } = useLevel().opened;
+  const [read, setRead] = useState<{ readonly of: Version | null; readonly file: ReadVersion }>({ of: null, file: 'loading' });
+  const check = version?.check;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a version that is renamed is read only once
+  useEffect(() => {
+    if (version === null) return;
+    let isGone = false;
+    void versions.text(version).then((text) => {
+      if (isGone) return;
+      const reading = text === null ? null : readText(text);
+      setRead({ of: version, file: reading?.ok === true ? reading.file : 'damaged' });
+    });
+    return () => {
+      isGone = true;
+    };
+  }, [versions, check]);
+  return read.of !== null && read.of.check === check ? read.file : 'loading';
 }
+
+const fileOf = (read: ReadVersion): LevelFile | null => (typeof read === 'string' ? null : read);
+
+// what differs, in parts that can be taken back
 
 /** What differs about one object, run or part of the level. */
 export interface Difference {
@@ -105,6 +100,26 @@ export interface Difference {
   /** What it is about; null where the words of its only part say so. */
   readonly title: string | null;
   readonly parts: readonly DifferencePart[];
+}
+
+/** A difference that can be taken back alone. */
+export interface DifferencePart {
+  readonly key: string;
+  readonly words: string;
+  readonly change: Change;
+}
+
+/** What differs between two versions of a level, in the words of `gq diff`, for each object and run. */
+export function differencesBetween(before: LevelFile, after: LevelFile): Difference[] {
+  return diffLevels(before, after).map((change) => {
+    const key = keyOf(change);
+    const parts = partsOf(change).map(([group, part]) => ({
+      key: `${key} ${group}`,
+      words: titled(changesInWords([part], after).join('; ')) || 'Changed',
+      change: part,
+    }));
+    return { key, title: parts.length > 1 ? titleOf(change, after) : null, parts };
+  });
 }
 
 const objectKindOf = (of: string): ObjectKind | null =>
@@ -145,17 +160,4 @@ function keyOf(change: Change): string {
   if (!('of' in change)) return change.type;
   if (change.type === 'added' || change.type === 'removed') return `${change.type} ${change.of} ${change.index}`;
   return change.type === 'changed' ? `changed ${change.of} ${change.after}` : `${change.type} ${change.of}`;
-}
-
-/** What differs between two versions of a level, in the words of `gq diff`, for each object and run. */
-export function differencesBetween(before: LevelFile, after: LevelFile): Difference[] {
-  return diffLevels(before, after).map((change) => {
-    const key = keyOf(change);
-    const parts = partsOf(change).map(([group, part]) => ({
-      key: `${key} ${group}`,
-      words: titled(changesInWords([part], after).join('; ')) || 'Changed',
-      change: part,
-    }));
-    return { key, title: parts.length > 1 ? titleOf(change, after) : null, parts };
-  });
 }

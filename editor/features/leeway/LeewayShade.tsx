@@ -1,8 +1,8 @@
 import { useEffect, useLayoutEffect, useRef } from 'react';
 import { type StoreApi, useStore } from 'zustand';
-import { type CanvasState, COLOURS, type OnCanvas, toLevel, toScreen, type View } from '../../canvas/index.ts';
+import { type Box, type CanvasState, COLOURS, type OnCanvas, toLevel, toScreen, type View } from '../../canvas/index.ts';
 import { useEditor, useLevel, usePageTheme, useSession } from '../../core/context/index.ts';
-import { drawLeeway, type ShadeRect, shapesOf } from './leeway-picture.ts';
+import { drawLeeway, shapesOf } from './leeway-picture.ts';
 import { leewayOf, watchLeeway } from './watch-leeway.ts';
 
 /** px of screen between samples from which on each is marked */
@@ -15,7 +15,7 @@ const drawnZoom = (zoom: number): number => 2 ** (Math.round(2 * Math.log2(zoom)
 
 /** What was drawn last. */
 interface Drawn {
-  readonly frame: ShadeRect;
+  readonly frame: Box;
   /** px of the picture per px of the level */
   readonly scale: number;
 }

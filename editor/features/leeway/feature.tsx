@@ -30,7 +30,7 @@ function LeewayLegend() {
     <figure className="shades shades--left leeway-legend" aria-label="Where the selection may stand">
       <figcaption className="leeway-legend__head">
         <b>{answer === null ? 'Where the selection may stand' : `${movedInWords(answer.question)} may stand`}</b>
-        <Places />
+        <MovedPart />
         {answer !== null && (
           <>
             <p>
@@ -57,7 +57,7 @@ function LeewayLegend() {
 const ALL = 'both';
 
 /** Which places of a selected object move, if it has several. */
-function Places() {
+function MovedPart() {
   const level = useLevel();
   const store = leewayOf(level);
   const only = useStore(store, (state) => state.only);

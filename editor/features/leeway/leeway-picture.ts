@@ -1,30 +1,23 @@
+import type { Box } from '../../canvas/index.ts';
 import { CELL_NUMBERS, type CellState, cornerCompletes, type Leeway, stateOfCode } from '../../workers/index.ts';
-
-/** A rectangle of the level, px. */
-export interface ShadeRect {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
 
 /** What the shade shows, px of the level. */
 interface LeewayShapes {
   /** The run completes the level at their corners and their middles; at places sampled px by px, each is a square of its own. */
-  readonly allowed: readonly ShadeRect[];
+  readonly allowed: readonly Box[];
   /** Not decided yet: not sampled, or samples differ. */
-  readonly open: readonly ShadeRect[];
+  readonly open: readonly Box[];
   /** Sampled places, x and y alternating: where it completes, and where not. */
   readonly good: readonly number[];
   readonly bad: readonly number[];
   /** What was examined. */
-  readonly frame: ShadeRect | null;
+  readonly frame: Box | null;
 }
 
 /** @param least px between sampled places below which they are not told one by one */
 export function shapesOf({ cells, lattice }: Pick<Leeway, 'cells' | 'lattice'>, least: number): LeewayShapes {
-  const allowed: ShadeRect[] = [];
-  const open: ShadeRect[] = [];
+  const allowed: Box[] = [];
+  const open: Box[] = [];
   const places = { good: [] as number[], bad: [] as number[] };
   let frame: { left: number; top: number; right: number; bottom: number } | null = null;
   const { x, y, unit } = lattice;
@@ -60,7 +53,7 @@ export function shapesOf({ cells, lattice }: Pick<Leeway, 'cells' | 'lattice'>, 
 }
 
 /** The places themselves: between them nothing was sampled. */
-function completingCorners({ left, top, right, bottom }: ShadeRect, code: number, unit: number): ShadeRect[] {
+function completingCorners({ left, top, right, bottom }: Box, code: number, unit: number): Box[] {
   const half = unit / 2;
   const corners = [
     [left, top],
@@ -72,6 +65,8 @@ function completingCorners({ left, top, right, bottom }: ShadeRect, code: number
     cornerCompletes(code, k) ? [{ left: x - half, top: y - half, right: x + half, bottom: y + half }] : [],
   );
 }
+
+// how it is painted
 
 /** px of the picture between strokes, and between the dots of what is open */
 const HATCH = 9;
@@ -103,7 +98,7 @@ interface Look {
 
 type Brush = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
-function fill(brush: Brush, rects: readonly ShadeRect[], frame: ShadeRect, scale: number): void {
+function fill(brush: Brush, rects: readonly Box[], frame: Box, scale: number): void {
   brush.beginPath();
   for (const { left, top, right, bottom } of rects)
     brush.rect((left - frame.left) * scale, (top - frame.top) * scale, (right - left) * scale, (bottom - top) * scale);
@@ -111,7 +106,7 @@ function fill(brush: Brush, rects: readonly ShadeRect[], frame: ShadeRect, scale
 }
 
 /** A canvas on which only the rectangles are painted. */
-function maskOf(rects: readonly ShadeRect[], frame: ShadeRect, scale: number, { width, height }: HTMLCanvasElement) {
+function maskOf(rects: readonly Box[], frame: Box, scale: number, { width, height }: HTMLCanvasElement) {
   const mask = new OffscreenCanvas(width, height);
   const brush = mask.getContext('2d');
   if (brush === null) return null;

@@ -1,7 +1,6 @@
 import { nameOf } from '../../core/document/index.ts';
 import type { Leeway, Reach } from '../../workers/index.ts';
-import { objectsAsked, type Question } from './question.ts';
-import type { LeewayFindings } from './watch-leeway.ts';
+import { type LeewayFindings, objectsAsked, type Question } from './watch-leeway.ts';
 
 const number = (px: number): string => String(Number(px.toFixed(2)));
 
@@ -19,17 +18,13 @@ export function movedInWords(question: Pick<Question, 'file' | 'keys' | 'only'>)
   return `${place.charAt(0).toUpperCase()}${place.slice(1)} of ${name.toLowerCase()}`;
 }
 
-const WAYS = { left: 'left', right: 'right', up: 'up', down: 'down' } as const;
-
 function freeInWords({ direction, same, isEnd }: Reach): string {
-  const way = WAYS[direction];
-  if (!isEnd) return `${way} ${same} px or more`;
-  return same === 0 ? `${way} not at all` : `${way} ${same} px`;
+  if (!isEnd) return `${direction} ${same} px or more`;
+  return same === 0 ? `${direction} not at all` : `${direction} ${same} px`;
 }
 
 function neededInWords({ direction, same, isEnd }: Reach): string {
-  const way = WAYS[direction];
-  return isEnd ? `${way} by ${same + 1} px` : `${way} not within ${same} px`;
+  return isEnd ? `${direction} by ${same + 1} px` : `${direction} not within ${same} px`;
 }
 
 /** How far it may go in each direction, simulated px by px; null: not known yet. */

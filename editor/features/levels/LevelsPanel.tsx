@@ -7,11 +7,10 @@ import { useEditor } from '../../core/context/index.ts';
 import { errorInWords } from '../../core/files/index.ts';
 import { deleteLevel, duplicateLevel, followSaves, openListed } from '../../core/levels/index.ts';
 import { SamplesButton, TextDialog } from '../../core/panel/index.ts';
-import { Tree } from '../../core/tree/index.ts';
+import { Tree, toggledIn } from '../../core/tree/index.ts';
 import { Button, focusHome } from '../../core/ui/index.ts';
 import { FolderLine, LevelLine } from './LevelLine.tsx';
-import { copyPath, levelMenu, moveTo } from './level-menu.ts';
-import { type LevelRow, levelRows } from './level-rows.ts';
+import { copyPath, type LevelRow, levelMenu, levelRows, moveTo } from './level-rows.ts';
 import './levels.css';
 import { RenameDialog } from './RenameDialog.tsx';
 
@@ -103,9 +102,7 @@ export function LevelsPanel() {
           active={active}
           onActive={setActive}
           onPick={pick}
-          onToggle={({ title }) =>
-            setFolded((now) => (now.has(title) ? new Set([...now].filter((other) => other !== title)) : new Set([...now, title])))
-          }
+          onToggle={({ title }) => setFolded((now) => toggledIn(now, title))}
           onMove={({ entry }, place) => moveTo(editor, levels, entry, place)}
           onKey={onKey}
           menu={menu}

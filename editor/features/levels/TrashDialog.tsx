@@ -1,8 +1,7 @@
 import { RotateCcw } from 'lucide-react';
-import { useEffect, useState } from 'react';
-import type { TrashEntry } from '../../../schema/index.ts';
+import { usePromised } from '../../core/ask/index.ts';
 import { useEditor, useSession } from '../../core/context/index.ts';
-import { errorInWords, type StorageError } from '../../core/files/index.ts';
+import { errorInWords } from '../../core/files/index.ts';
 import { restoreLevel } from '../../core/levels/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
 
@@ -21,24 +20,10 @@ export function TrashDialog() {
 function Trash({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const { storage } = editor.workspace;
-  const [entries, setEntries] = useState<readonly TrashEntry[] | null>(null);
-  const [error, setError] = useState<StorageError | null>(null);
-  useEffect(() => {
-    let isGone = false;
-    void storage.trash().then((answer) => {
-      if (isGone) return;
-      if (answer.ok) setEntries(answer.value);
-      else setError(answer.error);
-    });
-    return () => {
-      isGone = true;
-    };
-  }, [storage]);
-
-  if (error !== null) {
-    return <p role="alert">{errorInWords(error)}</p>;
-  }
-  if (entries === null) return <p>Loading…</p>;
+  const answer = usePromised(storage, (asked) => asked.trash());
+  if (answer === null) return <p>Loading…</p>;
+  if (!answer.ok) return <p role="alert">{errorInWords(answer.error)}</p>;
+  const entries = answer.value;
   if (entries.length === 0) return <p className="trash__empty">No deleted levels.</p>;
   return (
     <ul className="trash">

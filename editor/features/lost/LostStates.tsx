@@ -11,6 +11,9 @@ import { useRunLoss } from './RunLoss.tsx';
 import './lost.css';
 import { type LostSession, watchLost } from './watch-lost.ts';
 
+/** The examination of where an open level is already lost. */
+export const lostSessionOf = ofLevel<LostSession>(({ session, desk }, level) => watchLost({ level, session, desk }));
+
 /** Places that are listed. */
 const MOST = 8;
 
@@ -143,6 +146,3 @@ export function LostLegend() {
     </figure>
   );
 }
-
-/** The examination of where an open level is already lost. */
-export const lostSessionOf = ofLevel<LostSession>(({ session, desk }, level) => watchLost({ level, session, desk }));

@@ -31,6 +31,8 @@ export const lostOf = ofDocument(() => createStore<LostFindings>(() => ({ phase:
 
 const plural = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
 
+// in words: where the level is lost
+
 /** How many lost states after which she lives on are known, apart: proved, and from which no run was found. */
 export function countLost({ losing }: Pick<LostFindings, 'losing'>): { readonly proved: number; readonly notFound: number } {
   const states = losing?.states ?? [];
@@ -57,6 +59,8 @@ export function lostInWords(findings: LostFindings): string {
 }
 
 const seconds = (ticks: number): string => `${(ticks * TICK).toFixed(2)} s`;
+
+// in words: since when a run was lost
 
 /**
  * Since when a run was lost, to follow its name: `lost from 2.35 s on (proved)`. What is proved and what is only not found are

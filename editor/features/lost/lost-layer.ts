@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
 import { type Colours, colourNumber, type Drawing, type Frame } from '../../canvas/index.ts';
-import { LOST_SQUARE, type LostPicture, type LostSquare, type LostWay } from './lost-picture.ts';
+import { LOST_SQUARE, type LostPicture, type LostSquare, type LostStretch } from './lost-picture.ts';
 
 /** px of screen between the strokes of a proved square, and between the dots of another */
 const HATCH = 7;
@@ -11,30 +11,30 @@ const MOST_ACROSS = 8;
 /** Squares in which it is already lost, and the parts of paths on which she is: strokes if it is proved, dots if not. */
 export class LostLayer implements Drawing<LostPicture | null> {
   private readonly shade: GameObjects.Graphics;
-  private readonly ways: GameObjects.Graphics;
+  private readonly stretches: GameObjects.Graphics;
   private readonly colour: number;
 
   constructor(scene: Scene, colours: Colours) {
     this.shade = scene.add.graphics().setDepth(0.35);
-    this.ways = scene.add.graphics().setDepth(7.6);
+    this.stretches = scene.add.graphics().setDepth(7.6);
     this.colour = colourNumber(colours.lost);
   }
 
   /** @param picture null: nothing is shown */
   show(picture: LostPicture | null, { zoom }: Frame): void {
     this.shade.clear();
-    this.ways.clear();
+    this.stretches.clear();
     if (picture === null) return;
     for (const square of picture.squares) {
       if (square.known === 'proved') this.hatch(square, zoom);
       else this.dots(square, zoom);
     }
-    for (const way of picture.ways) this.way(way, zoom);
+    for (const stretch of picture.stretches) this.stretch(stretch, zoom);
   }
 
   destroy(): void {
     this.shade.destroy();
-    this.ways.destroy();
+    this.stretches.destroy();
   }
 
   /** Strokes that go on from square to square. */
@@ -62,26 +62,26 @@ export class LostLayer implements Drawing<LostPicture | null> {
     }
   }
 
-  private way({ at, known, points, isShownRun }: LostWay, zoom: number): void {
+  private stretch({ at, known, points, isShownRun }: LostStretch, zoom: number): void {
     const isProved = known === 'proved';
     const width = (isShownRun ? 7 : 4) / zoom;
     if (isProved) {
-      this.ways.lineStyle(width, this.colour, 0.4).beginPath().moveTo(points[0], points[1]);
-      for (let i = 2; i < points.length; i += 2) this.ways.lineTo(points[i], points[i + 1]);
-      this.ways.strokePath();
+      this.stretches.lineStyle(width, this.colour, 0.4).beginPath().moveTo(points[0], points[1]);
+      for (let i = 2; i < points.length; i += 2) this.stretches.lineTo(points[i], points[i + 1]);
+      this.stretches.strokePath();
     } else {
       const gap = (3 * width) / 2;
       let [x, y] = [Number.NEGATIVE_INFINITY, 0];
-      this.ways.fillStyle(this.colour, 0.7);
+      this.stretches.fillStyle(this.colour, 0.7);
       for (let i = 0; i < points.length; i += 2) {
         if (Math.hypot(points[i] - x, points[i + 1] - y) < gap) continue;
         [x, y] = [points[i], points[i + 1]];
-        this.ways.fillCircle(x, y, width / 3);
+        this.stretches.fillCircle(x, y, width / 3);
       }
     }
     // where it begins: a filled diamond if it is proved, else an open one
     const arm = (isShownRun ? 8 : 6) / zoom;
-    this.ways
+    this.stretches
       .fillStyle(this.colour, 1)
       .lineStyle(2 / zoom, this.colour, 1)
       .beginPath()
@@ -90,7 +90,7 @@ export class LostLayer implements Drawing<LostPicture | null> {
       .lineTo(at.x, at.y + arm)
       .lineTo(at.x - arm, at.y)
       .closePath();
-    if (isProved) this.ways.fillPath();
-    this.ways.strokePath();
+    if (isProved) this.stretches.fillPath();
+    this.stretches.strokePath();
   }
 }

@@ -5,7 +5,7 @@ import { accuracyNameOf, type Loss, type LostKnown, type LostMoment, type LostSt
 import { type LostFindings, lossKey } from './index.ts';
 
 /** The part of a path on which she is lost, and where it begins. */
-export interface LostWay {
+export interface LostStretch {
   readonly at: LostMoment;
   readonly known: LostKnown;
   /** x, y in px, alternating, from the moment on. */
@@ -17,16 +17,20 @@ export interface LostWay {
 /** What the shade of lost states shows on the canvas. */
 export interface LostPicture {
   readonly squares: readonly LostSquare[];
-  readonly ways: readonly LostWay[];
+  readonly stretches: readonly LostStretch[];
 }
 
-/** ticks between two points of a way */
+/** ticks between two points of a stretch */
 const EACH = 2;
 
 /** The stretches of a path: from where no run was found, and from where it is proved. */
-function waysOf(loss: Loss, isShownRun: boolean, pointAt: (tick: number) => readonly [number, number] | null): LostWay[] {
+function stretchesOf(
+  loss: Loss,
+  isShownRun: boolean,
+  pointAt: (tick: number) => readonly [number, number] | null,
+): LostStretch[] {
   const { lost, proved, last } = loss;
-  const ways: LostWay[] = [];
+  const stretches: LostStretch[] = [];
   for (const [at, until] of [
     [lost, proved?.tick ?? last],
     [proved, last],
@@ -34,9 +38,9 @@ function waysOf(loss: Loss, isShownRun: boolean, pointAt: (tick: number) => read
     if (at === null || (at === lost && proved !== null && proved.tick <= at.tick)) continue;
     const points: number[] = [];
     for (let tick = at.tick; tick <= until; tick += EACH) points.push(...(pointAt(tick) ?? []));
-    ways.push({ at, known: at === proved ? 'proved' : 'not found', points, isShownRun });
+    stretches.push({ at, known: at === proved ? 'proved' : 'not found', points, isShownRun });
   }
-  return ways;
+  return stretches;
 }
 
 /** An attempt of which the path is known. */
@@ -57,11 +61,11 @@ export function lostPictureOf(
   const others = attempts.flatMap(({ key, points }) => {
     const loss = losses.get(key);
     if (loss === undefined || loss.completes) return [];
-    return waysOf(loss, false, (tick) => (2 * tick + 1 < points.length ? [points[2 * tick], points[2 * tick + 1]] : null));
+    return stretchesOf(loss, false, (tick) => (2 * tick + 1 < points.length ? [points[2 * tick], points[2 * tick + 1]] : null));
   });
   return {
     squares: squaresOf(losing?.states ?? []),
-    ways: [...others, ...(own === undefined ? [] : waysOf(own, true, along))],
+    stretches: [...others, ...(own === undefined ? [] : stretchesOf(own, true, along))],
   };
 }
 

@@ -138,7 +138,7 @@ interface Traced extends Examined {
 
 interface Losers extends Shade {
   /** The runs of which nothing more is found, by {@link lossKey}. */
-  readonly settled: ReadonlySet<string>;
+  readonly finished: ReadonlySet<string>;
 }
 
 const tracedKey = ({ level, traced }: Traced): string => (level() === null ? '' : traced().join(';'));
@@ -152,11 +152,11 @@ export const lossesQuestion = question({
   },
   follows: {
     wait: { rest: 500 },
-    of({ level, session, settled }: Losers): Traced | null {
+    of({ level, session, finished }: Losers): Traced | null {
       if (!session.getState().layers.lost) return null;
       const examined = examinedNow(level);
       const name = accuracyNameOf(examined.terms);
-      return { ...examined, traced: once(() => examined.failing().filter((holds) => !settled.has(lossKey(holds, name)))) };
+      return { ...examined, traced: once(() => examined.failing().filter((holds) => !finished.has(lossKey(holds, name)))) };
     },
     same: (asked, now) => asked.scene === now.scene && tracedKey(asked) === tracedKey(now),
     on: changesOf,
@@ -171,16 +171,16 @@ const PHASES = { idle: 'off', nothing: 'needs a run', asking: 'examining' } as c
  */
 export function watchLost({ level, session, desk }: LostParts): LostSession {
   const store = lostOf(level);
-  const settled = new Set<string>();
+  const finished = new Set<string>();
   const states = lostQuestion(desk, { level, session });
-  const runs = lossesQuestion(desk, { level, session, settled });
+  const runs = lossesQuestion(desk, { level, session, finished });
   let scene: Scene | null = null;
 
   const show = () => {
     const { phase, of, progress, answer, message } = states.store.getState();
     if (of === null || of.scene !== scene) {
       scene = of?.scene ?? null;
-      settled.clear();
+      finished.clear();
       store.setState(NOTHING_LOST);
     }
     const isAsked = phase !== 'idle' && phase !== 'waiting' && phase !== 'nothing';
@@ -198,7 +198,7 @@ export function watchLost({ level, session, desk }: LostParts): LostSession {
       const known = new Map(store.getState().losses);
       for (const [i, loss] of found.losses.entries()) known.set(lossKey(of.traced()[i], name), loss);
       store.setState({ losses: known });
-      if (phase === 'done') for (const holds of of.traced()) settled.add(lossKey(holds, name));
+      if (phase === 'done') for (const holds of of.traced()) finished.add(lossKey(holds, name));
     }),
   ];
   return {

@@ -47,37 +47,6 @@ export const mend: Feature = {
   open: ({ session, settings, desk }, level) => watchMend({ level, session, settings, desk, alive: aliveOf(level) }),
 };
 
-interface FindProps {
-  readonly own: MendSession;
-  readonly mended: Mended;
-  readonly after: LevelFile;
-  readonly isShown: boolean;
-}
-
-function Find({ own, mended, after, isShown }: FindProps) {
-  const { run, time, slack } = mended;
-  const forgives = slack === null ? '' : `, slack ${plural(slack, 'tick')}`;
-  return (
-    <Offer
-      text={mendedInWords(mended, after)}
-      figures={`run ${JSON.stringify(run)}: ${seconds(time)}${forgives}`}
-      isShown={isShown}
-      onPreview={() => own.preview(mended)}
-      onBack={own.back}
-      onTake={own.take}
-    />
-  );
-}
-
-/** What the search for what mends the level says about itself. */
-function standing({ phase, mending }: MendState): string {
-  const found = mending?.found.length ?? 0;
-  if (phase === 'failed') return 'Seeking failed. Try again, or undo the change.';
-  if (phase === 'seeking') return found === 0 ? 'Seeking what mends the level.' : 'More is sought.';
-  if (found === 0) return 'Nothing was found. This does not prove that there is nothing: undo takes the change back.';
-  return 'Each is the smallest that was tried of its kind.';
-}
-
 /** The offer to mend what the last change broke: a sentence over the canvas, and what was found once it is asked for. */
 function MendCard() {
   const own = mendSessionOf(useLevel());
@@ -135,10 +104,41 @@ function Card({ own }: { readonly own: MendSession }) {
             </ol>
           )}
           <p className="part__note" role="status">
-            {standing(state)}
+            {summaryOf(state)}
           </p>
         </>
       )}
     </section>
   );
+}
+
+interface FindProps {
+  readonly own: MendSession;
+  readonly mended: Mended;
+  readonly after: LevelFile;
+  readonly isShown: boolean;
+}
+
+function Find({ own, mended, after, isShown }: FindProps) {
+  const { run, time, slack } = mended;
+  const forgives = slack === null ? '' : `, slack ${plural(slack, 'tick')}`;
+  return (
+    <Offer
+      text={mendedInWords(mended, after)}
+      figures={`run ${JSON.stringify(run)}: ${seconds(time)}${forgives}`}
+      isShown={isShown}
+      onPreview={() => own.preview(mended)}
+      onBack={own.back}
+      onTake={own.take}
+    />
+  );
+}
+
+/** What the search for what mends the level says about itself. */
+function summaryOf({ phase, mending }: MendState): string {
+  const found = mending?.found.length ?? 0;
+  if (phase === 'failed') return 'Seeking failed. Try again, or undo the change.';
+  if (phase === 'seeking') return found === 0 ? 'Seeking what mends the level.' : 'More is sought.';
+  if (found === 0) return 'Nothing was found. This does not prove that there is nothing: undo takes the change back.';
+  return 'Each is the smallest that was tried of its kind.';
 }

@@ -3,13 +3,13 @@ import { type Mended, mendedInWords } from '../../../check/index.ts';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { joinHolds, simulate } from '../../../engine/index.ts';
 import type { LevelFile } from '../../../schema/index.ts';
-import { type Desk, question } from '../../core/ask/index.ts';
+import { type Desk, onDemand } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { type DocumentEvent, freeRunName, type Recipe, type StepMark } from '../../core/document/index.ts';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { createPreview, type SessionStore } from '../../core/session/index.ts';
 import type { SettingsStore } from '../../core/settings/index.ts';
-import { type AskedOf, jobs, type Mending } from '../../workers/index.ts';
+import { jobs, type Mending } from '../../workers/index.ts';
 import type { AliveState } from '../alive/index.ts';
 
 /** Seeks what mends the level. */
@@ -59,7 +59,7 @@ interface MendParts {
 }
 
 /** What mends a level that a change has broken. */
-export const mendQuestion = question({ job: jobs.mend, request: (of: AskedOf<typeof jobs.mend>) => of });
+export const mendQuestion = onDemand(jobs.mend);
 
 const NONE: MendState = { phase: 'none', sentence: '', mending: null, previewed: null, after: null };
 

@@ -6,11 +6,18 @@ import type { Rect } from './card-position.ts';
 import { type Figures, type FormerRun, figuresOf } from './former.ts';
 import { changedObjects } from './onion-picture.ts';
 import { type Difference, rowsOf, whyUnknown } from './rows.ts';
-import { followInput, placesOnPage, type Surroundings, useCardPlace } from './use-card-position.ts';
+import { followInput, locateOnPage, type Surroundings, useCardPosition } from './use-card-position.ts';
 import { type OnionSession, onionOf, watchOnion } from './watch-onion.ts';
 import './onion.css';
 import type { LiveProof } from '../../core/proof/index.ts';
 import { solverSessionOf } from '../solver/index.ts';
+
+/** The comparison of an open level with what was before a change. */
+export const onionSessionOf = ofLevel<OnionSession>((editor, level) => {
+  const { session, desk } = editor;
+  const { robustness } = solverSessionOf(editor, level);
+  return watchOnion({ level, session, desk, robustness: robustness.store });
+});
 
 /** A sign and a word for each difference, so that colour is not the only one. */
 const SIGNS: Readonly<Record<Difference, readonly [sign: string, word: string]>> = {
@@ -34,7 +41,7 @@ export function OnionCard({ host, canvas }: OnCanvas) {
   const level = useLevel();
   const onion = onionSessionOf(useEditor(), level);
   const store = onionOf(level);
-  const places = useMemo(() => placesOnPage(level, { host, canvas }), [level, host, canvas]);
+  const places = useMemo(() => locateOnPage(level, { host, canvas }), [level, host, canvas]);
   const former = useStore(store, (state) => state.former);
   const said = useStore(store, (state) => state.said);
   const isEdited = useSession(({ mode }) => mode === 'edit');
@@ -66,7 +73,7 @@ function Card({ former, whereAre, wayOnPage }: CardProps) {
     }),
     [former, level, whereAre, wayOnPage],
   );
-  useCardPlace(card, phase, around);
+  useCardPosition(card, phase, around);
   return (
     <div ref={card} className="onion" role="note" aria-label="Before and after the change">
       <p className="onion__head">before → after</p>
@@ -170,10 +177,3 @@ function useOnionEvents(onion: OnionSession): void {
     return () => stopping.abort();
   }, [onion]);
 }
-
-/** The comparison of an open level with what was before a change. */
-export const onionSessionOf = ofLevel<OnionSession>((editor, level) => {
-  const { session, desk } = editor;
-  const { robustness } = solverSessionOf(editor, level);
-  return watchOnion({ level, session, desk, robustness: robustness.store });
-});

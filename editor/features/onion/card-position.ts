@@ -11,7 +11,7 @@ interface Size {
   readonly height: number;
 }
 
-interface Place {
+interface Corner {
   readonly x: number;
   readonly y: number;
 }
@@ -21,7 +21,7 @@ export type Side = 'right' | 'left' | 'below' | 'above';
 const SIDES: readonly Side[] = ['right', 'left', 'below', 'above'];
 
 /** Where a card stands: its left and upper edge, px of the page. */
-export interface CardPlace extends Place {
+export interface CardPosition extends Corner {
   /** null: no side has room, and it covers what it stands beside */
   readonly side: Side | null;
 }
@@ -31,7 +31,7 @@ const MARGIN = 8;
 
 const within = (value: number, size: number, room: number): number => Math.max(MARGIN, Math.min(room - size - MARGIN, value));
 
-function placeAt(side: Side, beside: Rect, card: Size, page: Size): Place {
+function positionAt(side: Side, beside: Rect, card: Size, page: Size): Corner {
   const y = within((beside.top + beside.bottom - card.height) / 2, card.height, page.height);
   const x = within((beside.left + beside.right - card.width) / 2, card.width, page.width);
   switch (side) {
@@ -52,16 +52,22 @@ function placeAt(side: Side, beside: Rect, card: Size, page: Size): Place {
  * @param covered points that it should not cover, px of the page
  * @param side where it stood last: it stays there for as long as there is room, so that it does not jump about
  */
-export function cardPlace(beside: Rect, card: Size, page: Size, covered: () => readonly Place[], side: Side | null): CardPlace {
-  const fits = ({ x, y }: Place) =>
+export function cardPosition(
+  beside: Rect,
+  card: Size,
+  page: Size,
+  covered: () => readonly Corner[],
+  side: Side | null,
+): CardPosition {
+  const fits = ({ x, y }: Corner) =>
     x >= MARGIN && x + card.width <= page.width - MARGIN && y >= MARGIN && y + card.height <= page.height - MARGIN;
-  const places = SIDES.map((name) => ({ side: name, ...placeAt(name, beside, card, page) })).filter(fits);
+  const places = SIDES.map((name) => ({ side: name, ...positionAt(name, beside, card, page) })).filter(fits);
   const stays = places.find((place) => place.side === side);
   if (stays !== undefined) return stays;
   const points = covered();
-  const count = ({ x, y }: Place) =>
+  const count = ({ x, y }: Corner) =>
     points.filter((point) => point.x > x && point.x < x + card.width && point.y > y && point.y < y + card.height).length;
-  let best: CardPlace | null = null;
+  let best: CardPosition | null = null;
   let least = Number.POSITIVE_INFINITY;
   for (const place of places) {
     const covers = count(place);

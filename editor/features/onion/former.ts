@@ -34,6 +34,8 @@ export const isShown = ({ name, terms }: FormerRun, now: Pick<LiveProof, 'run' |
 export const playsLike = (former: FormerRun, now: LiveProof): boolean =>
   playsAlike(former, now) && former.holds.join() === now.run.holds.join();
 
+// what is compared of a run
+
 /** What is known of a run, to compare it with another. */
 export interface Figures {
   /** How it ends; null: it was not simulated to its end. */

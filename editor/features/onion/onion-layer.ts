@@ -1,6 +1,6 @@
 import type { GameObjects, Scene } from 'phaser';
-import { type Colours, colourNumber, type Drawing, type Frame, linesOf, Rings } from '../../canvas/index.ts';
-import { dashesOf, type OnionPicture } from './onion-picture.ts';
+import { type Colours, colourNumber, type Drawing, dashesOf, type Frame, linesOf, Rings } from '../../canvas/index.ts';
+import type { OnionPicture } from './onion-picture.ts';
 
 /** px of screen of a dash and of the gap after it */
 const DASH = 6;

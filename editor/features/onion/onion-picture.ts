@@ -1,6 +1,5 @@
-import type { Box } from '../../../engine/index.ts';
 import { type Disc, KINDS, type LevelFile } from '../../../schema/index.ts';
-import type { Line } from '../../canvas/index.ts';
+import type { Box } from '../../canvas/index.ts';
 import { type FoundObject, type ObjectKey, objectsOf, placesOf, radiusOf } from '../../core/document/index.ts';
 import type { FormerRun } from './former.ts';
 
@@ -8,14 +7,6 @@ import type { FormerRun } from './former.ts';
 interface Link {
   readonly from: { readonly x: number; readonly y: number };
   readonly to: { readonly x: number; readonly y: number };
-}
-
-/** An upright rectangle, px of the level. */
-interface Extent {
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
 }
 
 /** At most so many outlines are shown: more would hide the level, and take longer to draw than a frame lasts. */
@@ -28,10 +19,10 @@ export interface OnionPicture {
   /** Outlines of the objects that differ, where they were; none if they are too many to be told apart. */
   readonly discs: readonly Disc[];
   /** The box around all of them, where they were, if they are too many; else null. */
-  readonly extent: Extent | null;
+  readonly extent: Box | null;
   /** The place of the astronaut's start if that differs, and her box. */
   readonly start: { readonly x: number; readonly y: number } | null;
-  readonly her: Box;
+  readonly her: FormerRun['her'];
   /** From where the objects were to where they are. */
   readonly links: readonly Link[];
 }
@@ -56,7 +47,7 @@ export function onionPictureOf({ file: before, her, points }: FormerRun, file: L
   return { points, discs: [], extent: extentOf(discs), start, her, links: links.filter(isHers) };
 }
 
-const extentOf = (discs: readonly Disc[]): Extent =>
+const extentOf = (discs: readonly Disc[]): Box =>
   discs.reduce(
     ({ left, top, right, bottom }, { x, y, radius }) => ({
       left: Math.min(left, x - radius),
@@ -66,6 +57,8 @@ const extentOf = (discs: readonly Disc[]): Extent =>
     }),
     { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity },
   );
+
+// the objects that a change has touched
 
 /** An object that a change moved, resized or deleted. */
 interface ChangedObject {
@@ -90,51 +83,4 @@ export function changedObjects(before: LevelFile, after: LevelFile): ChangedObje
     if (is === null || (is.object !== was.object && looksOther(was, is))) changed.push({ key, was, is });
   }
   return changed;
-}
-
-/** At most so many dashes in all: a longer line gets longer ones. */
-const MOST = 1500;
-
-const lengthOf = (line: Line): number => {
-  let length = 0;
-  for (let i = 2; i < line.length; i += 2) length += Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
-  return length;
-};
-
-/**
- * The dashes of lines, each with a gap of its own length after it.
- * @param length of a dash along the line
- * @returns a line for each
- */
-export function dashesOf(lines: readonly Line[], length: number): Line[] {
-  const all = lines.reduce((sum, line) => sum + lengthOf(line), 0);
-  const dash = Math.max(length, all / (2 * MOST));
-  return lines.flatMap((line) => dashesOfLine(line, dash));
-}
-
-function dashesOfLine(line: Line, dash: number): Line[] {
-  if (line.length < 4) return [];
-  const dashes: number[][] = [];
-  let drawn: number[] | null = [line[0], line[1]];
-  let left = dash;
-  for (let i = 2; i < line.length; i += 2) {
-    let [x, y] = [line[i - 2], line[i - 1]];
-    let rest = Math.hypot(line[i] - x, line[i + 1] - y);
-    while (rest > left) {
-      const share = left / rest;
-      x += (line[i] - x) * share;
-      y += (line[i + 1] - y) * share;
-      rest -= left;
-      left = dash;
-      if (drawn === null) drawn = [x, y];
-      else {
-        dashes.push([...drawn, x, y]);
-        drawn = null;
-      }
-    }
-    left -= rest;
-    drawn?.push(line[i], line[i + 1]);
-  }
-  if (drawn !== null && drawn.length >= 4) dashes.push(drawn);
-  return dashes;
 }

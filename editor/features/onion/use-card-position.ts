@@ -1,7 +1,7 @@
 import { type RefObject, useCallback, useEffect, useLayoutEffect, useRef } from 'react';
 import { extentOf, type OnCanvas, pointsOfWay, toScreen } from '../../canvas/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
-import { cardPlace, type Rect, type Side } from './card-position.ts';
+import { cardPosition, type Rect, type Side } from './card-position.ts';
 import type { Comparison } from './watch-onion.ts';
 
 /** px that the card keeps from what it stands beside: a finger and the hand behind it cover more than a pointer */
@@ -53,7 +53,7 @@ function marginsOf({ objects }: Surroundings, input: Exclude<Input, { by: 'keys'
 }
 
 /** Keeps a card beside the pointer, or beside the changed objects, for as long as the change is in progress. */
-export function useCardPlace(card: RefObject<HTMLElement | null>, phase: Comparison['phase'], around: Surroundings): void {
+export function useCardPosition(card: RefObject<HTMLElement | null>, phase: Comparison['phase'], around: Surroundings): void {
   const anchor = useRef<Rect | null>(null);
   const margins = useRef<Rect | null>(null);
   const size = useRef({ width: 0, height: 0 });
@@ -71,7 +71,7 @@ export function useCardPlace(card: RefObject<HTMLElement | null>, phase: Compari
   const put = useCallback(() => {
     if (card.current === null || anchor.current === null) return;
     const page = { width: window.innerWidth, height: window.innerHeight };
-    const { x, y, ...place } = cardPlace(anchor.current, size.current, page, around.way, side.current);
+    const { x, y, ...place } = cardPosition(anchor.current, size.current, page, around.way, side.current);
     side.current = place.side;
     card.current.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }, [card, around]);
@@ -106,6 +106,8 @@ export function useCardPlace(card: RefObject<HTMLElement | null>, phase: Compari
   }, [card, phase, anchorNow, put]);
 }
 
+// what the user did last
+
 /** The last input anywhere on the page: a key, or the pointer and where it was, px of the page. */
 type Input = { readonly by: 'keys' } | { readonly by: 'mouse' | 'touch'; readonly x: number; readonly y: number };
 
@@ -129,11 +131,13 @@ export function followInput(signal: AbortSignal): void {
   window.addEventListener('keydown', onKey, options);
 }
 
+// where the canvas shows things on the page
+
 /** px below the upper edge of the canvas, where the tools stand */
 const TOOLS = 56;
 
 /** Finds on the page what the canvas shows; px of the page. @param host the element of the canvas */
-export function placesOnPage(level: OpenLevel, { host, canvas }: OnCanvas) {
+export function locateOnPage(level: OpenLevel, { host, canvas }: OnCanvas) {
   const canvasBox = () => host.current?.getBoundingClientRect() ?? { left: 0, top: 0, right: 0, bottom: 0 };
   return {
     /** The box around objects; the upper left corner of the canvas if there are none or they are not in view. */

@@ -8,6 +8,25 @@ import { type FormerRun, figuresOf, formerOf, isShown, playsLike, replayFormer }
 import { rowsInWords, rowsOf, whyUnknown } from './rows.ts';
 import { createFormerSlack, MEASURING, type ShownSlack, type SlackKnown, shownSlack } from './slack.ts';
 
+/** What the page compares the shown run with. */
+export interface Comparison {
+  /** null: nothing is compared. */
+  readonly former: FormerRun | null;
+  /** `held`: the change is in progress. `ended`: it has just ended. `asked`: by the command. */
+  readonly phase: 'held' | 'ended' | 'asked';
+  /** The slack of the former run. */
+  readonly slack: SlackKnown;
+  /** The slack of the shown run. */
+  readonly slackNow: SlackKnown;
+  /** The differences when the last change ended, for a screen reader. */
+  readonly said: string;
+}
+
+/** What the shown run of a level is compared with. */
+export const onionOf = ofDocument(() =>
+  createStore<Comparison>(() => ({ former: null, phase: 'ended', slack: MEASURING, slackNow: MEASURING, said: '' })),
+);
+
 /** Compares with before the last change. */
 export const COMPARE_KEY = 'Shift+b';
 
@@ -48,7 +67,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
   const isOn = () => session.getState().layers.onion;
   const isInHand = () => document.committedFile() !== document.file();
   /** The shown run of the level at rest, and what it was before the last step. */
-  let settled: FormerRun | null = null;
+  let atRest: FormerRun | null = null;
   let last: FormerRun | null = null;
   /** The number of steps when `last` was set: a step that grows does not change it. */
   let done = document.store.getState().done;
@@ -108,11 +127,11 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
     if (!isOn()) return;
     const now = proof.proof();
     if (isInHand()) {
-      if (settled !== null && settled.file === document.committedFile() && !playsLike(settled, now)) show(settled, 'held');
+      if (atRest !== null && atRest.file === document.committedFile() && !playsLike(atRest, now)) show(atRest, 'held');
       return;
     }
-    const before = settled;
-    settled = formerOf(now);
+    const before = atRest;
+    atRest = formerOf(now);
     if (before === null) return;
     if (before.file === now.file) {
       // a gesture was cancelled, another run is shown, or the terms are others
@@ -129,9 +148,9 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
   };
   /** The end of a gesture: nothing visible changes. */
   const onStep = (event: DocumentEvent) => {
-    if (!isOn() || settled?.file === event.file) return;
-    const before = settled;
-    settled = formerOf(proof.proof());
+    if (!isOn() || atRest?.file === event.file) return;
+    const before = atRest;
+    atRest = formerOf(proof.proof());
     // the layer was hidden when the gesture began
     if (before?.file !== event.before) return;
     last = before;
@@ -141,17 +160,17 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
   const onRobustness = () => {
     if (!isOn()) return;
     const slackNow = shownSlack(robustness.getState());
-    if (settled !== null && !isInHand() && settled.file === proof.proof().file) former.keep(settled, slackNow);
+    if (atRest !== null && !isInHand() && atRest.file === proof.proof().file) former.keep(atRest, slackNow);
     if (store.getState().former !== null) store.setState({ slackNow });
   };
   const look = () => {
     if (isOn()) {
-      settled ??= isInHand() ? null : formerOf(proof.proof());
+      atRest ??= isInHand() ? null : formerOf(proof.proof());
       return;
     }
     hide();
     store.setState({ said: '' });
-    settled = null;
+    atRest = null;
     last = null;
   };
   look();
@@ -177,7 +196,7 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
         return;
       }
       hide();
-      settled = formerOf(proof.proof());
+      atRest = formerOf(proof.proof());
     },
     dismiss() {
       if (store.getState().phase === 'ended') hide();
@@ -203,22 +222,3 @@ export function watchOnion({ level, session, desk, robustness }: OnionParts): On
     },
   };
 }
-
-/** What the page compares the shown run with. */
-export interface Comparison {
-  /** null: nothing is compared. */
-  readonly former: FormerRun | null;
-  /** `held`: the change is in progress. `ended`: it has just ended. `asked`: by the command. */
-  readonly phase: 'held' | 'ended' | 'asked';
-  /** The slack of the former run. */
-  readonly slack: SlackKnown;
-  /** The slack of the shown run. */
-  readonly slackNow: SlackKnown;
-  /** The differences when the last change ended, for a screen reader. */
-  readonly said: string;
-}
-
-/** What the shown run of a level is compared with. */
-export const onionOf = ofDocument(() =>
-  createStore<Comparison>(() => ({ former: null, phase: 'ended', slack: MEASURING, slackNow: MEASURING, said: '' })),
-);

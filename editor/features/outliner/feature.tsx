@@ -16,7 +16,7 @@ import {
   reorderObject,
 } from '../../core/document/index.ts';
 import { orderActions } from '../../core/order/index.ts';
-import { leavesBetween, type Modifiers, Tree } from '../../core/tree/index.ts';
+import { leavesBetween, type Modifiers, Tree, toggledIn } from '../../core/tree/index.ts';
 import type { Feature } from '../feature.ts';
 import { type LineActions, ObjectLine, outlineMenu } from './ObjectLine.tsx';
 import { type ObjectRow, objectRows } from './object-rows.ts';
@@ -83,8 +83,7 @@ const Outline = memo(function Outline({ file, keys }: { readonly file: LevelFile
     setActive(renaming);
   }, [renaming, document]);
 
-  const toggle = ({ key }: ObjectRow) =>
-    setFolded((now) => (now.has(key) ? new Set([...now].filter((other) => other !== key)) : new Set([...now, key])));
+  const toggle = ({ key }: ObjectRow) => setFolded((now) => toggledIn(now, key));
   const pick = ({ key, expanded }: ObjectRow, { shift, mod }: Modifiers) => {
     if (expanded !== null) return;
     if (shift && anchor.current !== null) {

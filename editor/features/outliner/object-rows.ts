@@ -26,12 +26,12 @@ export interface ObjectRow extends TreeRow {
   readonly marks: Pick<Marks, 'isLocked' | 'isHidden'>;
 }
 
-type Place = Pick<TreeRow, 'depth' | 'place' | 'siblings'>;
+type RowPosition = Pick<TreeRow, 'depth' | 'place' | 'siblings'>;
 
 /** The rows last made: most objects are the same after a step of a drag. */
 const made = new WeakMap<FoundObject, ObjectRow>();
 
-function objectRow(found: FoundObject, at: Place): ObjectRow {
+function objectRow(found: FoundObject, at: RowPosition): ObjectRow {
   const before = made.get(found);
   if (before?.depth === at.depth && before.place === at.place && before.siblings === at.siblings) return before;
   const row = newRow(found, at);
@@ -39,7 +39,7 @@ function objectRow(found: FoundObject, at: Place): ObjectRow {
   return row;
 }
 
-function newRow(found: FoundObject, at: Place): ObjectRow {
+function newRow(found: FoundObject, at: RowPosition): ObjectRow {
   const { key, kind, list, object } = found;
   const marks = marksOf(found);
   const title = marks.name ?? nameOf(found);

@@ -3,6 +3,7 @@ import { useStore } from 'zustand';
 import type { Terms } from '../../../engine/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { type ListedVerdict, thumbnailsOf, verdictOf } from '../../core/levels/index.ts';
+import { toggledIn } from '../../core/tree/index.ts';
 import { ChapterHead } from './ChapterHead.tsx';
 import { spotAfter } from './card-order.ts';
 import { PackCard } from './PackCard.tsx';
@@ -84,16 +85,11 @@ export function PackCards(props: PackCardsProps) {
     const [from, to] = [a ?? b, b].map((key) => shown.findIndex((card) => card.key === key)).sort((x, y) => x - y);
     return new Set(shown.slice(Math.max(0, from), to + 1).map(({ key }) => key));
   };
-  const toggled = (key: string): Set<string> => {
-    const keys = new Set(selection.keys);
-    if (!keys.delete(key)) keys.add(key);
-    return keys;
-  };
   const onClick = (event: MouseEvent<HTMLDivElement>) => {
     const key = keyOf(event.target);
     if (key === null || wasDrag()) return;
     const mod = event.ctrlKey || event.metaKey;
-    const keys = event.shiftKey ? between(selection.active, key) : mod ? toggled(key) : new Set([key]);
+    const keys = event.shiftKey ? between(selection.active, key) : mod ? toggledIn(selection.keys, key) : new Set([key]);
     onSelect({ keys, active: event.shiftKey ? (selection.active ?? key) : key });
   };
   const walk = (event: KeyboardEvent, key: string) => {
@@ -116,7 +112,7 @@ export function PackCards(props: PackCardsProps) {
     if (event.altKey) {
       if (!ARROWS.includes(event.key) || !onMoveKey(event.key)) return;
     } else if (ARROWS.includes(event.key)) walk(event, key);
-    else if (event.key === ' ') onSelect({ keys: toggled(key), active: key });
+    else if (event.key === ' ') onSelect({ keys: toggledIn(selection.keys, key), active: key });
     else if (event.key === 'Enter' && card !== undefined) onOpen(card);
     else if (mod && event.key.toLowerCase() === 'a') onSelect({ keys: new Set(passing), active: key });
     else return;

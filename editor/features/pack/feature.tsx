@@ -2,8 +2,7 @@ import { ArrowDown, ArrowUp, FolderOpen, Heading, ListX } from 'lucide-react';
 import { type KeyboardEvent, useEffect, useRef, useState } from 'react';
 import { addChapter, moveEntries, removeEntries, setChapter } from '../../../check/pack/index.ts';
 import type { LevelEntry, PackFile, Problem } from '../../../schema/index.ts';
-import type { Command } from '../../core/commands/index.ts';
-import { type Editor, useEditor, useSession, useTouch } from '../../core/context/index.ts';
+import { useEditor, useSession, useTouch } from '../../core/context/index.ts';
 import { editPack, listHistoryOf, openListed } from '../../core/levels/index.ts';
 import { TextDialog } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
@@ -17,19 +16,20 @@ import { PackFilter } from './PackFilter.tsx';
 import { PackHead, PackProblems } from './PackHead.tsx';
 import { usePack } from './use-pack.ts';
 
-/** The commands of the view of all levels. */
-const packCommands = ({ session }: Editor): readonly Command[] => [
-  {
-    id: 'view.pack',
-    title: 'Show the pack: all levels as cards',
-    group: 'View',
-    keys: ['Shift+p'],
-    run: () => session.setState({ view: 'pack' }),
-  },
-];
-
 /** All levels as cards, in the order in which they are played. */
-export const pack: Feature = { name: 'pack', dialogs: PackView, commands: packCommands };
+export const pack: Feature = {
+  name: 'pack',
+  dialogs: PackView,
+  commands: ({ session }) => [
+    {
+      id: 'view.pack',
+      title: 'Show the pack: all levels as cards',
+      group: 'View',
+      keys: ['Shift+p'],
+      run: () => session.setState({ view: 'pack' }),
+    },
+  ],
+};
 
 /** All levels of the folder as cards in the order in which they are played; fills the page. */
 function PackView() {

@@ -2,11 +2,11 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import { ENGINE_ID } from '../../../game/index.ts';
 import type { LevelEntry } from '../../../schema/index.ts';
-import { keepAnswers, question } from '../../core/ask/index.ts';
+import { keepAnswers, onDemand } from '../../core/ask/index.ts';
 import type { Editor } from '../../core/context/index.ts';
 import { keptWith } from '../../core/kept/index.ts';
 import { factsKey } from '../../core/levels/index.ts';
-import { type AskedOf, jobs } from '../../workers/index.ts';
+import { jobs } from '../../workers/index.ts';
 import type { ShownGrade } from './pack-model.ts';
 
 /** A measured grade; `value` is null if none of the level's runs completes it. */
@@ -76,7 +76,7 @@ export function gradeOf(state: GradesState, folder: string, entry: LevelEntry, t
 export const gradesOf = keptWith(createGrades);
 
 /** The grade of a level file by its own runs. */
-export const gradeQuestion = question({ job: jobs.grade, request: (of: AskedOf<typeof jobs.grade>) => of });
+export const gradeQuestion = onDemand(jobs.grade);
 
 interface WantedGrade {
   readonly entry: LevelEntry;

@@ -106,6 +106,8 @@ export function usePlaytest(host: RefObject<HTMLDivElement | null>): PlaytestOnP
   return { readout, attempt, start };
 }
 
+// frame by frame
+
 /** ms between two readouts */
 const READOUT = 100;
 

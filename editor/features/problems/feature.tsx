@@ -24,19 +24,40 @@ export const problems: Feature = {
   },
 };
 
-const ICONS = { error: CircleX, warning: TriangleAlert } as const;
-
-/** The name of the place that a pointer leads to, as other panels call it. */
-function placeOf(file: LevelFile, pointer: string): string {
-  const key = keyAt(file, pointer);
-  const found = key === null ? undefined : objectsOf(file).get(key);
-  if (found !== undefined) {
-    const [name, own] = [nameOf(found), ownNameOf(found)];
-    return own === name ? name.toLowerCase() : `“${own}”`;
-  }
-  const run = runAt(file, pointer);
-  return run === null ? 'the level' : `run “${run}”`;
+/** What `gq check` would report about the level on the screen, errors first. */
+function Problems() {
+  const problems = useProblems();
+  const file = useLevel().document.file();
+  const keys = keysOf(problems);
+  const errors = problems.filter(({ severity }) => severity === 'error').length;
+  const warnings = problems.length - errors;
+  const counts = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(warnings > 0 ? [plural(warnings, 'warning')] : [])];
+  return (
+    <div className={problems.length === 0 ? 'panel__body problems problems--none' : 'panel__body problems'}>
+      <p className="problems__count" role="status">
+        {problems.length === 0 ? (
+          <>
+            <CircleCheck size={15} className="tone--good" aria-hidden /> No errors and no warnings.
+          </>
+        ) : (
+          counts.join(', ')
+        )}
+      </p>
+      <ul className="problems__list" aria-label="Problems">
+        {problems.map((problem, i) => (
+          <ProblemCard
+            key={keys[i]}
+            problem={problem}
+            place={placeOf(file, problem.pointer)}
+            fixTitle={quickFixOf(file, problem)?.title ?? null}
+          />
+        ))}
+      </ul>
+    </div>
+  );
 }
+
+const ICONS = { error: CircleX, warning: TriangleAlert } as const;
 
 interface ProblemCardProps {
   readonly problem: Problem;
@@ -106,37 +127,16 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
   );
 });
 
-/** What `gq check` would report about the level on the screen, errors first. */
-function Problems() {
-  const problems = useProblems();
-  const file = useLevel().document.file();
-  const keys = keysOf(problems);
-  const errors = problems.filter(({ severity }) => severity === 'error').length;
-  const warnings = problems.length - errors;
-  const counts = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(warnings > 0 ? [plural(warnings, 'warning')] : [])];
-  return (
-    <div className={problems.length === 0 ? 'panel__body problems problems--none' : 'panel__body problems'}>
-      <p className="problems__count" role="status">
-        {problems.length === 0 ? (
-          <>
-            <CircleCheck size={15} className="tone--good" aria-hidden /> No errors and no warnings.
-          </>
-        ) : (
-          counts.join(', ')
-        )}
-      </p>
-      <ul className="problems__list" aria-label="Problems">
-        {problems.map((problem, i) => (
-          <ProblemCard
-            key={keys[i]}
-            problem={problem}
-            place={placeOf(file, problem.pointer)}
-            fixTitle={quickFixOf(file, problem)?.title ?? null}
-          />
-        ))}
-      </ul>
-    </div>
-  );
+/** The name of the place that a pointer leads to, as other panels call it. */
+function placeOf(file: LevelFile, pointer: string): string {
+  const key = keyAt(file, pointer);
+  const found = key === null ? undefined : objectsOf(file).get(key);
+  if (found !== undefined) {
+    const [name, own] = [nameOf(found), ownNameOf(found)];
+    return own === name ? name.toLowerCase() : `“${own}”`;
+  }
+  const run = runAt(file, pointer);
+  return run === null ? 'the level' : `run “${run}”`;
 }
 
 /** Shows the place of a problem: selects the object and brings it into view, or shows the run with the hold selected. */

@@ -54,6 +54,8 @@ export function useProblems(): readonly Problem[] {
 /** The number of problems. */
 export const useProblemCount = (): number => useProblems().length;
 
+// problems that are the same as before
+
 const isSame = (a: Problem, b: Problem): boolean =>
   a.code === b.code &&
   a.severity === b.severity &&

@@ -7,6 +7,7 @@ import { attemptGhosts, putGhosts, useEditor, useLevel, useProof } from '../../c
 import { plural, seconds } from '../../core/figures/index.ts';
 import { keepAsRun, makeProof } from '../../core/levels/index.ts';
 import { OutcomeSign, outcomeWord } from '../../core/panel/index.ts';
+import { toggledIn } from '../../core/tree/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { compareOrTell, sourceKey, useComparedRows } from '../compare/index.ts';
 import { CompareButton } from './RunLine.tsx';
@@ -33,8 +34,7 @@ export function AttemptList() {
 
   if (attempts.length === 0) return null;
   const allHidden = attempts.every(({ number }) => hidden.has(number));
-  const toggle = ({ number }: Attempt) =>
-    setHidden((now) => (now.has(number) ? new Set([...now].filter((other) => other !== number)) : new Set([...now, number])));
+  const toggle = ({ number }: Attempt) => setHidden((now) => toggledIn(now, number));
   return (
     <section className="attempts" aria-label="Attempts">
       <div className="panel__head">

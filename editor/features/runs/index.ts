@@ -2,6 +2,7 @@ import { useEffect, useMemo, useState } from 'react';
 import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
 import { joinHolds, type Scene, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
+import { inSlices } from '../../core/ask/index.ts';
 import { useLevel, useProof } from '../../core/context/index.ts';
 import { isWhole, type LiveProof } from '../../core/proof/index.ts';
 
@@ -18,28 +19,15 @@ const SLICE = 8;
 
 const keyOf = (holds: readonly Hold[]): string => joinHolds(holds).join();
 
-/** Simulates the runs that are not known yet, in slices. @returns stops it */
-function playAll(
-  scene: Scene,
-  runs: readonly (readonly Hold[])[],
-  known: Map<string, RunSummary>,
-  onSome: () => void,
-): () => void {
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const waiting = runs.filter((holds) => !known.has(keyOf(holds)));
-  const go = () => {
-    const end = performance.now() + SLICE;
-    while (waiting.length > 0 && performance.now() < end) {
-      const holds = joinHolds(waiting.shift() ?? []);
-      const run = simulate(scene, holds);
-      const { outcome, with: touched, time, tick } = run;
-      known.set(holds.join(), { outcome, with: touched, time, tick, minerals: countMinerals(run) });
-    }
-    onSome();
-    if (waiting.length > 0) timer = setTimeout(go);
-  };
-  timer = setTimeout(go, PAUSE);
-  return () => clearTimeout(timer);
+/** Simulates the runs that are not known yet. */
+function* playAll(scene: Scene, runs: readonly (readonly Hold[])[], known: Map<string, RunSummary>): Generator<null, void, void> {
+  for (const joined of runs.map(joinHolds)) {
+    if (known.has(joined.join())) continue;
+    const run = simulate(scene, joined);
+    const { outcome, with: touched, time, tick } = run;
+    known.set(joined.join(), { outcome, with: touched, time, tick, minerals: countMinerals(run) });
+    yield null;
+  }
 }
 
 const shownOf = (proof: LiveProof): RunSummary | null =>
@@ -57,17 +45,12 @@ export function useRunEnds(
   const isPlayed = useProof(isWhole);
   const [known, setKnown] = useState<{ readonly scene: Scene; readonly ends: ReadonlyMap<string, RunSummary> } | null>(null);
   const ends = useMemo(() => ({ scene, map: new Map<string, RunSummary>() }), [scene]);
-  useEffect(
-    () =>
-      playAll(
-        ends.scene,
-        // a simulation that the page has given up would block it here as well
-        isPlayed ? runs.map(({ holds }) => holds) : NONE,
-        ends.map,
-        () => setKnown({ scene: ends.scene, ends: new Map(ends.map) }),
-      ),
-    [ends, runs, isPlayed],
-  );
+  useEffect(() => {
+    // a simulation that the page has given up would block it here as well
+    const steps = playAll(ends.scene, isPlayed ? runs.map(({ holds }) => holds) : NONE, ends.map);
+    const onSlice = () => setKnown({ scene: ends.scene, ends: new Map(ends.map) });
+    return inSlices(steps, { wait: PAUSE, slice: SLICE, onSlice });
+  }, [ends, runs, isPlayed]);
   return (name) => {
     if (name === shown.name) return shownOf(proof.proof());
     const run = runs.find((other) => other.name === name);

@@ -10,43 +10,13 @@ import { Button } from '../../core/ui/index.ts';
 import type { FixState } from './fix-session.ts';
 import { useSolverSession } from './index.ts';
 
-function ProposalOffer({ proposal, level }: { readonly proposal: Proposal; readonly level: Level }) {
-  const { fixes } = useSolverSession();
-  const { previewed, isOld } = useStore(fixes.store);
-  const { change, size, run } = proposal;
-  const moved = change === null ? 'the level stays as it is' : `${size.toFixed(1)} px`;
-  return (
-    <Offer
-      text={proposalInWords(level, proposal)}
-      figures={`${moved}, ${proposalRunInWords(level, proposal)}: ${seconds(run.time)}`}
-      figuresTitle={SIZE_MEANS}
-      isShown={previewed === proposal}
-      onPreview={isOld ? null : () => fixes.preview(proposal)}
-      onBack={fixes.back}
-      onTake={fixes.take}
-    />
-  );
-}
-
-/** What the search says about itself. */
-function standing({ phase, fixing, isOld }: FixState): string | null {
-  if (fixing === null) return null;
-  if (isOld) return 'The level has changed since: seek again.';
-  if (fixing.completing !== null) return 'A run completes the level: there is nothing to fix.';
-  if (fixing.proposals.length > 0) return 'Each is the smallest that was found of its kind.';
-  if (phase === 'seeking') return 'None found yet.';
-  return fixing.finished
-    ? 'No single change of those that were tried is enough.'
-    : 'None was found in the time set above. This does not prove that there is none.';
-}
-
 /** The smallest changes that make the level completable, found on demand; each can be seen before it is taken. */
 export function FixReport() {
   const { fixes } = useSolverSession();
   const state = useStore(fixes.store);
   const { phase, fixing, level, message, isOld } = state;
   const isSeeking = phase === 'seeking';
-  const text = standing(state);
+  const text = summaryOf(state);
   const end = useRef<HTMLDivElement>(null);
   // the command in the palette starts it while it may be out of sight
   useEffect(() => {
@@ -95,5 +65,35 @@ export function FixReport() {
         <p className="part__note">The smallest changes that make the level completable, each shown before you take it.</p>
       )}
     </Section>
+  );
+}
+
+/** What the search says about itself. */
+function summaryOf({ phase, fixing, isOld }: FixState): string | null {
+  if (fixing === null) return null;
+  if (isOld) return 'The level has changed since: seek again.';
+  if (fixing.completing !== null) return 'A run completes the level: there is nothing to fix.';
+  if (fixing.proposals.length > 0) return 'Each is the smallest that was found of its kind.';
+  if (phase === 'seeking') return 'None found yet.';
+  return fixing.finished
+    ? 'No single change of those that were tried is enough.'
+    : 'None was found in the time set above. This does not prove that there is none.';
+}
+
+function ProposalOffer({ proposal, level }: { readonly proposal: Proposal; readonly level: Level }) {
+  const { fixes } = useSolverSession();
+  const { previewed, isOld } = useStore(fixes.store);
+  const { change, size, run } = proposal;
+  const moved = change === null ? 'the level stays as it is' : `${size.toFixed(1)} px`;
+  return (
+    <Offer
+      text={proposalInWords(level, proposal)}
+      figures={`${moved}, ${proposalRunInWords(level, proposal)}: ${seconds(run.time)}`}
+      figuresTitle={SIZE_MEANS}
+      isShown={previewed === proposal}
+      onPreview={isOld ? null : () => fixes.preview(proposal)}
+      onBack={fixes.back}
+      onTake={fixes.take}
+    />
   );
 }

@@ -6,90 +6,6 @@ import { percent, plural, SLACK_LIMIT, slackText, tightestOf } from '../../core/
 import { Section } from '../../core/panel/index.ts';
 import { useSolverSession } from './index.ts';
 
-const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);
-
-/** How forgiving a success rate is, as a word beside its number. */
-const wordFor = (p: number): readonly [word: string, tone: 'good' | 'warn' | 'bad'] =>
-  p >= 0.9 ? ['forgiving', 'good'] : p >= 0.5 ? ['thin', 'warn'] : ['risky', 'bad'];
-
-function Chance({ success }: { readonly success: Success }) {
-  const { sigma, p, low, high, samples } = success;
-  const [word, tone] = wordFor(p);
-  const text = `${percent(p)}, between ${percent(low)} and ${percent(high)}`;
-  return (
-    <div className="chance" title={`${text} with 95 % confidence; ${samples.toLocaleString('en')} attempts simulated`}>
-      <dt className="numbers">{sigma} ms</dt>
-      <dd>
-        <span className="chance__bar" aria-hidden>
-          <span className={`chance__fill chance__fill--${tone}`} style={{ width: `${100 * p}%` }} />
-          <span className="chance__doubt" style={{ left: `${100 * low}%`, width: `${100 * (high - low)}%` }} />
-        </span>
-        <span className="chance__text numbers">{percent(p)}</span>
-        <span className="unseen">
-          , {word}, between {percent(low)} and {percent(high)}
-        </span>
-      </dd>
-    </div>
-  );
-}
-
-/** The slack of each press and release alone. */
-function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
-  const { session } = useEditor();
-  const { selection } = useLevel();
-  const name = useProof(({ run }) => run.name);
-  const holds = useProof(({ run }) => run.holds);
-  const tightest = tightestOf(slack)?.room ?? 0;
-  return (
-    <table className="slack numbers">
-      <caption className="part__note">How many ticks (1/60 s) each press or release alone may move earlier or later</caption>
-      <thead>
-        <tr>
-          <th scope="col">hold</th>
-          <th scope="col">press</th>
-          <th scope="col">release</th>
-        </tr>
-      </thead>
-      <tbody>
-        {holds.map(([press, release], i) => (
-          <tr key={press}>
-            <th scope="row">
-              <button
-                type="button"
-                className="facts__moment"
-                title="Select this hold"
-                onClick={() => {
-                  if (name === null) return;
-                  selection.selectHolds(name, [i]);
-                  session.setState({ tick: press, isPlayingBack: false });
-                }}
-              >
-                {press}–{release}
-              </button>
-            </th>
-            {[slack[2 * i], slack[2 * i + 1]].map((edge, k) => {
-              if (edge === undefined) return null;
-              const isTightest = edge.earlier + edge.later === tightest && tightest < 2 * SLACK_LIMIT;
-              return (
-                <td
-                  // press first, then release
-                  // biome-ignore lint/suspicious/noArrayIndexKey: there are always these two
-                  key={k}
-                  className={isTightest ? 'tone--warn' : undefined}
-                  title={`${msOf(edge.earlier)} ms earlier, ${msOf(edge.later)} ms later${isTightest ? ': the tightest' : ''}`}
-                >
-                  −{slackText(edge.earlier)} +{slackText(edge.later)}
-                  {isTightest && <span className="unseen"> the tightest</span>}
-                </td>
-              );
-            })}
-          </tr>
-        ))}
-      </tbody>
-    </table>
-  );
-}
-
 /** How much the timing of the shown run may be off. */
 export function RobustnessReport() {
   const { robustness } = useSolverSession();
@@ -159,3 +75,87 @@ export function RobustnessReport() {
     </Section>
   );
 }
+
+function Chance({ success }: { readonly success: Success }) {
+  const { sigma, p, low, high, samples } = success;
+  const [word, tone] = wordFor(p);
+  const text = `${percent(p)}, between ${percent(low)} and ${percent(high)}`;
+  return (
+    <div className="chance" title={`${text} with 95 % confidence; ${samples.toLocaleString('en')} attempts simulated`}>
+      <dt className="numbers">{sigma} ms</dt>
+      <dd>
+        <span className="chance__bar" aria-hidden>
+          <span className={`chance__fill chance__fill--${tone}`} style={{ width: `${100 * p}%` }} />
+          <span className="chance__doubt" style={{ left: `${100 * low}%`, width: `${100 * (high - low)}%` }} />
+        </span>
+        <span className="chance__text numbers">{percent(p)}</span>
+        <span className="unseen">
+          , {word}, between {percent(low)} and {percent(high)}
+        </span>
+      </dd>
+    </div>
+  );
+}
+
+/** How forgiving a success rate is, as a word beside its number. */
+const wordFor = (p: number): readonly [word: string, tone: 'good' | 'warn' | 'bad'] =>
+  p >= 0.9 ? ['forgiving', 'good'] : p >= 0.5 ? ['thin', 'warn'] : ['risky', 'bad'];
+
+/** The slack of each press and release alone. */
+function SlackTable({ slack }: { readonly slack: readonly EdgeSlack[] }) {
+  const { session } = useEditor();
+  const { selection } = useLevel();
+  const name = useProof(({ run }) => run.name);
+  const holds = useProof(({ run }) => run.holds);
+  const tightest = tightestOf(slack)?.room ?? 0;
+  return (
+    <table className="slack numbers">
+      <caption className="part__note">How many ticks (1/60 s) each press or release alone may move earlier or later</caption>
+      <thead>
+        <tr>
+          <th scope="col">hold</th>
+          <th scope="col">press</th>
+          <th scope="col">release</th>
+        </tr>
+      </thead>
+      <tbody>
+        {holds.map(([press, release], i) => (
+          <tr key={press}>
+            <th scope="row">
+              <button
+                type="button"
+                className="facts__moment"
+                title="Select this hold"
+                onClick={() => {
+                  if (name === null) return;
+                  selection.selectHolds(name, [i]);
+                  session.setState({ tick: press, isPlayingBack: false });
+                }}
+              >
+                {press}–{release}
+              </button>
+            </th>
+            {[slack[2 * i], slack[2 * i + 1]].map((edge, k) => {
+              if (edge === undefined) return null;
+              const isTightest = edge.earlier + edge.later === tightest && tightest < 2 * SLACK_LIMIT;
+              return (
+                <td
+                  // press first, then release
+                  // biome-ignore lint/suspicious/noArrayIndexKey: there are always these two
+                  key={k}
+                  className={isTightest ? 'tone--warn' : undefined}
+                  title={`${msOf(edge.earlier)} ms earlier, ${msOf(edge.later)} ms later${isTightest ? ': the tightest' : ''}`}
+                >
+                  −{slackText(edge.earlier)} +{slackText(edge.later)}
+                  {isTightest && <span className="unseen"> the tightest</span>}
+                </td>
+              );
+            })}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+const msOf = (ticks: number): number => Math.round(1000 * ticks * TICK);

@@ -5,146 +5,22 @@ import { mineralsNeeded } from '../../../solver/index.ts';
 import { keyLabel } from '../../core/commands/index.ts';
 import { IS_MAC, useDocument, useEditor, useProof, useSession } from '../../core/context/index.ts';
 import { about, percent, plural, seconds } from '../../core/figures/index.ts';
-import { Progress, Segments } from '../../core/panel/index.ts';
+import { Progress, Section, Segments } from '../../core/panel/index.ts';
+import { showLayer } from '../../core/session/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
 import { useSolverSession } from './index.ts';
 import type { Found, SearchState } from './search-session.ts';
-import { goalOf, RUNS_WANTED } from './search-task.ts';
-import { type OwnRuns, standingOf } from './search-words.ts';
-import { SOLVE_KEY } from './solver-commands.ts';
+import { type OwnRuns, summaryOf } from './search-summary.ts';
+import { goalOf, RUNS_WANTED, SOLVE_KEY } from './search-task.ts';
 
-const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
-const NO_RUNS = [] as const;
-
-/** Which of the level's own runs meet the goal of the search. */
-function useOwnRuns({ settings }: SearchState, minerals: number): OwnRuns {
-  const runs = useDocument(({ file }) => file.runs ?? NO_RUNS);
-  const endOf = useRunEnds(runs);
-  const needed = settings === null ? 0 : mineralsNeeded(goalOf(settings, minerals), minerals);
-  const completing = runs.filter(({ name }) => endOf(name)?.outcome === 'completed');
-  return {
-    meets: completing.find(({ name }) => (endOf(name)?.minerals ?? 0) >= needed)?.name ?? null,
-    completes: completing[0]?.name ?? null,
-  };
-}
-
-function FoundCard({ found, place, minerals }: { readonly found: Found; readonly place: number; readonly minerals: number }) {
-  const { search } = useSolverSession();
-  const shown = useProof(({ run }) => run.name);
-  const isShown = useProof(({ run }) => run.holds.join() === found.id);
-  const { candidate, p40, certified, works, id } = found;
+/** Searches for runs: what is asked, and what was found. */
+export function SearchSection() {
   return (
-    <li
-      className={works ? 'found' : 'found found--fails'}
-      onPointerEnter={() => search.hover(id)}
-      onPointerLeave={() => search.hover(null)}
-      onFocus={() => search.hover(id)}
-      onBlur={() => search.hover(null)}
-    >
-      <span className="found__place numbers">{place}</span>
-      <div className="found__what numbers">
-        <b>{works ? seconds(candidate.time) : 'fails in this level'}</b>
-        <span>{plural(candidate.holds.length, 'press', 'presses')}</span>
-        {minerals > 0 && (
-          <span>
-            minerals {candidate.minerals.length}/{minerals}
-          </span>
-        )}
-        {p40 !== null && (
-          <span title="Success with timing noise of 40 ms on every press and release">
-            {percent(p40)} at 40 ms
-            {certified && (
-              <Check size={12} className="found__certified" aria-label=", certified: all shifts by up to 2 ticks succeed" />
-            )}
-          </span>
-        )}
-      </div>
-      {isShown ? (
-        <span className="found__shown tone--good">
-          <Check size={13} aria-hidden /> shown
-        </span>
-      ) : (
-        <span className="found__does">
-          <Button
-            hint={works ? `Add run ${place} to the level` : `Add run ${place} to the level, although it now fails there`}
-            icon={<Plus size={15} />}
-            look="outlined"
-            onClick={() => search.use(candidate.holds)}
-          >
-            Add
-          </Button>
-          {shown !== null && works && (
-            <Button
-              hint={`Replace the run “${shown}” with run ${place}`}
-              icon={<Replace size={15} />}
-              onClick={() => search.use(candidate.holds, shown)}
-            />
-          )}
-        </span>
-      )}
-    </li>
-  );
-}
-
-/** The state of the search and the runs it has found. */
-export function SearchReport() {
-  const { session } = useEditor();
-  const { search } = useSolverSession();
-  const state = useStore(search.store);
-  const heatMap = useSession(({ layers }) => layers.heatMap);
-  const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
-  const { phase, solving, ms, settings, found, mineralProofs } = state;
-  const { tone, text, note } = standingOf(state, useOwnRuns(state, minerals), minerals, RUNS_WANTED);
-  if (phase === 'idle' || settings === null) return null;
-  const Icon = ICONS[tone];
-  return (
-    <div className="report">
-      <Progress label="Time spent" isRunning={phase === 'running'} share={Math.min(1, ms / (1000 * settings.budget))} />
-      <p className={tone === 'plain' ? 'standing' : `standing tone--${tone}`} role={tone === 'bad' ? 'alert' : 'status'}>
-        <Icon size={15} aria-hidden /> {text}
-      </p>
-      {found.length > 0 && (
-        <ol className="report__found" aria-label="Runs found">
-          {found.map((one, i) => (
-            <FoundCard key={one.id} found={one} place={i + 1} minerals={minerals} />
-          ))}
-        </ol>
-      )}
-      {note !== null && <p className="part__note">{note}</p>}
-      {mineralProofs.map(({ index, proof }) => (
-        <p key={index} className="standing tone--warn">
-          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {proof.reason}
-        </p>
-      ))}
-      {solving !== null && (
-        <p className="part__note numbers">
-          {about(solving.effort.runs)} simulations, {about(solving.effort.ticks)} ticks in {(ms / 1000).toFixed(1)} s, seed{' '}
-          {settings.seed}
-          {phase === 'cancelled' && ', stopped'}
-        </p>
-      )}
-      <div className="part__row">
-        {solving !== null && (
-          <label className="report__heat">
-            <input
-              type="checkbox"
-              checked={heatMap}
-              onChange={(event) => {
-                const { checked } = event.target;
-                session.setState(({ layers }) => ({ layers: { ...layers, heatMap: checked } }));
-              }}
-            />
-            Show the search heat map
-          </label>
-        )}
-        {phase !== 'running' && (
-          <Button hint="Discard the search results" icon={<X size={14} />} onClick={search.clear}>
-            Discard
-          </Button>
-        )}
-      </div>
-    </div>
+    <Section title="Find runs">
+      <SearchSettingsForm />
+      <SearchReport />
+    </Section>
   );
 }
 
@@ -156,7 +32,7 @@ const OBJECTIVES = [
 ] as const;
 
 /** The settings of the search and the button that starts it. */
-export function SearchSettingsForm() {
+function SearchSettingsForm() {
   const { settings: store, search } = useSolverSession();
   const settings = useStore(store);
   const isRunning = useStore(search.store, ({ phase }) => phase === 'running');
@@ -227,5 +103,136 @@ export function SearchSettingsForm() {
         </Button>
       )}
     </div>
+  );
+}
+
+const ICONS = { good: CircleCheck, warn: CircleHelp, bad: CircleX, plain: Info } as const;
+const NO_RUNS = [] as const;
+
+/** The state of the search and the runs it has found. */
+function SearchReport() {
+  const { session } = useEditor();
+  const { search } = useSolverSession();
+  const state = useStore(search.store);
+  const heatMap = useSession(({ layers }) => layers.heatMap);
+  const minerals = useDocument(({ file }) => file.minerals?.length ?? 0);
+  const { phase, solving, ms, settings, found, mineralProofs } = state;
+  const { tone, text, note } = summaryOf(state, useOwnRuns(state, minerals), minerals, RUNS_WANTED);
+  if (phase === 'idle' || settings === null) return null;
+  const Icon = ICONS[tone];
+  return (
+    <div className="report">
+      <Progress label="Time spent" isRunning={phase === 'running'} share={Math.min(1, ms / (1000 * settings.budget))} />
+      <p className={tone === 'plain' ? 'standing' : `standing tone--${tone}`} role={tone === 'bad' ? 'alert' : 'status'}>
+        <Icon size={15} aria-hidden /> {text}
+      </p>
+      {found.length > 0 && (
+        <ol className="report__found" aria-label="Runs found">
+          {found.map((one, i) => (
+            <FoundCard key={one.id} found={one} place={i + 1} minerals={minerals} />
+          ))}
+        </ol>
+      )}
+      {note !== null && <p className="part__note">{note}</p>}
+      {mineralProofs.map(({ index, proof }) => (
+        <p key={index} className="standing tone--warn">
+          <TriangleAlert size={15} aria-hidden /> Mineral {index + 1} can never be collected: {proof.reason}
+        </p>
+      ))}
+      {solving !== null && (
+        <p className="part__note numbers">
+          {about(solving.effort.runs)} simulations, {about(solving.effort.ticks)} ticks in {(ms / 1000).toFixed(1)} s, seed{' '}
+          {settings.seed}
+          {phase === 'cancelled' && ', stopped'}
+        </p>
+      )}
+      <div className="part__row">
+        {solving !== null && (
+          <label className="report__heat">
+            <input
+              type="checkbox"
+              checked={heatMap}
+              onChange={({ target: { checked } }) => showLayer(session, 'heatMap', checked)}
+            />
+            Show the search heat map
+          </label>
+        )}
+        {phase !== 'running' && (
+          <Button hint="Discard the search results" icon={<X size={14} />} onClick={search.clear}>
+            Discard
+          </Button>
+        )}
+      </div>
+    </div>
+  );
+}
+
+/** Which of the level's own runs meet the goal of the search. */
+function useOwnRuns({ settings }: SearchState, minerals: number): OwnRuns {
+  const runs = useDocument(({ file }) => file.runs ?? NO_RUNS);
+  const endOf = useRunEnds(runs);
+  const needed = settings === null ? 0 : mineralsNeeded(goalOf(settings, minerals), minerals);
+  const completing = runs.filter(({ name }) => endOf(name)?.outcome === 'completed');
+  return {
+    meets: completing.find(({ name }) => (endOf(name)?.minerals ?? 0) >= needed)?.name ?? null,
+    completes: completing[0]?.name ?? null,
+  };
+}
+
+function FoundCard({ found, place, minerals }: { readonly found: Found; readonly place: number; readonly minerals: number }) {
+  const { search } = useSolverSession();
+  const shown = useProof(({ run }) => run.name);
+  const isShown = useProof(({ run }) => run.holds.join() === found.id);
+  const { candidate, p40, certified, works, id } = found;
+  return (
+    <li
+      className={works ? 'found' : 'found found--fails'}
+      onPointerEnter={() => search.hover(id)}
+      onPointerLeave={() => search.hover(null)}
+      onFocus={() => search.hover(id)}
+      onBlur={() => search.hover(null)}
+    >
+      <span className="found__place numbers">{place}</span>
+      <div className="found__what numbers">
+        <b>{works ? seconds(candidate.time) : 'fails in this level'}</b>
+        <span>{plural(candidate.holds.length, 'press', 'presses')}</span>
+        {minerals > 0 && (
+          <span>
+            minerals {candidate.minerals.length}/{minerals}
+          </span>
+        )}
+        {p40 !== null && (
+          <span title="Success with timing noise of 40 ms on every press and release">
+            {percent(p40)} at 40 ms
+            {certified && (
+              <Check size={12} className="found__certified" aria-label=", certified: all shifts by up to 2 ticks succeed" />
+            )}
+          </span>
+        )}
+      </div>
+      {isShown ? (
+        <span className="found__shown tone--good">
+          <Check size={13} aria-hidden /> shown
+        </span>
+      ) : (
+        <span className="found__does">
+          <Button
+            hint={works ? `Add run ${place} to the level` : `Add run ${place} to the level, although it now fails there`}
+            icon={<Plus size={15} />}
+            look="outlined"
+            onClick={() => search.use(candidate.holds)}
+          >
+            Add
+          </Button>
+          {shown !== null && works && (
+            <Button
+              hint={`Replace the run “${shown}” with run ${place}`}
+              icon={<Replace size={15} />}
+              onClick={() => search.use(candidate.holds, shown)}
+            />
+          )}
+        </span>
+      )}
+    </li>
   );
 }

@@ -1,12 +1,12 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Scene } from '../../../engine/index.ts';
 import { type Difficulty, mineralsNeeded } from '../../../solver/index.ts';
-import { type Desk, question } from '../../core/ask/index.ts';
+import { type Desk, onDemand } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
-import { type AskedOf, jobs } from '../../workers/index.ts';
+import { jobs } from '../../workers/index.ts';
+import { askedInWords } from './search-summary.ts';
 import { goalOf, type SearchSettingsStore } from './search-task.ts';
-import { askedInWords } from './search-words.ts';
 
 export interface DifficultyState {
   /** `none`: there is no run to measure */
@@ -35,10 +35,7 @@ interface DifficultyParts {
 }
 
 /** How hard a level is. */
-export const difficultyQuestion = question({
-  job: jobs.difficulty,
-  request: (of: AskedOf<typeof jobs.difficulty>) => of,
-});
+export const difficultyQuestion = onDemand(jobs.difficulty);
 
 /** Measures how hard the level is, on demand: with the shown run if it meets the goal, else with a run found by a search. */
 export function createDifficultySession({ level: { proof }, desk, settings }: DifficultyParts): DifficultySession {

@@ -3,11 +3,11 @@ import { repairedFile } from '../../../check/index.ts';
 import { proposalInWords } from '../../../check/words/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
-import { type Desk, question } from '../../core/ask/index.ts';
+import { type Desk, onDemand } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { freeRunName } from '../../core/document/index.ts';
 import { createPreview, type SessionStore } from '../../core/session/index.ts';
-import { type AskedOf, type Fixing, jobs } from '../../workers/index.ts';
+import { type Fixing, jobs } from '../../workers/index.ts';
 import { SOLUTION } from './search-session.ts';
 import type { SearchSettingsStore } from './search-task.ts';
 
@@ -46,7 +46,7 @@ interface FixParts {
 }
 
 /** Changes that make a level completable. */
-export const fixQuestion = question({ job: jobs.fix, request: (of: AskedOf<typeof jobs.fix>) => of });
+export const fixQuestion = onDemand(jobs.fix);
 
 const IDLE: FixState = { phase: 'idle', message: null, fixing: null, level: null, previewed: null, isOld: false };
 

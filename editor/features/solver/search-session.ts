@@ -21,7 +21,7 @@ import { createCandidateGhosts } from './ghosts.ts';
 import { aimOf, createSearchJobs, goalOf, type SearchSettings, type SearchSettingsStore } from './search-task.ts';
 
 /** ms without a change of the level before the runs that were found are checked in it */
-const SETTLE = 200;
+const REST = 200;
 
 /** The search for runs of one level. */
 export interface SearchSession {
@@ -112,7 +112,7 @@ export function createSearchSession({ level, session, desk, settings, overlay, n
   const stopFollowing = proof.store.subscribe(({ scene: current }) => {
     if (scene === null || current === scene) return;
     forget();
-    forget = desk.afterRest(SETTLE, recheck);
+    forget = desk.afterRest(REST, recheck);
   });
 
   /** The name of a found run in the level. */
@@ -172,6 +172,8 @@ export function createSearchSession({ level, session, desk, settings, overlay, n
   };
 }
 
+// the state of a search
+
 /** The state of a level's search. */
 export interface SearchState {
   /** `stale`: it was stopped because the level changed */
@@ -223,6 +225,8 @@ const IDLE: SearchState = {
   isOld: false,
   hovered: null,
 };
+
+// runs that were found, and runs of the level that are made of them
 
 /** A run that a search found, and whether it still meets the goal. */
 export interface Found {
@@ -282,6 +286,8 @@ function addFound({ document, proof, session }: KeepParts, holds: readonly Hold[
   const name = freeRunName(file, proves && !hasSolution ? SOLUTION : wanted);
   if (document.change(`Add run ${name}`, addRun(name, holds, proves ? 'first' : 'last')).ok) session.setState({ run: name });
 }
+
+// what a search shows on the canvas besides paths
 
 /** What a search shows on the canvas besides paths. */
 export interface SearchOverlay {

@@ -2,9 +2,12 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { Terms } from '../../../engine/index.ts';
 import type { Level } from '../../../schema/index.ts';
 import type { Goal, Objective } from '../../../solver/index.ts';
-import { type Desk, question } from '../../core/ask/index.ts';
+import { type Desk, onDemand } from '../../core/ask/index.ts';
 import { withoutRuns } from '../../core/proof/index.ts';
-import { type AskedOf, jobs, type Proofs, type Solving } from '../../workers/index.ts';
+import { jobs, type Proofs, type Solving } from '../../workers/index.ts';
+
+/** Starts a search. */
+export const SOLVE_KEY = '$mod+Enter';
 
 /** the number of different runs that a search looks for */
 export const RUNS_WANTED = 5;
@@ -36,10 +39,10 @@ interface SearchJobs {
 }
 
 /** Runs of a level. */
-export const solveQuestion = question({ job: jobs.solve, request: (of: AskedOf<typeof jobs.solve>) => of });
+export const solveQuestion = onDemand(jobs.solve);
 
 /** Whether there are none, with finer sets for as long as runs are searched. */
-export const hopelessQuestion = question({ job: jobs.proofs, request: (of: AskedOf<typeof jobs.proofs>) => of });
+export const hopelessQuestion = onDemand(jobs.proofs);
 
 export function createSearchJobs(desk: Desk): SearchJobs {
   const solving = solveQuestion(desk);
@@ -51,7 +54,7 @@ export function createSearchJobs(desk: Desk): SearchJobs {
   return {
     start({ level, terms, goal, settings }, { onFound, onProved, onEnd }) {
       cancel();
-      let told = 0;
+      let reports = 0;
       const played = { level: withoutRuns(level), terms };
       const { objective, seed, budget } = settings;
       // with the objective `first`, runs that the level already has count as well
@@ -61,11 +64,11 @@ export function createSearchJobs(desk: Desk): SearchJobs {
         const found = answer ?? progress;
         if (found !== null && phase !== 'failed') onFound(found);
         // first the black hole is reported, then the minerals; as it can be reached, finer sets would prove nothing
-        if (phase === 'asking' && told > 1 && found !== null && found.solutions.length > 0) proving.stop();
+        if (phase === 'asking' && reports > 1 && found !== null && found.solutions.length > 0) proving.stop();
         if (phase !== 'asking') onEnd(message);
       });
       proving.ask({ ...played, collected: [], finer: 1000 * budget }, ({ phase, progress, answer }) => {
-        if (phase === 'asking') told++;
+        if (phase === 'asking') reports++;
         const proved = answer ?? progress;
         if (proved !== null && phase !== 'failed') onProved(proved);
       });
@@ -74,6 +77,8 @@ export function createSearchJobs(desk: Desk): SearchJobs {
     cancelSolving: solving.stop,
   };
 }
+
+// what a person wants of a search
 
 /** The settings of a search for runs. */
 export interface SearchSettings {

@@ -14,7 +14,7 @@ export const tour: Feature = {
   ],
 };
 
-interface Box {
+interface ScreenBox {
   readonly left: number;
   readonly top: number;
   readonly width: number;
@@ -27,7 +27,7 @@ const CARD = { width: 320, height: 170 } as const;
 const GAP = 14;
 
 /** The box of the first selector that matches something visible; null: none. */
-function find(selectors: readonly string[]): Box | null {
+function find(selectors: readonly string[]): ScreenBox | null {
   for (const selector of selectors) {
     const element = document.querySelector(selector);
     const box = element?.getBoundingClientRect();
@@ -37,7 +37,7 @@ function find(selectors: readonly string[]): Box | null {
 }
 
 /** Places the card where there is room beside the box: below, above, right or left of it, or else within it. */
-function placeCard(box: Box | null, cardHeight: number): { left: number; top: number } {
+function placeCard(box: ScreenBox | null, cardHeight: number): { left: number; top: number } {
   const [width, height] = [window.innerWidth, window.innerHeight];
   const inside = (left: number, top: number) => ({
     left: Math.max(GAP, Math.min(width - CARD.width - GAP, left)),
@@ -80,7 +80,7 @@ interface TourCardProps {
 }
 
 function TourCard({ index, onIndex, takesFocus, onEnd }: TourCardProps) {
-  const [box, setBox] = useState<Box | null>(null);
+  const [box, setBox] = useState<ScreenBox | null>(null);
   const card = useRef<HTMLDivElement>(null);
   const [height, setHeight] = useState<number>(CARD.height);
   const isTouched = useCoarse();

@@ -5,7 +5,7 @@ import type { SearchState } from './search-session.ts';
 import { goalOf, type SearchSettings } from './search-task.ts';
 
 /** The state of a search in words. */
-export interface Standing {
+export interface SearchSummary {
   readonly tone: 'good' | 'warn' | 'bad' | 'plain';
   readonly text: string;
   /** A note below the list of runs: text above the list would move it under the pointer. */
@@ -55,7 +55,7 @@ function endInWords({ phase, settings, ms, solving }: SearchState): string {
 }
 
 /** @param wanted number of different runs that are searched for */
-function foundInWords(state: SearchState, asked: string, wanted: number): Standing {
+function foundInWords(state: SearchState, asked: string, wanted: number): SearchSummary {
   const { phase, found, solving, isOld } = state;
   if (isOld) {
     const working = found.filter(({ works }) => works).length;
@@ -74,18 +74,18 @@ function foundInWords(state: SearchState, asked: string, wanted: number): Standi
  * @param count minerals in the level
  * @param wanted number of different runs that are searched for
  */
-export function standingOf(state: SearchState, own: OwnRuns, count: number, wanted: number): Standing {
+export function summaryOf(state: SearchState, own: OwnRuns, count: number, wanted: number): SearchSummary {
   const { phase, found, impossible, isHopeless, isOld, message, settings } = state;
   const asked = settings === null ? '' : askedInWords(settings, count);
-  const withTone = (tone: Standing['tone'], text: string): Standing => ({ tone, text, note: null });
+  const withTone = (tone: SearchSummary['tone'], text: string): SearchSummary => ({ tone, text, note: null });
   if (impossible !== null) return withTone('bad', `Proved impossible: ${impossible.reason}.`);
   if (isHopeless && found.length === 0)
     return withTone('bad', `Proved: no run completes the level${asked}.${ownInWords(own, asked)}`);
   if (phase === 'failed') return withTone('bad', `The search failed: ${message}. Start it again; the level is unchanged.`);
   const stopped = phase === 'stale' ? 'The level changed, so the search stopped. ' : '';
   if (found.length > 0) {
-    const standing = foundInWords(state, asked, wanted);
-    return { ...standing, text: stopped + standing.text };
+    const summary = foundInWords(state, asked, wanted);
+    return { ...summary, text: stopped + summary.text };
   }
   if (isOld) {
     const before = `The level has changed since the search, which found no run${asked}. `;

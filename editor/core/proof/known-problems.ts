@@ -35,7 +35,7 @@ export interface FoundByWorker {
 }
 
 /** The verdict on a level as far as it is known. @param worker null: not asked, or not done */
-export function toldVerdict(
+export function knownVerdict(
   { verdict: own }: Pick<LiveProof, 'verdict'>,
   worker: FoundByWorker | null,
   { impossible }: Pick<Proved, 'impossible'>,
@@ -48,26 +48,26 @@ export function toldVerdict(
 /**
  * The problems of a level as far as they are known; `line` and `column` are null. @param worker null: not asked, or not done
  */
-export function toldProblems(
+export function knownProblems(
   { findings: own, limit }: Pick<LiveProof, 'findings' | 'limit'>,
   worker: FoundByWorker | null,
   { impossible, minerals: lost, isWhole = false, gaveUp = null }: Proved,
 ): Problem[] {
   const findings = own ?? worker?.result ?? null;
-  const told: LevelProblem[] = [];
+  const known: LevelProblem[] = [];
   if (findings !== null)
-    told.push(
+    known.push(
       ...problemsOf(
         findingsOf(findings, { impossible, lost, sought: { slack: null, minerals: isWhole, softlocks: false } }),
         PAGE_HINTS,
       ),
     );
   else {
-    told.push(...proofProblems({ impossible, lost }, PAGE_HINTS));
-    if (limit !== null) told.push(limitProblem(limit, worker?.message ?? null));
+    known.push(...proofProblems({ impossible, lost }, PAGE_HINTS));
+    if (limit !== null) known.push(limitProblem(limit, worker?.message ?? null));
   }
-  if (gaveUp !== null && impossible === null) told.push(proofsGivenUp(gaveUp));
-  const { problems } = applyPolicy(told, { severity: {}, allow: findings?.allow ?? {} });
+  if (gaveUp !== null && impossible === null) known.push(proofsGivenUp(gaveUp));
+  const { problems } = applyPolicy(known, { severity: {}, allow: findings?.allow ?? {} });
   return problems.map((problem) => ({ ...problem, line: null, column: null }));
 }
 

@@ -39,7 +39,7 @@ export function pathOf({ states, count, last }: Way): Float32Array {
 }
 
 /** The result of a run. */
-export interface Marched {
+export interface RecordedRun {
   readonly way: Way;
   /** Whether it was stopped before the end. */
   readonly isCut: boolean;
@@ -60,7 +60,7 @@ const SNAPSHOT_TICKS = 60;
  * Simulates scripts of holds in one scene tick by tick and records the trajectory. A script that begins like the previous one
  * continues from where they differ, with the same bits as from the start.
  */
-export class March {
+export class RunRecorder {
   private readonly simulation: Simulation;
   /** With `arcade`, the entry for time 0 is the state after the first frame, as in its recordings. */
   private readonly ahead: number;
@@ -80,14 +80,14 @@ export class March {
   private ticks = 0;
 
   /**
-   * @param room must not be used by another march from now on
+   * @param room must not be used by another recorder from now on
    * @param budget limits the work; a run that uses it up is cut
    * @throws WorkLimitReached if it is too small for the start
    */
   constructor(
     readonly scene: Scene,
     readonly maxTicks: number,
-    private readonly room = new MarchRoom(),
+    private readonly room = new RecorderRoom(),
     private readonly budget: WorkBudget = unlimited(),
   ) {
     this.simulation = createSimulation(scene, budget);
@@ -100,7 +100,7 @@ export class March {
    * @param holds sorted and disjoint, as from `joinHolds`
    * @param isLate called before each tick: whether to stop. A later call with the same script continues near that point.
    */
-  run(holds: readonly Hold[], isLate: () => boolean = () => false): Marched {
+  run(holds: readonly Hold[], isLate: () => boolean = () => false): RecordedRun {
     const resumedFrom = this.goBack(holds);
     this.counted = this.budget.looks;
     this.played = holds;
@@ -234,7 +234,7 @@ export class March {
  * Arrays for trajectories and snapshots. They are reused from scene to scene: a large level would allocate megabytes with every
  * move of the pointer.
  */
-export class MarchRoom {
+export class RecorderRoom {
   states = new Float64Array(0);
   held = new Uint8Array(0);
   readonly aliens = new Tracks(3);

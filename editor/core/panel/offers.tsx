@@ -1,10 +1,10 @@
 import { Check, Eye, Gamepad2, Undo2 } from 'lucide-react';
 import { type ReactNode, useEffect, useId, useRef } from 'react';
-import { Button } from '../ui/index.ts';
-import './offers.css';
 import { useStore } from 'zustand';
 import { useEditor } from '../context/index.ts';
 import { addSamples } from '../levels/index.ts';
+import { Button } from '../ui/index.ts';
+import './offers.css';
 
 interface OfferProps {
   /** What would be changed, as a sentence. */
