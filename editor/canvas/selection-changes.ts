@@ -32,7 +32,7 @@ const LOCKED = 'What is selected is locked.';
 export function objectChanges({ notices, commands }: Editor, { document, selection }: OpenLevel): ObjectChanges {
   const change = (label: string, recipe: Recipe, gesture?: string): ChangeResult => {
     const result = document.change(label, recipe, gesture === undefined ? {} : { gesture });
-    if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    if (!result.ok) notices.refuse(result.refusal);
     return result;
   };
   return {

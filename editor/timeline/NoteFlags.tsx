@@ -33,7 +33,7 @@ export const NoteFlags = memo(function NoteFlags({ run, scale, width, written, o
   const notes = notesOf(document.file(), run);
   const change = (label: string, recipe: Recipe, gesture?: string) => {
     const result = document.change(label, recipe, gesture === undefined ? {} : { gesture });
-    if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    if (!result.ok) notices.refuse(result.refusal);
   };
   const onKey = (event: KeyboardEvent, index: number) => {
     const { tick, text } = notes[index];

@@ -1,4 +1,5 @@
 import { type LevelFile, type ObjectKind, objectName } from '../../../schema/index.ts';
+import { keptWith } from '../kept/index.ts';
 import type { Recipe } from './edited-level.ts';
 import { changeObjects, type FoundObject, type ObjectKey, objectsOf, type PlacedObject } from './objects.ts';
 
@@ -74,12 +75,8 @@ interface SortedMarks {
   readonly grabbable: ReadonlyMap<ObjectKey, FoundObject>;
 }
 
-const known = new WeakMap<LevelFile, SortedMarks>();
-
 /** Computed once per file. */
-function sorted(file: LevelFile): SortedMarks {
-  const made = known.get(file);
-  if (made !== undefined) return made;
+const sorted = keptWith((file: LevelFile): SortedMarks => {
   const objects = objectsOf(file);
   const [locked, hidden] = [new Set<ObjectKey>(), new Set<ObjectKey>()];
   const groups = new Map<string, ObjectKey[]>();
@@ -97,10 +94,8 @@ function sorted(file: LevelFile): SortedMarks {
   // most levels have no marks
   const without = (...gone: readonly ReadonlySet<ObjectKey>[]) =>
     gone.every(({ size }) => size === 0) ? objects : new Map([...objects].filter(([key]) => !gone.some((keys) => keys.has(key))));
-  const marks = { locked, hidden, groups, visible: without(hidden), grabbable: without(hidden, locked) };
-  known.set(file, marks);
-  return marks;
-}
+  return { locked, hidden, groups, visible: without(hidden), grabbable: without(hidden, locked) };
+});
 
 export const lockedIn = (file: LevelFile): ReadonlySet<ObjectKey> => sorted(file).locked;
 export const hiddenIn = (file: LevelFile): ReadonlySet<ObjectKey> => sorted(file).hidden;

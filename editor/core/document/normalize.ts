@@ -19,7 +19,27 @@ import {
   withIds,
 } from '../../../schema/index.ts';
 
+/** Why a change was refused, for the user. */
+export interface Refusal {
+  readonly message: string;
+  readonly hint: string;
+}
+
 type Normalized = { readonly ok: true; readonly file: LevelFile } | { readonly ok: false; readonly refusal: Refusal };
+
+/**
+ * Makes a valid level of the result of a recipe: limits numbers to their ranges, cuts texts, rounds ticks, drops empty holds,
+ * adds missing ids. What is not close to a valid level is refused. Everything shared with `before`, which is normalized, is
+ * skipped.
+ */
+export function normalize(file: LevelFile, before: LevelFile | null): Normalized {
+  try {
+    return { ok: true, file: normalizeIds(normalizeTop(file, before), before) };
+  } catch (error) {
+    if (error instanceof Refused) return { ok: false, refusal: error.refusal };
+    throw error;
+  }
+}
 
 const { shape } = levelSchema;
 const LEVEL: Fields = { shape, limits: { range: [LIMITS.leastRadius, LIMITS.radius] }, required: [] };
@@ -127,20 +147,6 @@ function normalizeTop(file: LevelFile, before: LevelFile | null): LevelFile {
   return normalized;
 }
 
-/**
- * Makes a valid level of the result of a recipe: limits numbers to their ranges, cuts texts, rounds ticks, drops empty holds,
- * adds missing ids. What is not close to a valid level is refused. Everything shared with `before`, which is normalized, is
- * skipped.
- */
-export function normalize(file: LevelFile, before: LevelFile | null): Normalized {
-  try {
-    return { ok: true, file: normalizeIds(normalizeTop(file, before), before) };
-  } catch (error) {
-    if (error instanceof Refused) return { ok: false, refusal: error.refusal };
-    throw error;
-  }
-}
-
 const { shape: runShape } = levelSchema.shape.runs.unwrap().element;
 const RUN: Fields = { shape: runShape, limits: {}, required: [] };
 const NOTE: Fields = { shape: runShape.notes.unwrap().element.shape, limits: {}, required: ['tick', 'text'] };
@@ -205,12 +211,6 @@ function normalizeRun(value: RunFile): RunFile {
   const rest = normalizeFields(others, RUN, 'a run');
   const isSame = normalized.name === name && normalized.holds === holds && noted === notes && rest === others;
   return isSame ? value : { ...normalized, ...(noted === undefined ? {} : { notes: noted }), ...rest };
-}
-
-/** Why a change was refused, for the user. */
-export interface Refusal {
-  readonly message: string;
-  readonly hint: string;
 }
 
 type Json = { [key: string]: unknown };

@@ -13,6 +13,7 @@ import {
   SINGLE_KINDS,
   type SingleKind,
 } from '../../../schema/index.ts';
+import { keptWith } from '../kept/index.ts';
 
 /**
  * The key of an object: its id, or its kind for the objects that every level has exactly once, which have no id. No id begins
@@ -46,8 +47,6 @@ export interface FoundObject {
   readonly pointer: string;
 }
 
-const known = new WeakMap<LevelFile, ReadonlyMap<ObjectKey, FoundObject>>();
-
 /** What was last found in each list, and singly: a drag makes a new file at each step, in which most objects are the same. */
 const last = new Map<ObjectList, FoundObject[]>();
 const lastSingle = new Map<SingleKind, FoundObject>();
@@ -80,9 +79,7 @@ function foundIn(list: ObjectList, objects: readonly PlacedObject[]): FoundObjec
 }
 
 /** All objects of a file by key: first the single ones, then the lists in file order. Computed once per file. */
-export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> {
-  const made = known.get(file);
-  if (made !== undefined) return made;
+export const objectsOf = keptWith((file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> => {
   const objects = new Map<ObjectKey, FoundObject>();
   for (const kind of SINGLE_KINDS) {
     const found = foundSingle(kind, file[kind]);
@@ -91,9 +88,8 @@ export function objectsOf(file: LevelFile): ReadonlyMap<ObjectKey, FoundObject> 
   for (const list of OBJECT_LISTS) {
     for (const found of foundIn(list, file[list] ?? [])) objects.set(found.key, found);
   }
-  known.set(file, objects);
   return objects;
-}
+});
 
 /** The key of the object that a JSON pointer leads to or into, for going to a problem; null if there is none. */
 export function keyAt(file: LevelFile, pointer: string): ObjectKey | null {

@@ -1,4 +1,5 @@
 import { type LevelFile, LIMITS } from '../../../schema/index.ts';
+import { keptWith } from '../kept/index.ts';
 import type { Recipe } from './edited-level.ts';
 
 /** A note that is pinned to a place of the level, for those who edit it. */
@@ -29,20 +30,18 @@ function isNote(value: unknown): value is Omit<PinnedNote, 'id'> {
   return typeof value.text === 'string' && value.text !== '' && value.text.length <= LONGEST_PINNED_NOTE;
 }
 
-const known = new WeakMap<object, readonly PinnedNote[]>();
 const NONE: readonly PinnedNote[] = [];
+
+const notesIn = keptWith((value: Json): readonly PinnedNote[] =>
+  Object.entries(value)
+    .flatMap(([id, note]) => (isNote(note) ? [{ id, x: note.x, y: note.y, text: note.text }] : []))
+    .slice(0, MOST),
+);
 
 /** The notes of a level. What has another form belongs to another program and is left out. The same list for the same value. */
 export function pinnedNotesIn(file: LevelFile): readonly PinnedNote[] {
   const value = (file as Json)[KEY];
-  if (!isObject(value)) return NONE;
-  const made = known.get(value);
-  if (made !== undefined) return made;
-  const notes = Object.entries(value).flatMap(([id, note]): PinnedNote[] =>
-    isNote(note) ? [{ id, x: note.x, y: note.y, text: note.text }] : [],
-  );
-  known.set(value, notes.slice(0, MOST));
-  return notes.slice(0, MOST);
+  return isObject(value) ? notesIn(value) : NONE;
 }
 
 /** Why no note can be added; null: one can. */

@@ -2,8 +2,11 @@
 export function keptWith<K extends object, V>(make: (owner: K) => V): (owner: K) => V {
   const kept = new WeakMap<K, V>();
   return (owner) => {
-    const known = kept.get(owner) ?? make(owner);
-    kept.set(owner, known);
+    let known = kept.get(owner);
+    if (known === undefined) {
+      known = make(owner);
+      kept.set(owner, known);
+    }
     return known;
   };
 }

@@ -308,7 +308,7 @@ export async function renameTitle(editor: Editor, { id }: LevelEntry, name: stri
     const result = open.document.change('Rename level', (draft) => {
       draft.name = name;
     });
-    if (!result.ok) editor.notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    if (!result.ok) editor.notices.refuse(result.refusal);
     else await open.opened.saver.flush();
     await editor.workspace.refresh();
     return result.ok;

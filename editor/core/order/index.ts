@@ -37,7 +37,7 @@ const several = (count: number): string => (count === 1 ? '' : ` ${count} object
 export function orderActions({ notices }: Editor, { document, selection }: OpenLevel): OrderActions {
   const change = (label: string, recipe: Recipe) => {
     const result = document.change(label, recipe);
-    if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    if (!result.ok) notices.refuse(result.refusal);
   };
   /** The objects whose mark can be set; says so where it can't be. */
   const markable = (keys: readonly ObjectKey[], mark: Mark): ObjectKey[] => {

@@ -78,7 +78,7 @@ export function useLevelText(id: string, fromDisk: boolean, onSaved: () => void)
     if (base.etag === null && level?.opened.id() === id) {
       const result = level.document.replace('Edited as text', reading.file);
       if (result.ok) onSaved();
-      else notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+      else notices.refuse(result.refusal);
       return;
     }
     const answer = await workspace.storage.write(id, text, over ?? base.etag);

@@ -29,7 +29,7 @@ export function runChanges({ session, notices }: Editor, level: OpenLevel, shown
   const { document } = level;
   const change = (label: string, recipe: Recipe): ChangeResult => {
     const result = document.change(label, recipe);
-    if (!result.ok) notices.show('warning', `${result.refusal.message}. ${result.refusal.hint}`, { topic: 'refused' });
+    if (!result.ok) notices.refuse(result.refusal);
     return result;
   };
   const show = (name: string | null) => session.setState({ run: name, tick: 0, hoverTick: null, isPlayingBack: false });
