@@ -5,8 +5,6 @@ import { distance, margin, surelyLess } from './rounding.ts';
 import { px, subject, thing } from './say.ts';
 import { ALL_ACCURACIES, CONTINUOUS, exitOf, mouthDiscs, type Setting, type Thing } from './setting.ts';
 
-// Proofs that rest on distances alone: of what is near the start, and of what she can ever come in range of.
-
 const START = { x: 0, y: 0 };
 
 /**

@@ -1,8 +1,6 @@
 import { type Field, KINDS, type NumberField, type ObjectKind } from '../../../schema/index.ts';
 import type { FieldChange, Json, PartChange } from '../change.ts';
 
-// Values in words, from texts and numbers to what has changed of an object.
-
 const LONGEST = 40;
 
 /** A text in quotes: escaped so that it cannot control a terminal, and cut if it is long. */

@@ -7,8 +7,6 @@ import { successProbability } from '../robustness/index.ts';
 import { gradeOf, hardnessOf, strictnessOf } from './grade.ts';
 import { sigmaAtHalfOf } from './sigma-at-half.ts';
 
-// The runs by which a level is measured: first they are found, then compared.
-
 /** Runs that meet a goal, to be compared. */
 export interface FoundRuns {
   /** The level's own runs that meet the goal, then those that the search found; no two are the same. */

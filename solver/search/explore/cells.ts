@@ -1,7 +1,5 @@
 import type { Scene, Simulation } from '../../../engine/index.ts';
 
-// The cells into which a search sorts states: how the cell of a state is computed, and what is kept for each.
-
 const EMPTY = -1;
 
 /**
