@@ -11,13 +11,9 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-<<<<<<< HEAD
-  files: { goal: 1150, now: 1103 },
-=======
-  files: { goal: 1150, now: 1106 },
->>>>>>> main
+  files: { goal: 1150, now: 1102 },
   /** their lines */
-  lines: { goal: 121_000, now: 130_265 },
+  lines: { goal: 121_000, now: 130_262 },
   /** lines of a file in the median, at least */
   median: { goal: 80, now: 104 },
   /** % of files under 30 lines */
