@@ -130,10 +130,7 @@ export function mineralsNeeded(goal: Goal, count: number): number {
   return goal.minerals === 'all' ? count : goal.minerals;
 }
 
-/** The ticks at which the button changes, two for each hold. */
-export const edgesOf = (holds: readonly Hold[]): number[] => holds.flat();
-
-/** Converts edges back into holds; null where the edges are not strictly ascending, or one is negative. */
+/** Converts edges, the ticks at which the button changes, back into holds; null where the edges are not strictly ascending, or one is negative. */
 export function holdsOf(edges: readonly number[]): Hold[] | null {
   const holds: Hold[] = [];
   for (let i = 0; i < edges.length; i += 2) {

@@ -3,6 +3,8 @@ import type { Hold } from '../../schema/index.ts';
 import { plural } from '../words/index.ts';
 import { compareHolds, firstDifference } from './compare-holds.ts';
 
+// Two runs of a level: what differs in their holds and figures, where they part and meet, and all that in words.
+
 /** What is compared of a run. */
 export interface ComparableRun {
   /** Sorted and disjoint. */

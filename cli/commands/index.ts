@@ -92,7 +92,7 @@ export const COMMANDS: readonly CommandEntry[] = [
   {
     name: 'explain',
     summary: 'explain a problem: what it means, why it matters, how to fix it',
-    load: () => import('./explain/index.ts'),
+    load: () => import('./explain.ts'),
   },
   { name: 'edit', summary: 'edit levels in the browser, with a live run and verdict', load: () => import('./edit.ts') },
   {

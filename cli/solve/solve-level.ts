@@ -7,9 +7,8 @@ import type { Limits } from '../options/index.ts';
 import { robustnessJson } from '../report-parts/index.ts';
 import { catchSignals, leaveSignals } from '../terminal/index.ts';
 import { measureRun, openLanes } from './lanes.ts';
-import { type Found, searchInRounds } from './rounds.ts';
+import { type Found, searchInRounds, startWorkerPool } from './rounds.ts';
 import { LANES, PROOF_LANE, type SolveSettings } from './settings.ts';
-import { startWorkerPool } from './worker-pool.ts';
 
 /** A run that was found and replayed, with its robustness. */
 export interface SolvedRun {

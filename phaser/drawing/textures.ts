@@ -13,6 +13,19 @@ import { repulsor } from './repulsor.ts';
 import { wind } from './wind.ts';
 import { wormhole } from './wormhole.ts';
 
+/** How each kind of object is drawn. */
+export const DRAWINGS = {
+  astronaut,
+  blackHole,
+  asteroid,
+  nova,
+  repulsor,
+  alien,
+  mineral,
+  wind,
+  wormhole,
+} satisfies Readonly<Record<ObjectKind, KindDrawing<never>>>;
+
 /** side of a tile of stars, px */
 export const STAR_TILE = 512;
 
@@ -102,16 +115,3 @@ function drawHaze(brush: Brush, colours: GameColours): void {
     [1, faint(colours.haze, 0)],
   ]);
 }
-
-/** How each kind of object is drawn. */
-export const DRAWINGS = {
-  astronaut,
-  blackHole,
-  asteroid,
-  nova,
-  repulsor,
-  alien,
-  mineral,
-  wind,
-  wormhole,
-} satisfies Readonly<Record<ObjectKind, KindDrawing<never>>>;

@@ -11,25 +11,21 @@ import {
   SINGLE_KINDS,
 } from '../../schema/index.ts';
 import { isEqual, type Json } from './change.ts';
-import { keyInWords } from './words/index.ts';
-
-/** A JSON value on one line, without characters that control a terminal. */
-const exactly = (value: unknown): string =>
-  JSON.stringify(value).replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, (c) => `\\u{${c.codePointAt(0)?.toString(16)}}`);
+import { jsonLine, keyInWords } from './words/index.ts';
 
 const unitOf = (field: Field): string => (field.type === 'number' && field.unit !== null ? ` ${field.unit}` : '');
 
 /** An object on one line: what it is, its id, where it is, and every other field that is written. */
 function objectLine(kind: ObjectKind, object: Json): string {
   const { places, fields: known } = KINDS[kind];
-  const at = places.map(([x, y]) => `(${exactly(object[x])}, ${exactly(object[y])})`).join(' and ');
+  const at = places.map(([x, y]) => `(${jsonLine(object[x])}, ${jsonLine(object[y])})`).join(' and ');
   const inPlaces = new Set(places.flat());
   const fields = fieldsOf(kind).flatMap(([key, field]) =>
-    inPlaces.has(key) || object[key] === undefined ? [] : [`${field.label ?? key} ${exactly(object[key])}${unitOf(field)}`],
+    inPlaces.has(key) || object[key] === undefined ? [] : [`${field.label ?? key} ${jsonLine(object[key])}${unitOf(field)}`],
   );
   const own = Object.keys(object)
     .filter((key) => key !== 'id' && !Object.hasOwn(known, key) && object[key] !== undefined)
-    .map((key) => `${keyInWords(key)} ${exactly(object[key])}`);
+    .map((key) => `${keyInWords(key)} ${jsonLine(object[key])}`);
   const id = object.id === undefined ? '' : ` ${String(object.id)}`;
   return [`${appearanceOfObject(kind, object).one}${id} at ${at}`, ...fields, ...own].join(', ');
 }
@@ -47,12 +43,12 @@ const LISTED = new Set<string>(['name', 'runs', ...SINGLE_KINDS, ...LISTED_KINDS
  */
 export function levelInLines(file: LevelFile): string {
   const level = file as unknown as Json;
-  const lines = [`level ${exactly(file.name)}`];
+  const lines = [`level ${jsonLine(file.name)}`];
   for (const [key, value] of Object.entries(level)) {
     if (LISTED.has(key) || value === undefined) continue;
     const isMap = typeof value === 'object' && value !== null && !Array.isArray(value) && !key.startsWith('x-');
-    if (isMap) lines.push(...Object.entries(value).map(([name, inner]) => `${key}, ${keyInWords(name)} ${exactly(inner)}`));
-    else lines.push(`${keyInWords(key)} ${exactly(value)}`);
+    if (isMap) lines.push(...Object.entries(value).map(([name, inner]) => `${key}, ${keyInWords(name)} ${jsonLine(inner)}`));
+    else lines.push(`${keyInWords(key)} ${jsonLine(value)}`);
   }
   for (const kind of SINGLE_KINDS) lines.push(objectLine(kind, level[kind] as Json));
   for (const kind of LISTED_KINDS) {
@@ -62,11 +58,11 @@ export function levelInLines(file: LevelFile): string {
   }
   for (const run of file.runs ?? []) {
     const own = Object.entries(run).filter(([key, value]) => !LINES_OF_RUN.has(key) && !isEqual(value, undefined));
-    lines.push([`run ${exactly(run.name)}`, ...own.map(([key, value]) => `${keyInWords(key)} ${exactly(value)}`)].join(', '));
+    lines.push([`run ${jsonLine(run.name)}`, ...own.map(([key, value]) => `${keyInWords(key)} ${jsonLine(value)}`)].join(', '));
     for (const [press, release] of run.holds) lines.push(`  hold ${press}-${release}`);
     for (const { tick, text, ...more } of notesInOrder(run.notes ?? [])) {
-      const others = Object.entries(more).map(([key, value]) => `, ${keyInWords(key)} ${exactly(value)}`);
-      lines.push(`  note ${tick} ${exactly(text)}${others.join('')}`);
+      const others = Object.entries(more).map(([key, value]) => `, ${keyInWords(key)} ${jsonLine(value)}`);
+      lines.push(`  note ${tick} ${jsonLine(text)}${others.join('')}`);
     }
   }
   return lines.map((line) => `${line}\n`).join('');

@@ -37,6 +37,22 @@ export type LockReading =
       readonly text: string;
     };
 
+/**
+ * Reads a lock file: encoding, JSON syntax, version and shape. Throws nothing for any content.
+ *
+ * @param source - the bytes of the file, or its text
+ * @returns the lock, or every problem found, each with its place
+ */
+export function readLock(source: Uint8Array | string): LockReading {
+  const json = readJson(source, 'skip', 'lock');
+  if (!json.ok) return json;
+  const findings = [...json.findings, ...checkLock(json.value)];
+  if (findings.length > 0) return { ok: false, problems: toProblems(findings, json.locator), text: json.text };
+  const { locator } = json;
+  const lineOf = (path: string): number => locator.placeAt(locator.offsetOf(toPointer(['levels', path]), 'key')).line;
+  return { ok: true, lock: json.value as Lock, lineOf };
+}
+
 const EXPECTED: Readonly<Record<string, string>> = {
   number: 'a number',
   int: 'a whole number',
@@ -155,20 +171,4 @@ function checkLock(value: unknown): Finding[] {
     if (findings.length >= MAX_FINDINGS) return findings.slice(0, MAX_FINDINGS);
   }
   return findings;
-}
-
-/**
- * Reads a lock file: encoding, JSON syntax, version and shape. Throws nothing for any content.
- *
- * @param source - the bytes of the file, or its text
- * @returns the lock, or every problem found, each with its place
- */
-export function readLock(source: Uint8Array | string): LockReading {
-  const json = readJson(source, 'skip', 'lock');
-  if (!json.ok) return json;
-  const findings = [...json.findings, ...checkLock(json.value)];
-  if (findings.length > 0) return { ok: false, problems: toProblems(findings, json.locator), text: json.text };
-  const { locator } = json;
-  const lineOf = (path: string): number => locator.placeAt(locator.offsetOf(toPointer(['levels', path]), 'key')).line;
-  return { ok: true, lock: json.value as Lock, lineOf };
 }

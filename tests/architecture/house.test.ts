@@ -11,11 +11,11 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 /** The grain that is asked for, and how far the house may still be from it. */
 const LIMITS = {
   /** source files outside tests, bench and docs */
-  files: { goal: 1150, now: 1107 },
+  files: { goal: 1150, now: 1102 },
   /** their lines */
-  lines: { goal: 121_000, now: 130_269 },
+  lines: { goal: 121_000, now: 130_262 },
   /** lines of a file in the median, at least */
-  median: { goal: 80, now: 103 },
+  median: { goal: 80, now: 104 },
   /** % of files under 30 lines */
   short: { goal: 20, now: 11.6 },
   /** faces that forward one file */

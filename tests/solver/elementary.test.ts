@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { exponential, logarithm, normalQuantile } from '../../solver/measure/difficulty/player/elementary.ts';
+import { exponential, logarithm, normalQuantile } from '../../solver/measure/player/elementary.ts';
 import { normalBeyondHalf } from '../../solver/measure/robustness/index.ts';
 
 describe('the portable exponential and logarithm', () => {

@@ -11,8 +11,8 @@ import {
   UNCALIBRATED,
   verifyRun,
 } from '../../solver/index.ts';
-import { Evidence } from '../../solver/measure/difficulty/player/evidence.ts';
-import { practiceTable, timeRun } from '../../solver/measure/difficulty/player/player.ts';
+import { Evidence } from '../../solver/measure/player/evidence.ts';
+import { practiceTable, timeRun } from '../../solver/measure/player/player.ts';
 import { shippedLevel } from './shipped-level.ts';
 
 const ANY = { minerals: 'any' } as const;

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, joinHolds } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { createPlayers, type PlayerParameters, playAsPlayers, UNCALIBRATED, verifyRun } from '../../solver/index.ts';
-import { practise } from '../../solver/measure/difficulty/player/player.ts';
+import { practise } from '../../solver/measure/player/player.ts';
 import { createTrials, judgeAll, shiftHolds, tickNoise } from '../../solver/measure/robustness/index.ts';
 import { itQuick } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';

@@ -1,7 +1,7 @@
 import { Argument, type Command } from 'commander';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { REPORTER_NAMES } from '../../reporters/index.ts';
-import { EXPLAINED_CODES } from '../explain/index.ts';
+import { EXPLAINED_CODES } from '../explain.ts';
 import { bashScript, fishScript, zshScript } from './shells.ts';
 import { wordsOf } from './words.ts';
 

@@ -1,16 +1,26 @@
 import { extname } from 'node:path';
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.ts';
+import { plural } from '../../../check/words/index.ts';
+import { type ExportReport, MAX_FILE_SIZE, type OwnRules, readLevel } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured } from '../../find/index.ts';
-import { differing, expectOutput, levelsRead, planFile, readBytes, statOrError, writeAll, writeWhole } from '../../io/index.ts';
+import {
+  differing,
+  expectOutput,
+  type FileStatus,
+  levelsRead,
+  planFile,
+  readBytes,
+  statOrError,
+  writeAll,
+  writeWhole,
+} from '../../io/index.ts';
 import { formatOption } from '../../options/index.ts';
 import { showFileProblems, showProblems } from '../../report-parts/index.ts';
-import { colorsFor, Failure, namedPath } from '../../terminal/index.ts';
+import { colorsFor, Failure, namedPath, visibleLine } from '../../terminal/index.ts';
 import { type Made, type OriginalOptions, type ReadFile, type Refused, toOriginal, toTiled } from './made.ts';
-import { type ExportedFile, exportJson, exportPretty, warningsInWords } from './report.ts';
 
 interface ExportOptions extends OriginalOptions, ConfigOptions {
   readonly to: 'gravityquest' | 'tiled';
@@ -148,4 +158,45 @@ async function write({ files, warnings }: Made, options: ExportOptions): Promise
   const report = { files: done, warnings };
   if (options.format === 'json') return { output: exportJson(report), exitCode: 0 };
   return { output: exportPretty(report), messages, exitCode: 0 };
+}
+
+interface ExportedFile {
+  readonly file: string;
+  /** The level files that are in it. */
+  readonly levels: readonly string[];
+  readonly status: FileStatus;
+}
+
+interface Exported {
+  readonly files: readonly ExportedFile[];
+  readonly warnings: Made['warnings'];
+}
+
+/** Files that a warning names before it only counts them. */
+const NAMED = 2;
+
+/** Warnings for people: one for all files that it concerns. */
+function warningsInWords(warnings: Made['warnings']): string {
+  const files = new Map<string, string[]>();
+  for (const { file, message } of warnings) files.set(message, [...(files.get(message) ?? []), visibleLine(file)]);
+  return [...files]
+    .map(([message, names]) => {
+      const more = names.length > NAMED + 1 ? ` and ${names.length - NAMED} more` : '';
+      const shown = more === '' ? names : names.slice(0, NAMED);
+      return `warning: ${shown.join(', ')}${more}: ${visibleLine(message)}\n`;
+    })
+    .join('');
+}
+
+/** The results of `export` as JSON. */
+function exportJson({ files, warnings }: Exported): string {
+  const rows = files.map(({ file, levels, status }) => ({ file, levels: [...levels], status }));
+  const report: ExportReport = { version: 1, files: rows, warnings: [...warnings] };
+  return `${JSON.stringify(report)}\n`;
+}
+
+/** The results of `export` for people. */
+function exportPretty({ files }: Exported): string {
+  const lines = files.map(({ file, status, levels }) => `${status} ${visibleLine(file)}: ${plural(levels.length, 'level')}`);
+  return `${lines.join('\n')}\n`;
 }

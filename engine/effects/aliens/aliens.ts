@@ -6,6 +6,9 @@ import { AlienCrowd } from './crowd.ts';
 import { NOBODY } from './meetings-of-many.ts';
 import { pairTime } from './pair.ts';
 
+const { START, NEXT, EVENT, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
+const { CHASER } = RECORDS;
+
 /** What overlaps at the start has exploded by this time, s. */
 const AT_THE_START = 1e-9;
 
@@ -143,9 +146,6 @@ function layOutAliens(m: Motion): void {
     crowdOf(m).wake(i);
   }
 }
-
-const { START, NEXT, EVENT, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
-const { CHASER } = RECORDS;
 
 export const alienChase: EngineEffect = {
   name: 'alien-chase',

@@ -1,8 +1,12 @@
+import { eachTargetNear, eventRule, justFired, offer, quietWithin, rockDistanceToNear } from '../../events/index.ts';
 import {
   CENTRAL,
   type CentralForce,
+  distanceSquared,
+  GOES_ON,
   LINEAR,
   layOutRocks,
+  MEETINGS,
   type Motion,
   RECORDS,
   rebase,
@@ -10,17 +14,18 @@ import {
   stir,
   TURNS,
 } from '../../motion/index.ts';
+import { SURPLUS } from '../../tolerances.ts';
 import { type Effect, whereAny } from '../effect.ts';
-import { meetTarget, passCentre, switchTarget } from './events.ts';
-import { holdOnLine } from './line.ts';
-import { isTiny, skipOrbits } from './orbits.ts';
-import { holdNearest } from './target.ts';
+import { centreTime, holdOnLine, meetingTime, putInCentre } from './line.ts';
+import { isTiny, skipOrbits, skipPeriods } from './orbits.ts';
+import { countSwitch, holdNearest, quietUntilSwitch, recordTarget, switchTime } from './target.ts';
 
 export { recordTarget } from './target.ts';
 
-const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y } = SLOTS;
+const { HELD, TARGET, FIELD, KIND, TURN, COS, SIN, SIDE, LINE_X, LINE_Y, COVER, MEETS, LAST_EVENT, LAST_A } = SLOTS;
 const { ROCK } = RECORDS;
 const { TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
+const { NOT, AHEAD, BEHIND } = MEETINGS;
 
 /** The pull of the gun towards its target: pull (1 - d / range). */
 const gunPull: CentralForce = {
@@ -51,6 +56,78 @@ const gunPull: CentralForce = {
     return left > 0 ? d + (v * v) / (2 * left) : Number.POSITIVE_INFINITY;
   },
 };
+
+/** On a line she passes the centre of the force, where the direction of the force flips. */
+const passCentre = eventRule({
+  name: 'centre',
+  keepsPeriod: true,
+  always(m, from) {
+    if (m.s[KIND] === LINEAR) offer(m, centreTime(m, from), passCentre.kind, 0, 0);
+  },
+  alwaysQuiet(m, time) {
+    const { s, ux, uy, path } = m;
+    if (s[KIND] !== LINEAR) return time;
+    return quietWithin(m, Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]), -path.speed, time);
+  },
+  fire(m) {
+    m.ux[0] = 0;
+    m.uy[0] = 0;
+    skipPeriods(m);
+    return GOES_ON;
+  },
+});
+
+/** Held inside a field, she meets a target that is on her line. */
+const meetTarget = eventRule({
+  name: 'meeting',
+  always(m, from) {
+    const meets = m.s[MEETS];
+    if (meets === AHEAD || meets === BEHIND) offer(m, meetingTime(m, from), meetTarget.kind, 0, 0);
+  },
+  alwaysQuiet(m, time) {
+    if (m.s[MEETS] === NOT) return time;
+    return quietWithin(m, Math.sqrt(distanceSquared(m, m.s[TARGET])), -m.path.speed, time);
+  },
+  fire(m) {
+    putInCentre(m);
+    return GOES_ON;
+  },
+});
+
+/** Whether asteroid `i` stands still in the same place as the target: then the first of them stays the target. */
+function isInSamePlace(m: Motion, i: number): boolean {
+  const target = m.s[TARGET];
+  return !m.recoil && m.targetX[i] === m.targetX[target] && m.targetY[i] === m.targetY[target];
+}
+
+/** Another asteroid becomes the nearest while the gun is held. */
+const switchTarget = eventRule({
+  name: 'target',
+  list(m) {
+    const { s, near } = m;
+    const target = s[TARGET];
+    if (target < 0) return;
+    const own = rockDistanceToNear(m, target);
+    eachTargetNear(m, 2 * near.skin + own + 1e-3, 0, (i) => {
+      if (i !== target) near.add(switchTarget.kind, i, (rockDistanceToNear(m, i) - own) / 2 - SURPLUS);
+    });
+  },
+  isOver: isInSamePlace,
+  guard(m, i, from) {
+    offer(m, switchTime(m, i, from, justFired(m, switchTarget.kind, i)), switchTarget.kind, i, 0);
+  },
+  quiet: quietUntilSwitch,
+  fire(m, i, _b, time) {
+    const { s } = m;
+    countSwitch(m, time);
+    s[LAST_EVENT] = switchTarget.kind;
+    s[LAST_A] = s[TARGET];
+    s[TARGET] = i;
+    s[COVER] = i;
+    recordTarget(m, time);
+    return GOES_ON;
+  },
+});
 
 export const gun: Effect = {
   name: 'gun',

@@ -1,3 +1,3 @@
 export { changesInWords } from './change-words.ts';
 export { effectsInWords, standingInWords } from './effect-words.ts';
-export { keyInWords } from './values.ts';
+export { jsonLine, keyInWords } from './values.ts';

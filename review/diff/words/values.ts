@@ -7,8 +7,12 @@ const LONGEST = 40;
 export function quoted(text: string): string {
   const letters = [...text];
   const shown = letters.length > LONGEST ? `${letters.slice(0, LONGEST).join('')}…` : text;
-  return JSON.stringify(shown).replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, (c) => `\\u{${c.codePointAt(0)?.toString(16)}}`);
+  return jsonLine(shown);
 }
+
+/** A JSON value on one line, without characters that control a terminal. */
+export const jsonLine = (value: unknown): string =>
+  JSON.stringify(value).replace(/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/gu, (c) => `\\u{${c.codePointAt(0)?.toString(16)}}`);
 
 /** A key as it is; one that is no plain word in quotes. */
 export const keyInWords = (key: string): string => (/^[\w$-]+$/.test(key) && key.length <= LONGEST ? key : quoted(key));

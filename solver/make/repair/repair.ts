@@ -2,7 +2,7 @@ import { type Accuracy, compile, maxTicksOf, type Terms, TICK, termsOf } from '.
 import type { Level } from '../../../schema/basics/index.ts';
 import type { Blocker, LineEnd, Proof, Strip } from '../../prove/index.ts';
 import type { Effort } from '../../search/explore/index.ts';
-import type { Steps } from '../../steps.ts';
+import { advancing, type Steps } from '../../steps.ts';
 import { createRetime } from '../retime/index.ts';
 import { type ObjectRef, objectAt } from './change.ts';
 import { HOLE, hazards, isSame, START } from './family.ts';
@@ -67,9 +67,7 @@ export interface Repair {
 export function createRepair(level: Level, under: Accuracy | Terms, options: RepairOptions = {}): Repair {
   const { count = 3, seed = 0, maxTicks = maxTicksOf(termsOf(under)), proof = null } = options;
   const task = new Task(level, { ...termsOf(under), maxTime: maxTicks * TICK }, { count, seed, proof });
-  const work = repairSteps(task);
-  let asked = 0;
-  let finished = false;
+  const going = advancing(repairSteps(task), () => task.trials.ticks);
   return {
     get effort() {
       return { runs: task.trials.runs, ticks: task.trials.ticks };
@@ -81,12 +79,9 @@ export function createRepair(level: Level, under: Accuracy | Terms, options: Rep
       return task.completing;
     },
     get finished() {
-      return finished;
+      return going.finished;
     },
-    advance(ticks) {
-      asked += ticks;
-      while (!finished && task.trials.ticks < asked) finished = work.next().done === true;
-    },
+    advance: going.advance,
   };
 }
 

@@ -11,8 +11,8 @@ import {
   type Trials,
 } from '../../measure/robustness/index.ts';
 import type { Effort } from '../../search/explore/index.ts';
-import type { Steps } from '../../steps.ts';
-import { type Candidate, edgesOf, holdsOf, verifyRun } from '../../verified-run.ts';
+import { advancing, type Steps } from '../../steps.ts';
+import { type Candidate, holdsOf, verifyRun } from '../../verified-run.ts';
 import { seek } from './seek.ts';
 import { type Completing, type Move, movesOf, shifted, Task } from './task.ts';
 
@@ -127,7 +127,7 @@ export function createRetime(scene: Scene, holds: readonly Hold[], options: Reti
     best = retimed(edges) ?? best;
   };
   function* work(): Steps<void> {
-    for (const _ of seek(task, warm === null || warm.length !== given.length ? null : edgesOf(warm))) {
+    for (const _ of seek(task, warm === null || warm.length !== given.length ? null : warm.flat())) {
       take(task.best?.edges);
       yield null;
     }
@@ -146,13 +146,11 @@ export function createRetime(scene: Scene, holds: readonly Hold[], options: Reti
     best = { ...best, certified: { ticks, exhausted } };
   }
 
-  const steps = work();
-  let asked = 0;
-  let finished = false;
   const effort = (): Effort => ({
     runs: task.probe.runs + replays.runs + (trials?.runs ?? 0),
     ticks: task.probe.ticks + replays.ticks + (trials?.ticks ?? 0),
   });
+  const going = advancing(work(), () => effort().ticks);
   return {
     get effort() {
       return effort();
@@ -161,12 +159,9 @@ export function createRetime(scene: Scene, holds: readonly Hold[], options: Reti
       return best;
     },
     get finished() {
-      return finished;
+      return going.finished;
     },
-    advance(ticks) {
-      asked += ticks;
-      while (!finished && effort().ticks < asked) finished = steps.next().done === true;
-    },
+    advance: going.advance,
   };
 }
 

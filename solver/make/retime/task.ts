@@ -1,6 +1,6 @@
 import { boxCircleGap, createSimulation, type Scene, type Simulation, STATE_SIZE } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import { edgesOf, holdsOf } from '../../verified-run.ts';
+import { holdsOf } from '../../verified-run.ts';
 
 /** Holds that complete the level. */
 export interface Completing {
@@ -45,7 +45,7 @@ export class Task {
   constructor(scene: Scene, { holds, wanted, until, within, prefers }: Sought) {
     this.prefers = prefers;
     this.probe = new Probe(scene, wanted, until);
-    this.own = edgesOf(holds);
+    this.own = holds.flat();
     this.within = within;
     this.count = this.own.filter((edge) => edge < until).length;
   }

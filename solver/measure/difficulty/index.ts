@@ -10,22 +10,6 @@ export {
   type RunComparison,
 } from './measure-difficulty.ts';
 export {
-  createPlayers,
-  type FitInterval,
-  type ForecastAttempt,
-  fitPlayers,
-  type ObservedAttempt,
-  type PlayedAttempt,
-  type PlayerFit,
-  type PlayerForecast,
-  type PlayerOptions,
-  type PlayerParameters,
-  type PlayerPopulation,
-  type PlayerShare,
-  playAsPlayers,
-  UNCALIBRATED,
-} from './player/index.ts';
-export {
   type AsteroidUse,
   findShortcuts,
   type OnePress,

@@ -4,6 +4,8 @@ import { createRandom, type Random } from '../../random.ts';
 import { type Goal, mineralsNeeded } from '../../verified-run.ts';
 import { wilsonInterval } from '../robustness/index.ts';
 
+// What wins without skill: games that are played at random, and single presses, all of which are tried.
+
 /** How often a player wins who presses at random. */
 export interface RandomPlay {
   /** The share of games that meet the goal, 0 to 1. */

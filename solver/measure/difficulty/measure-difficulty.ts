@@ -2,6 +2,7 @@ import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createSolver } from '../../search/solve/index.ts';
 import { type Candidate, type Goal, verifyRun } from '../../verified-run.ts';
+import { createPlayers, type PlayerForecast } from '../player/index.ts';
 import {
   BRIEF_CERTIFY_RUNS,
   type EdgeSlack,
@@ -13,7 +14,6 @@ import {
 import { type Grade, type GradeInput, gradeOf } from './grade.ts';
 import { asGiven, type ComparedRun, compareRuns, findRuns } from './level-runs.ts';
 import { playAtRandom, type RandomPlay } from './luck.ts';
-import { createPlayers, type PlayerForecast } from './player/index.ts';
 import { findShortcuts, type Shortcuts } from './shortcuts.ts';
 import { findSigmaAtHalf, type SigmaAtHalf, sigmaAtHalfOf } from './sigma-at-half.ts';
 

@@ -1,7 +1,7 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createSearch, type Effort } from '../../search/explore/index.ts';
-import type { Steps } from '../../steps.ts';
+import { advancing, type Steps } from '../../steps.ts';
 import { verifyRun } from '../../verified-run.ts';
 import { proveLostByOrbits } from './prove-lost.ts';
 import type { Examined, LostPlace, RunLoss, SurveyedState } from './state.ts';
@@ -69,9 +69,7 @@ export function createSoftlockSurvey(scene: Scene, options: SurveyOptions = {}):
   const { explores = true } = options;
   const traced = (options.traced ?? []).map(createTracedRun);
   const task = new SurveyTask(scene, { runs, seed, maxTicks });
-  const work = surveySteps(task, traced, explores);
-  let asked = 0;
-  let finished = false;
+  const going = advancing(surveySteps(task, traced, explores), () => task.ticks + task.reserved);
   return {
     get effort() {
       return { runs: task.runCount, ticks: task.ticks };
@@ -86,12 +84,9 @@ export function createSoftlockSurvey(scene: Scene, options: SurveyOptions = {}):
       return traced;
     },
     get finished() {
-      return finished;
+      return going.finished;
     },
-    advance(ticks) {
-      asked += ticks;
-      while (!finished && task.ticks + task.reserved < asked) finished = work.next().done === true;
-    },
+    advance: going.advance,
   };
 }
 

@@ -4,6 +4,8 @@ import type { Candidate, Replay } from '../../verified-run.ts';
 import type { HeatMap } from './heat-map.ts';
 import type { Closest } from './search.ts';
 
+// What a search records: the tree of its stretches, the closest approach, and the runs that it has found.
+
 const doubled = (array: Int32Array): Int32Array => {
   const larger = new Int32Array(2 * array.length);
   larger.set(array);

@@ -1,6 +1,6 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
-import { type Candidate, createReplay, edgesOf, type Goal, holdsOf } from '../../verified-run.ts';
+import { type Candidate, createReplay, type Goal, holdsOf } from '../../verified-run.ts';
 import type { Effort } from '../explore/index.ts';
 
 /** Limits for {@link cleanRun}. */
@@ -68,7 +68,7 @@ export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, optio
     const before = best.tick;
     for (let cut = LONGEST_CUT; cut >= 1; cut /= 2) {
       for (let i = 0; i < 2 * best.holds.length; i++) {
-        const edges = edgesOf(best.holds);
+        const edges = best.holds.flat();
         // First move this edge and all later ones, then this edge alone.
         if (attempt(holdsOf(earlierFrom(edges, i, cut)), best.tick - 1, best.holds.length)) continue;
         attempt(holdsOf(edges.map((edge, k) => (k === i ? edge - cut : edge))), best.tick - 1, best.holds.length);
@@ -80,7 +80,7 @@ export function cleanRun(scene: Scene, holds: readonly Hold[], goal: Goal, optio
   const round = (): void => {
     for (const grid of GRIDS) {
       for (let i = 0; i < 2 * best.holds.length; i++) {
-        const edges = edgesOf(best.holds);
+        const edges = best.holds.flat();
         // An edge that is a multiple of a coarser grid stays where it is.
         if (GRIDS.some((wider) => wider >= grid && edges[i] % wider === 0)) continue;
         attempt(holdsOf(edges.map((edge, k) => (k === i ? rounded(edge, grid) : edge))), original.tick, best.holds.length);

@@ -1,6 +1,7 @@
 import { maxTicksOf, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/basics/index.ts';
 import { createRandom } from '../../random.ts';
+import { advancing } from '../../steps.ts';
 import type { Goal } from '../../verified-run.ts';
 import { type Closest, type Effort, type Explored, HeatTally } from '../explore/index.ts';
 import { changeRun } from './local-search.ts';
@@ -74,9 +75,8 @@ export function createSolver(scene: Scene, options: SolveOptions = {}): Solver {
   const { goal = { minerals: 'any' }, maxTicks = maxTicksOf(scene.terms) } = options;
   const session = createSolverSession(scene, { goal, seed, lane, maxTicks, objective, count, known });
   const work = objective === 'robust' ? new RobustWork(session).run() : solvePlain(session);
-  let asked = 0;
-  let finished = false;
   const spent = () => session.trials.ticks + session.restarts.effort.ticks;
+  const going = advancing(work, spent);
   return {
     get effort() {
       return { runs: session.trials.runs + session.restarts.effort.runs, ticks: spent() };
@@ -94,12 +94,9 @@ export function createSolver(scene: Scene, options: SolveOptions = {}): Solver {
       return session.solutions;
     },
     get finished() {
-      return finished;
+      return going.finished;
     },
-    advance(ticks) {
-      asked += ticks;
-      while (!finished && spent() < asked) finished = work.next().done === true;
-    },
+    advance: going.advance,
   };
 }
 

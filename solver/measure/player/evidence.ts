@@ -1,5 +1,5 @@
-import { TICK_RATE } from '../../../../engine/index.ts';
-import { normalBeyondHalf } from '../../robustness/index.ts';
+import { TICK_RATE } from '../../../engine/index.ts';
+import { normalBeyondHalf } from '../robustness/index.ts';
 import { logarithm } from './elementary.ts';
 import { deviationOf, practise, type TimedRun } from './player.ts';
 

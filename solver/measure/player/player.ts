@@ -1,6 +1,6 @@
-import { TICK_RATE } from '../../../../engine/index.ts';
-import type { Hold } from '../../../../schema/basics/index.ts';
-import { playFrom, shiftHolds, type Trials, uniformOf } from '../../robustness/index.ts';
+import { TICK_RATE } from '../../../engine/index.ts';
+import type { Hold } from '../../../schema/basics/index.ts';
+import { playFrom, shiftHolds, type Trials, uniformOf } from '../robustness/index.ts';
 import { exponential, logarithm, normalQuantile } from './elementary.ts';
 import type { PlayerParameters } from './parameters.ts';
 

@@ -1,4 +1,4 @@
-import { normalBeyondHalf, Z_90 } from '../../robustness/index.ts';
+import { normalBeyondHalf, Z_90 } from '../robustness/index.ts';
 import { exponential, logarithm } from './elementary.ts';
 import { Evidence, type ObservedAttempt } from './evidence.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';

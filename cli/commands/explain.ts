@@ -1,12 +1,17 @@
-import type { CodeExplanation } from '../../../schema/index.ts';
-import type { ProofCode } from '../../../solver/index.ts';
-import { alignColumns } from '../../report-parts/index.ts';
-import type { Colors } from '../../terminal/index.ts';
+import process from 'node:process';
+import type { Command } from 'commander';
+import type { CodeExplanation, ExplainReport } from '../../schema/index.ts';
+import type { ProofCode } from '../../solver/index.ts';
+import type { CommandHelp, CommandResult } from '../command.ts';
+import { EXPLAINED_CODES as ALL } from '../explained-codes.ts';
+import { formatOption } from '../options/index.ts';
+import { alignColumns } from '../report-parts/index.ts';
+import { type Colors, colorsFor, didYouMean, Failure } from '../terminal/index.ts';
 
 const WIDTH = 100;
 
 /** The explanation of one code for people. */
-export function explainPretty({ code, severity, title, why, fix, example }: CodeExplanation, colors: Colors): string {
+function explainPretty({ code, severity, title, why, fix, example }: CodeExplanation, colors: Colors): string {
   const paint = severity === 'error' ? colors.red : colors.yellow;
   let text = `${colors.bold(code)} (${paint(severity)}): ${title}\n\n${wrap(why)}\n\n${colors.bold('How to fix it')}\n${wrap(fix)}\n`;
   if (example !== undefined) text += `\n${colors.bold('Example')}\n${example.replace(/^/gm, '  ')}\n`;
@@ -14,12 +19,12 @@ export function explainPretty({ code, severity, title, why, fix, example }: Code
 }
 
 /** One kind of proof in full, for a person. */
-export function explainProof({ code, title, why, fix, see }: ProofExplanation, colors: Colors): string {
+function explainProof({ code, title, why, fix, see }: ProofExplanation, colors: Colors): string {
   return `${colors.bold(code)} (kind of proof): ${title}\n\n${wrap(why)}\n\n${colors.bold('What to do')}\n${wrap(fix)}\n\nThe full argument: ${see}\n`;
 }
 
 /** Every code and every kind of proof on a line. */
-export function listCodes(codes: readonly CodeExplanation[], proofs: readonly ProofExplanation[], colors: Colors): string {
+function listCodes(codes: readonly CodeExplanation[], proofs: readonly ProofExplanation[], colors: Colors): string {
   const lines = alignColumns([
     ...codes.map(({ code, severity, title }) => [code, severity, title]),
     ...proofs.map(({ code, title }) => [code, 'proof', title]),
@@ -120,8 +125,62 @@ const EXPLANATIONS: Readonly<Record<ProofCode, Pick<ProofExplanation, 'title' | 
 };
 
 /** The kinds of proof, in the order of docs/proofs.md. */
-export const PROOF_KINDS: readonly ProofExplanation[] = Object.entries(EXPLANATIONS).map(([code, explanation]) => ({
+const PROOF_KINDS: readonly ProofExplanation[] = Object.entries(EXPLANATIONS).map(([code, explanation]) => ({
   code,
   ...explanation,
   see: 'docs/proofs.md, "The kinds of proof"',
 }));
+
+/** A code that is also one of a problem is explained as that. */
+const PROOFS = PROOF_KINDS.filter(({ code }) => !ALL.some((problem) => problem.code === code));
+
+/** Every code that the command explains. */
+export const EXPLAINED_CODES: readonly string[] = [...ALL, ...PROOFS].map(({ code }) => code);
+
+export const help: CommandHelp = {
+  description:
+    'Explain a problem (what it means, why it matters, how to fix it) or a kind of proof. Without a code, list every code on a line.',
+  more: `
+Examples:
+  $ gq explain
+  $ gq explain unknown-key
+  $ gq explain out-of-range    a kind of proof`,
+};
+
+export function declare(command: Command, finish: (result: CommandResult) => void): void {
+  command
+    .argument('[code]', 'the code of a problem or a kind of proof, as reports name it')
+    .addOption(formatOption('pretty', 'json'))
+    .action((code: string | undefined, { format }: { format: 'pretty' | 'json' }) => finish(explain(code, format)));
+}
+
+function explain(code: string | undefined, format: 'pretty' | 'json'): CommandResult {
+  const colors = colorsFor(process.stdout);
+  if (code === undefined) {
+    return {
+      output:
+        format === 'json'
+          ? `${JSON.stringify({ version: 1, codes: [...ALL], proofs: [...PROOF_KINDS] } satisfies ExplainReport)}\n`
+          : listCodes(ALL, PROOFS, colors),
+      exitCode: 0,
+    };
+  }
+  const proof = PROOFS.find((entry) => entry.code === code);
+  if (proof !== undefined)
+    return {
+      output:
+        format === 'json' ? `${JSON.stringify({ version: 1, ...proof } satisfies ExplainReport)}\n` : explainProof(proof, colors),
+      exitCode: 0,
+    };
+  const found = ALL.find((entry) => entry.code === code);
+  if (found === undefined) {
+    throw new Failure(
+      `no problem or kind of proof has the code ${JSON.stringify(code)}${didYouMean(code, EXPLAINED_CODES)}; gq explain lists all codes`,
+    );
+  }
+  return {
+    output:
+      format === 'json' ? `${JSON.stringify({ version: 1, ...found } satisfies ExplainReport)}\n` : explainPretty(found, colors),
+    exitCode: 0,
+  };
+}

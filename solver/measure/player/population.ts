@@ -1,7 +1,7 @@
-import { joinHolds, type Scene } from '../../../../engine/index.ts';
-import type { Hold } from '../../../../schema/basics/index.ts';
-import { type Goal, verifyRun } from '../../../verified-run.ts';
-import { createTrials, type Trials, uniformOf, wilsonInterval, Z_90 } from '../../robustness/index.ts';
+import { joinHolds, type Scene } from '../../../engine/index.ts';
+import type { Hold } from '../../../schema/basics/index.ts';
+import { type Goal, verifyRun } from '../../verified-run.ts';
+import { createTrials, type Trials, uniformOf, wilsonInterval, Z_90 } from '../robustness/index.ts';
 import { exponential, normalQuantile } from './elementary.ts';
 import { type PlayerParameters, UNCALIBRATED } from './parameters.ts';
 import { type PlayedAttempt, Player, practiceTable, type TimedRun, timeRun, typicalError, uniformIn01 } from './player.ts';
