@@ -5,7 +5,7 @@ import { propertySettings, QUICK_RUNS } from './tests/property-settings.ts';
 import { DEEP_ONLY, deepFiles } from './tests/test-sets.ts';
 
 // ms: no test is about time; this ends what hangs, also on a machine that is busy with something else
-const PATIENCE = 180_000 * Math.max(1, propertySettings(process.env).runs);
+const PATIENCE = 600_000 * Math.max(1, propertySettings(process.env).runs);
 
 const PROJECT = import.meta.dirname;
 const IN_BROWSERS = 'tests/e2e/**/*.test.ts';

@@ -53,7 +53,7 @@ describe('hashes of runs', () => {
       } finally {
         rmSync(folder, { recursive: true, force: true });
       }
-    }, 120_000);
+    });
   } else {
     declareMissing('hashes in Bun', `no binary at ${BUN}: run npm ci`);
   }
@@ -76,5 +76,5 @@ describe('hashes of runs', () => {
     } finally {
       context.dispose();
     }
-  }, 240_000);
+  });
 });

@@ -287,7 +287,7 @@ describe('any drag of any object of the shipped levels', () => {
       }),
       { numRuns: 40 },
     );
-  }, 120_000);
+  });
 });
 
 describe('whatever is done, in any order', () => {
@@ -338,5 +338,5 @@ describe('whatever is done, in any order', () => {
       }),
       { numRuns: 60 },
     );
-  }, 120_000);
+  });
 });

@@ -94,7 +94,7 @@ describe('the player model fitted to synthetic plays', () => {
   let fits: PlayerFit[] = [];
   beforeAll(() => {
     fits = Array.from({ length: STUDIES }, (_, i) => fitOf(studyOf(level, holds, { players: 12, attempts: 5 }, TRUTH, 400 + i)));
-  }, 60_000);
+  });
 
   it.each(['scale', 'learning', 'spread'] as const)('has intervals of %s that contain the truth as often as they say', (key) => {
     const inside = fits.filter((own) => own[key]!.low <= TRUTH[key] && TRUTH[key] <= own[key]!.high).length;
