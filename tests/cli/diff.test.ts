@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { applyDiff, type Change } from '../../review/index.ts';
 import { type DiffReport, diffReportSchema, formatLevel, type LevelFile, withIds } from '../../schema/index.ts';
-import { itDeep, itQuick } from '../depth.ts';
+import { itDeep } from '../depth.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
 
@@ -57,7 +57,7 @@ describe('gq diff in a repository', () => {
     });
   });
 
-  itQuick('compares the working tree with HEAD: changed, laid out anew, new, gone and broken files', async () => {
+  it('compares the working tree with HEAD: changed, laid out anew, new, gone and broken files', async () => {
     const [asteroid, ...others] = firewalk.asteroids ?? [];
     write(
       'levels/b.level.json',
@@ -102,7 +102,7 @@ describe('gq diff in a repository', () => {
     expect((await gq(['diff', '--no-slack'], { cwd: path('levels') })).stdout).toContain('+ new.level.json');
   });
 
-  itQuick('compares revisions and ranges, and the index', async () => {
+  it('compares revisions and ranges, and the index', async () => {
     run(root, 'checkout', '-qb', 'feature');
     run(root, 'add', '-A');
     expect(brief(await report('--staged'))).toHaveLength(5);
@@ -151,7 +151,7 @@ describe('gq diff in a repository', () => {
     run(root, 'reset', '-q', '--hard');
   });
 
-  itQuick('says that a change of the configuration changes every level', async () => {
+  it('says that a change of the configuration changes every level', async () => {
     write('gq.config.json', '{ "rules": { "pull": 80 } }');
     const { rules, levels, same } = await report();
     expect(rules).toEqual([{ rule: 'pull', before: null, after: 80 }]);
@@ -235,7 +235,7 @@ describe('gq inside git', () => {
     write('levels/a.level.json', level({ name: 'Inside', blackHole: { x: 171, y: 0 } }));
   });
 
-  itQuick('is a textconv: git diff shows a line for each object', () => {
+  it('is a textconv: git diff shows a line for each object', () => {
     const text = shown('-c', `diff.gq-level.textconv=${GQ} diff --textconv`, 'diff', '--', 'levels/a.level.json');
     expect(text).toContain('-black hole at (170, 0)\n+black hole at (171, 0)\n');
     write('levels/a.level.json', '{ "version": 1');

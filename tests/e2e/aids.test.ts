@@ -60,12 +60,12 @@ inChromium('aids of the canvas in Chromium', ({ on }) => {
           {
             to: [{ x: 541, y: 200 }],
             before: async () => {
-              await until(async () => expect(await page.locator('.canvas__told').getByText('39 px').count()).toBe(2));
+              await until(async () => expect(await page.locator('.canvas__message').getByText('39 px').count()).toBe(2));
             },
           },
         );
         await until(() => expect(file('01').asteroids?.[2]).toMatchObject({ x: 542, y: 200 }));
-        expect(await page.locator('.canvas__told').getByText('39 px').count()).toBe(0);
+        expect(await page.locator('.canvas__message').getByText('39 px').count()).toBe(0);
       },
     ),
   );

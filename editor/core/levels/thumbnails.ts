@@ -65,11 +65,17 @@ export const thumbnailsOf = keptWith((editor: Editor): Thumbnails => {
   const pictures = picturesOf(editor);
   const store = createStore<MadeThumbnails>(() => ({ ...pictures.store.getState(), facts: new Map(), lastKey: new Map() }));
   pictures.store.subscribe(({ byKey }) => byKey !== store.getState().byKey && store.setState({ byKey }));
+  const setLast = (id: LevelEntry['id'], key: string) => {
+    const { lastKey } = store.getState();
+    if (lastKey.get(id) !== key) store.setState({ lastKey: new Map(lastKey).set(id, key) });
+  };
   return {
     store,
     want(entry, theme, terms) {
       const key = thumbnailKey(entry, theme, terms);
       if (key === null) return;
+      // it may have been drawn for another file with this content
+      if (pictures.store.getState().byKey.has(key)) return setLast(entry.id, key);
       pictures.want(key, {
         ...{ terms, theme, width: WIDTH },
         async text() {
@@ -78,11 +84,8 @@ export const thumbnailsOf = keptWith((editor: Editor): Thumbnails => {
           return answer.ok && answer.value.etag === entry.etag ? answer.value.text : null;
         },
         onDrawn(found) {
-          const { facts, lastKey } = store.getState();
-          store.setState({
-            facts: new Map(facts).set(factsKey(entry, terms) ?? '', found),
-            lastKey: new Map(lastKey).set(entry.id, key),
-          });
+          store.setState({ facts: new Map(store.getState().facts).set(factsKey(entry, terms) ?? '', found) });
+          setLast(entry.id, key);
         },
       });
     },

@@ -5,7 +5,6 @@ import { createRandom, createSearch } from '../../../solver/index.ts';
 import { Frontier } from '../../../solver/search/explore/frontier.ts';
 import { Guide, NO_WAY, WayMap } from '../../../solver/search/explore/guide.ts';
 import { LineOfFlight } from '../../../solver/search/explore/line-of-flight.ts';
-import { itQuick } from '../../depth.ts';
 import { plainLevel } from '../../engine/plain-level.ts';
 import { arbitraryOrdinaryLevel, fallThrough } from './solvable-levels.ts';
 
@@ -134,7 +133,7 @@ describe('a frontier', () => {
 });
 
 describe('a search that the guided one has joined', () => {
-  itQuick('gives the same result however it is advanced', () => {
+  it('gives the same result however it is advanced', () => {
     const wall = [-60, -30, 0, 30, 60].map((y) => ({ id: null, x: 190, y, radius: 16 }));
     const level = { ...fallThrough(), novae: [...wall, ...wall.map((o) => ({ ...o, x: 270 }))] };
     const scene = compile(level, 'arcade');
