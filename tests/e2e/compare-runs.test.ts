@@ -46,6 +46,12 @@ const endOf = (file: LevelFile, holds: readonly Hold[]) => simulate(compile(reso
 const racing = async ({ page, canvas }: Stage, slot: number, at: { x: number; y: number }) =>
   countColour(page, canvas.at(at), 22, LOOKS[slot].dark);
 
+/** The bottom of the ring around a ghost, where neither its path nor its label is. */
+const ring = async ({ page, canvas }: Stage, slot: number, at: { x: number; y: number }) => {
+  const { x, y } = canvas.at(at);
+  return countColour(page, { x, y: y + 21 }, 5, LOOKS[slot].dark);
+};
+
 inChromium('runs side by side, in Chromium', ({ on }) => {
   it(
     'by keys: a run gets a lane and a ghost that races; their difference is said; they change places and part',
@@ -62,14 +68,14 @@ inChromium('runs side by side, in Chromium', ({ on }) => {
 
         // the ghost is where the engine says, and moves along with the time
         await page.getByRole('slider', { name: 'Time' }).focus();
-        for (let second = 0; second < 3; second++) await page.keyboard.press('PageUp');
-        await tickIs(page, 180);
-        const there = placeAt(file('01'), LATE, 180);
-        await until(async () => expect(await racing(stage, 0, there)).toBeGreaterThan(20));
+        for (let second = 0; second < 10; second++) await page.keyboard.press('PageUp');
+        await tickIs(page, 600);
+        const [start, there] = [placeAt(file('01'), LATE, 0), placeAt(file('01'), LATE, 600)];
+        await until(async () => expect(await ring(stage, 0, there)).toBeGreaterThan(3));
+        expect(await ring(stage, 0, start)).toBe(0);
         await page.keyboard.press('Home');
-        const moved = await racing(stage, 0, there);
-        await until(async () => expect(await racing(stage, 0, { x: 200, y: 304 })).toBeGreaterThan(20));
-        expect(await racing(stage, 0, there)).toBeLessThanOrEqual(moved);
+        await until(async () => expect(await ring(stage, 0, start)).toBeGreaterThan(3));
+        expect(await ring(stage, 0, there)).toBe(0);
 
         await page.getByRole('tab', { name: 'Runs' }).focus();
         await page.keyboard.press('Enter');
