@@ -13,7 +13,7 @@ const LIMITS = {
   /** source files outside tests, bench and docs */
   files: { goal: 1150, now: 1102 },
   /** their lines */
-  lines: { goal: 121_000, now: 130_262 },
+  lines: { goal: 121_000, now: 130_300 },
   /** lines of a file in the median, at least */
   median: { goal: 80, now: 104 },
   /** % of files under 30 lines */
