@@ -57,14 +57,20 @@ export function afterRest(ms: number, call: () => void): () => void {
   };
 }
 
-/** ms after which the page is taken as idle even if it never is */
-const LONGEST = 150;
+/** How long to wait for an idle moment, ms. */
+interface Idle {
+  /** after this, the page is taken as idle even if it never is */
+  readonly longest: number;
+  /** where the browser can't tell, as Safari */
+  readonly untold: number;
+}
+
+const NEXT_TURN: Idle = { longest: 150, untold: 30 };
 
 /** Calls back once the page is idle. @returns cancels it */
-function whenIdle(call: () => void): () => void {
-  // Safari has no requestIdleCallback
-  if (typeof requestIdleCallback === 'undefined') return after(30, call);
-  const handle = requestIdleCallback(call, { timeout: LONGEST });
+export function whenIdle({ longest, untold }: Idle, call: () => void): () => void {
+  if (typeof requestIdleCallback === 'undefined') return after(untold, call);
+  const handle = requestIdleCallback(call, { timeout: longest });
   return () => cancelIdleCallback(handle);
 }
 
@@ -78,4 +84,5 @@ export function after(ms: number, call: () => void): () => void {
 export type Pace = number | 'idle';
 
 /** Calls back when the next turn is due. @returns cancels it */
-export const inPace = (pace: Pace, call: () => void): (() => void) => (pace === 'idle' ? whenIdle(call) : after(pace, call));
+export const inPace = (pace: Pace, call: () => void): (() => void) =>
+  pace === 'idle' ? whenIdle(NEXT_TURN, call) : after(pace, call);

@@ -1,5 +1,6 @@
 import { get, update } from 'idb-keyval';
 import { EDIT_API, EDIT_ERRORS } from '../../../schema/index.ts';
+import { whenIdle } from '../ask/index.ts';
 import { type AttemptKeeper, createAttemptKeeper, openIndexedDbAttempts } from '../attempts/index.ts';
 import { openDatabase } from '../database/index.ts';
 import { createJournal, openIndexedDbStore } from '../journal/index.ts';
@@ -97,16 +98,8 @@ async function browserLevels(timers: Timers): Promise<{ storage: LevelStorage; l
   return { storage: over(passingValues(), false), lateLevels: late.then((values) => over(values, true)) };
 }
 
-/** ms after which what waits for an idle moment is done in any case */
-const LONGEST_WAIT = 2000;
-
-/** Calls back once the page is idle. @returns cancels it */
-function whenPageIdle(call: () => void): () => void {
-  // Safari has no requestIdleCallback
-  if (typeof requestIdleCallback === 'undefined') return pageTimers.after(LONGEST_WAIT / 4, call);
-  const handle = requestIdleCallback(call, { timeout: LONGEST_WAIT });
-  return () => cancelIdleCallback(handle);
-}
+/** How long a version may wait until it is recorded, ms. */
+const BEFORE_RECORDED = { longest: 2000, untold: 500 };
 
 /** What the page provides: the levels behind `gq edit` if it comes from there, else those of the browser. */
 export async function pageSurroundings(page: Window): Promise<PageSurroundings> {
@@ -143,7 +136,11 @@ export async function pageSurroundings(page: Window): Promise<PageSurroundings> 
   const journal = createJournal(inTime, Date.now, timers.after);
   if (inTime === null) void late.then((store) => journal.adopt(store));
   const found = await openingVersions;
-  const versions = createVersionKeeper({ store: found.inTime, now: Date.now, whenIdle: whenPageIdle });
+  const versions = createVersionKeeper({
+    store: found.inTime,
+    now: Date.now,
+    whenIdle: (call) => whenIdle(BEFORE_RECORDED, call),
+  });
   if (found.inTime === null) void found.late.then((store) => versions.adopt(store));
   const made = await openingAttempts;
   const attempts = createAttemptKeeper(made.inTime, timers.after);

@@ -65,17 +65,18 @@ export const thumbnailsOf = keptWith((editor: Editor): Thumbnails => {
   const pictures = picturesOf(editor);
   const store = createStore<MadeThumbnails>(() => ({ ...pictures.store.getState(), facts: new Map(), lastKey: new Map() }));
   pictures.store.subscribe(({ byKey }) => byKey !== store.getState().byKey && store.setState({ byKey }));
-  const setLast = (id: LevelEntry['id'], key: string) => {
-    const { lastKey } = store.getState();
-    if (lastKey.get(id) !== key) store.setState({ lastKey: new Map(lastKey).set(id, key) });
-  };
+  /** The last keys, with that of a level that has a picture now. */
+  const withLast = (id: LevelEntry['id'], key: string) => new Map(store.getState().lastKey).set(id, key);
   return {
     store,
     want(entry, theme, terms) {
       const key = thumbnailKey(entry, theme, terms);
       if (key === null) return;
       // it may have been drawn for another file with this content
-      if (pictures.store.getState().byKey.has(key)) return setLast(entry.id, key);
+      if (store.getState().byKey.has(key)) {
+        if (store.getState().lastKey.get(entry.id) !== key) store.setState({ lastKey: withLast(entry.id, key) });
+        return;
+      }
       pictures.want(key, {
         ...{ terms, theme, width: WIDTH },
         async text() {
@@ -84,8 +85,8 @@ export const thumbnailsOf = keptWith((editor: Editor): Thumbnails => {
           return answer.ok && answer.value.etag === entry.etag ? answer.value.text : null;
         },
         onDrawn(found) {
-          store.setState({ facts: new Map(store.getState().facts).set(factsKey(entry, terms) ?? '', found) });
-          setLast(entry.id, key);
+          const facts = new Map(store.getState().facts).set(factsKey(entry, terms) ?? '', found);
+          store.setState({ facts, lastKey: withLast(entry.id, key) });
         },
       });
     },
