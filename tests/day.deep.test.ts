@@ -5,7 +5,7 @@ import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
 import { parse as parseYaml } from 'yaml';
 import { readLevel } from '../schema/index.ts';
-import { gq as gqIn, gqProcess, MAIN } from './cli/gq.ts';
+import { gqCovered, gq as gqIn, MAIN } from './cli/gq.ts';
 import { PROJECT } from './docs/page.ts';
 import { runIn } from './ready-made/project.ts';
 import { gqEdit } from './server/command.ts';
@@ -128,8 +128,6 @@ interface ScriptCoverage {
   readonly url: string;
   readonly functions: readonly { readonly functionName: string; readonly ranges: readonly { readonly count: number }[] }[];
 }
-
-const readCoverage = (path: string): ScriptCoverage[] => JSON.parse(readFileSync(path, 'utf8')).result;
 
 /** Where the run "solution" of the broken level begins: what its annotation points at. */
 const lineOfSolution = (): number => linesOf(SWING).findIndex((line) => line.includes('"solution"'));
@@ -400,10 +398,8 @@ describe.runIf(process.platform !== 'win32')('a day with git and CI', () => {
     const cache = at('node_modules/.cache/gq');
     const kept = () => readdirSync(cache).map((name) => [name, readFileSync(join(cache, name), 'latin1')]);
     const played = async (...command: string[]) => {
-      const coverage = at('node_modules/.coverage');
-      const ended = await gqProcess(command, { cwd: root, env: { NODE_V8_COVERAGE: coverage } });
-      const scripts = readdirSync(coverage).flatMap((name) => readCoverage(join(coverage, name)));
-      rmSync(coverage, { recursive: true });
+      const { coverage, ...ended } = await gqCovered(command, root);
+      const scripts = coverage.flatMap((text): ScriptCoverage[] => JSON.parse(text).result);
       const called = scripts
         .filter(({ url }) => url.includes('/dist/engine/'))
         .flatMap(({ functions }) =>

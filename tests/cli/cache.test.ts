@@ -12,7 +12,7 @@ import { accuracyOf, DEFAULT_MAX_WORK } from '../../engine/index.ts';
 import { MAX_FILE_SIZE, RULE_NAMES, RULES } from '../../schema/index.ts';
 import { importGraph } from '../architecture/import-graph.ts';
 import { describeDeep, itDeep, itQuick } from '../depth.ts';
-import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqCovered, gqProcess, makeFiles } from './gq.ts';
 import { narrowGap, shipped } from './levels.ts';
 
 const SETTINGS: Required<CheckSettings> = {
@@ -323,13 +323,8 @@ describe('the fingerprint of the code that decides', () => {
 
 itDeep('a check whose reports are all known loads neither the engine nor zod', async () => {
   const place = makeFiles({ 'levels/a.level.json': fallThrough(), 'levels/b.level.json': fallThrough({ runs: [] }) });
-  const modulesOf = async (...options: string[]) => {
-    const coverage = join(place.directory, 'coverage');
-    await gqProcess(['check', '--cache-dir', 'c', ...options], { cwd: place.directory, env: { NODE_V8_COVERAGE: coverage } });
-    const texts = readdirSync(coverage).map((name) => readFileSync(join(coverage, name), 'utf8'));
-    rmSync(coverage, { recursive: true });
-    return texts.join('');
-  };
+  const modulesOf = async (...options: string[]) =>
+    (await gqCovered(['check', '--cache-dir', 'c', ...options], place.directory)).coverage.join('');
   const heavy = /\/dist\/(?:engine|schema)\/index\.js|\/node_modules\/zod\//;
   expect(await modulesOf()).toMatch(heavy);
   expect(await modulesOf()).not.toMatch(heavy);

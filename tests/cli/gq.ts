@@ -1,5 +1,5 @@
 import { type ChildProcess, fork, spawn } from 'node:child_process';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
@@ -139,6 +139,17 @@ export function gqProcess(args: readonly string[], { cwd, env, during }: Process
     });
     during?.(child);
   });
+}
+
+/** Runs gq in a process of its own. @returns also which modules it has loaded and functions it has called, as V8 records it */
+export async function gqCovered(args: readonly string[], cwd: string): Promise<Ended & { readonly coverage: readonly string[] }> {
+  const folder = mkdtempSync(join(tmpdir(), 'gq-coverage-'));
+  try {
+    const ended = await gqProcess(args, { cwd, env: { NODE_V8_COVERAGE: folder } });
+    return { ...ended, coverage: readdirSync(folder).map((name) => readFileSync(join(folder, name), 'utf8')) };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
 /** Makes a directory for a test. @param files its file names and contents */

@@ -1,22 +1,12 @@
 import { execFileSync, spawn } from 'node:child_process';
-import {
-  closeSync,
-  constants,
-  mkdirSync,
-  openSync,
-  readdirSync,
-  readFileSync,
-  rmSync,
-  symlinkSync,
-  writeFileSync,
-} from 'node:fs';
+import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, describe, expect, it } from 'vitest';
 import { findLevelFiles } from '../../cli/find/index.ts';
 import { itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
-import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
+import { fallThrough, gq, gqCovered, gqProcess, MAIN, makeFiles } from './gq.ts';
 
 // drifting for an hour takes long enough to be interrupted
 const drift = fallThrough({
@@ -66,12 +56,9 @@ it('prints its version, and help for every command, on stdout', async () => {
 });
 
 it('lists its commands without what reads files and levels', async () => {
-  const coverage = join(cwd, 'coverage');
-  await gqProcess(['--help'], { cwd, env: { NODE_V8_COVERAGE: coverage } });
-  const loaded = readdirSync(coverage).map((name) => readFileSync(join(coverage, name), 'utf8'));
-  rmSync(coverage, { recursive: true });
-  expect(loaded.join('')).toMatch(/\/dist\/cli\/command-line\.js/);
-  expect(loaded.join('')).not.toMatch(/\/dist\/(?:cli\/io|engine|schema\/json)\/index\.js|\/node_modules\/zod\//);
+  const loaded = (await gqCovered(['--help'], cwd)).coverage.join('');
+  expect(loaded).toMatch(/\/dist\/cli\/command-line\.js/);
+  expect(loaded).not.toMatch(/\/dist\/(?:cli\/io|engine|schema\/json)\/index\.js|\/node_modules\/zod\//);
 });
 
 itDeep('prints the same output with any number of workers', async () => {

@@ -70,18 +70,11 @@ describe('the JSON of every command', () => {
     expect(REPORT_SCHEMAS[name].safeParse(report)).toMatchObject({ success: true });
     expect(validate({ ...report, version: 2 })).toBe(false);
   };
-  const declare = (it: Pick<typeof itQuick, 'each'>, commands: typeof COMMANDS) =>
-    it.each(commands)('%s begins with its version and has the published shape: gq %s', hasItsShape);
-
+  const HAS_ITS_SHAPE = '%s begins with its version and has the published shape: gq %s';
   // gq accuracy measures every accuracy, for seconds; tests/accuracy looks at the shape of one report
-  declare(
-    itQuick,
-    COMMANDS.filter(([name]) => name !== 'accuracy'),
-  );
-  declare(
-    itDeep,
-    COMMANDS.filter(([name]) => name === 'accuracy'),
-  );
+  const isDear = ([name]: (typeof COMMANDS)[number]) => name === 'accuracy';
+  itQuick.each(COMMANDS.filter((command) => !isDear(command)))(HAS_ITS_SHAPE, hasItsShape);
+  itDeep.each(COMMANDS.filter(isDear))(HAS_ITS_SHAPE, hasItsShape);
 });
 
 describe('gq schema', () => {
