@@ -6,27 +6,29 @@ const ATTRIBUTE = /\s(href|src|id|name)="([^"]*)"/g;
 const ENTITIES = { '&quot;': '"', '&#39;': "'", '&lt;': '<', '&gt;': '>', '&amp;': '&' };
 const decoded = (text) => text.replace(/&(?:quot|#39|lt|gt|amp);/g, (entity) => ENTITIES[entity]);
 
-/** Reads the tags of a page: what it links to, what it loads, and the anchors that it has. */
+/** Reads the tags of a page: what it links to, what it loads, the anchors that it has, and whether its text is there. */
 function tagsOf(html) {
   const links = [];
   const loaded = [];
   const anchors = new Set();
+  let hasText = false;
   for (const [tag, name] of html.matchAll(/<([a-z][\w-]*)\b(?:[^>"']|"[^"]*"|'[^']*')*>/g)) {
+    hasText ||= name === 'h1' || name === 'h2';
     for (const [, attribute, value] of tag.matchAll(ATTRIBUTE)) {
       if (attribute === 'id' || (attribute === 'name' && name === 'a')) anchors.add(decoded(value));
       else if (attribute === 'href' && name === 'a') links.push(decoded(value));
       else if (attribute !== 'name') loaded.push(decoded(value));
     }
   }
-  return { links, loaded, anchors };
+  return { links, loaded, anchors, hasText };
 }
 
 /**
- * Follows every link, picture, style and script of a built site.
+ * Follows every link, picture, style and script of a built site, and looks whether every page has its text.
  * @param {string} site folder of the site
  * @param {string} base path of the site on its server, with a slash at both ends
  * @returns {{ pages: number, links: number, problems: string[] }} numbers of pages and of what was followed, and what leads
- *   nowhere or is loaded from another server
+ *   nowhere, is loaded from another server or is empty
  */
 export function checkSite(site, base) {
   const files = readdirSync(site, { recursive: true }).map((path) => path.replaceAll('\\', '/'));
@@ -39,13 +41,21 @@ export function checkSite(site, base) {
     if (load !== undefined) problems.push(`${file}: ${load}: loaded from another server`);
   }
 
-  const fileOf = (path) => {
+  // pages share their sidebars, and so most of their links: what a path leads to is looked up once
+  const found = new Map();
+  const lookUp = (path) => {
     const candidates = path.endsWith('/') || path === '' ? [`${path}index.html`] : [path, `${path}.html`];
     return candidates.find((file) => existsSync(join(site, file)) && statSync(join(site, file)).isFile());
+  };
+  const fileOf = (path) => {
+    if (!found.has(path)) found.set(path, lookUp(path));
+    return found.get(path);
   };
 
   let links = 0;
   for (const [page, tags] of pages) {
+    // VitePress goes on when a page can't be rendered, and leaves it empty
+    if (!tags.hasText && page !== '404.html') problems.push(`${page}: no text: VitePress says above why it could not render it`);
     const follow = (target) => {
       links++;
       const [path, anchor = ''] = target.split('#');

@@ -27,8 +27,18 @@ export default defineConfig({
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     anchor: { slugify },
     config(md) {
+      // Vue would take what stands in two braces for a program
+      md.renderer.rules.code_inline = (tokens, index, _options, _env, self) =>
+        `<code v-pre${self.renderAttrs(tokens[index])}>${md.utils.escapeHtml(tokens[index].content)}</code>`;
       const fence = md.renderer.rules.fence;
-      md.renderer.rules.fence = (tokens, index, options, ...rest) => {
+      // a page is rendered for the browser, for the server and for the search
+      const rendered = new Map();
+      md.renderer.rules.fence = (tokens, index, ...rest) => {
+        const key = JSON.stringify([tokens[index].info, tokens[index].content]);
+        if (!rendered.has(key)) rendered.set(key, render(tokens, index, ...rest));
+        return rendered.get(key);
+      };
+      const render = (tokens, index, options, ...rest) => {
         const token = tokens[index];
         const isConsole = token.info === 'console';
         // what is printed is no program: only the lines that the reader types stand out
