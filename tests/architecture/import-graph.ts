@@ -29,14 +29,26 @@ export function importGraph(sources: readonly Source[]): ImportGraph {
  */
 export function circlesIn(graph: ImportGraph): string[] {
   const found = new Map<string, string>();
-  for (const path of graph.keys()) {
-    const circle = shortestCircle(graph, path);
+  const knots = knotsOf(graph);
+  for (const path of knots.keys()) {
+    const circle = shortestCircle(knots, path);
     if (circle === null) continue;
     const first = circle.indexOf([...circle].sort()[0]);
     const around = [...circle.slice(first), ...circle.slice(0, first), circle[first]].join(' -> ');
     found.set(around, around);
   }
   return [...found.keys()].sort();
+}
+
+/** The files that are left when those without an import that is left are taken away, again and again: those of circles, and those above them. */
+function knotsOf(graph: ImportGraph): ImportGraph {
+  let left = graph;
+  for (let before = Number.POSITIVE_INFINITY; left.size < before; ) {
+    before = left.size;
+    const kept = left;
+    left = new Map([...kept].filter(([, targets]) => targets.some((target) => kept.has(target))));
+  }
+  return left;
 }
 
 /** The shortest way by imports from a file back to it, without the return; null where there is none. Breadth first. */

@@ -1,4 +1,5 @@
 import { dirname, posix } from 'node:path';
+import { once } from '../once.ts';
 import { IMPURE_GLOBALS, PORTABLE_MATH, ROOMS, TOPS } from './rooms.ts';
 import { isNode, lineOf, type Node, treeOf, walk } from './syntax.ts';
 
@@ -6,7 +7,7 @@ const literal = (value: unknown): string | null =>
   isNode(value) && value.type === 'Literal' && typeof value.value === 'string' ? value.value : null;
 
 /** What a source file imports: static, re-exported, dynamic and in types. A dynamic import of no literal is `null`. */
-export function importsOf(path: string, text: string): (string | null)[] {
+export const importsOf = once((path: string, text: string): (string | null)[] => {
   const found: (string | null)[] = [];
   walk(treeOf(path, text), (node) => {
     if (node.type === 'ImportDeclaration' || node.type === 'ImportExpression' || node.type === 'TSImportType') {
@@ -17,7 +18,7 @@ export function importsOf(path: string, text: string): (string | null)[] {
     }
   });
   return found;
-}
+});
 
 /** Of what a source file imports more than types. */
 function valuesFrom(path: string, text: string): Set<string | null> {
