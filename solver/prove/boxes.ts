@@ -182,15 +182,25 @@ class BoxReach {
         const square = i * 32768 + j;
         if (!this.squares.has(square)) this.squares.set(square, { x: i * cell, y: j * cell });
         for (let k = Math.floor(box[4] / bin); k * bin <= box[5]; k++) {
+          const va = Math.max(box[4], k * bin);
+          const vb = Math.min(box[5], (k + 1) * bin);
           for (let l = Math.floor(box[6] / bin); l * bin <= box[7]; l++) {
             const key = (((i + 16384) * 32768 + (j + 16384)) * 2048 + (k + 1024)) * 2048 + (l + 1024);
-            const va = Math.max(box[4], k * bin);
-            const vb = Math.min(box[5], (k + 1) * bin);
             const wa = Math.max(box[6], l * bin);
             const wb = Math.min(box[7], (l + 1) * bin);
             const there = layer.get(key);
             if (there === undefined) layer.set(key, [xa, xb, ya, yb, va, vb, wa, wb]);
-            else join(there, [xa, xb, ya, yb, va, vb, wa, wb]);
+            else {
+              // most parts meet another one: no array for them
+              if (xa < there[0]) there[0] = xa;
+              if (xb > there[1]) there[1] = xb;
+              if (ya < there[2]) there[2] = ya;
+              if (yb > there[3]) there[3] = yb;
+              if (va < there[4]) there[4] = va;
+              if (vb > there[5]) there[5] = vb;
+              if (wa < there[6]) there[6] = wa;
+              if (wb > there[7]) there[7] = wb;
+            }
           }
         }
       }
@@ -284,13 +294,6 @@ class BoxReach {
 
 const least = (v: number, g0: number, g1: number): number => Math.min(v * g0, v * g1);
 const greatest = (v: number, g0: number, g1: number): number => Math.max(v * g0, v * g1);
-
-function join(box: FlatBox, by: FlatBox): void {
-  for (let i = 0; i < 8; i += 2) {
-    box[i] = Math.min(box[i], by[i]);
-    box[i + 1] = Math.max(box[i + 1], by[i + 1]);
-  }
-}
 
 function nearestTo({ x, y }: Spot, xa: number, xb: number, ya: number, yb: number): number {
   const dx = Math.max(0, xa - x, x - xb);
