@@ -228,7 +228,7 @@ describe.runIf(process.platform === 'linux')('a running search', () => {
     writeFileSync(join(cwd, 'changed.level.json'), fallThrough({ runs: undefined }));
     const other = fallThrough();
     const change = { path: join(cwd, 'changed.level.json'), text: other };
-    const args = 'solve changed.level.json --objective first --effort 400000 --jobs 2 --write --format json';
+    const args = 'solve changed.level.json --objective first --effort 400000 --jobs 1 --write --format json';
     const ended = await gqProcess(args.split(' '), {
       cwd,
       env: interruptAt({ of: 'message', number: 1, write: change }),

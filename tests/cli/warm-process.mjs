@@ -1,5 +1,5 @@
 // A process that runs one command of gq after another, for tests/cli/gq.ts: only the first pays for starting node and loading gq.
-import { closeSync, mkdtempSync, openSync, rmSync, writeFileSync, writeSync } from 'node:fs';
+import { closeSync, createReadStream, mkdtempSync, openSync, rmSync, writeFileSync, writeSync } from 'node:fs';
 import { register, syncBuiltinESMExports } from 'node:module';
 import os from 'node:os';
 import { join } from 'node:path';
@@ -38,12 +38,19 @@ function takeInput(path) {
   if (openSync(path) !== 0) throw new Error(`${path} is not the standard input`);
 }
 
+// Node makes the stream of the standard input once, and a command reads it to its end: each gets one of its own
+let input = null;
+Object.defineProperty(process, 'stdin', {
+  get: () => (input ??= Object.assign(createReadStream('', { fd: 0, autoClose: false }), { isTTY: undefined })),
+});
+
 /** Calls a function with a standard input; null: an empty one. */
-async function withInput(input, call) {
-  if (input === null) return call();
+async function withInput(content, call) {
+  input = null;
+  if (content === null) return call();
   const folder = mkdtempSync(join(os.tmpdir(), 'gq-input-'));
   try {
-    writeFileSync(join(folder, 'input'), Buffer.from(input, 'base64'));
+    writeFileSync(join(folder, 'input'), Buffer.from(content, 'base64'));
     takeInput(join(folder, 'input'));
     return await call();
   } finally {

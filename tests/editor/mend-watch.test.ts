@@ -23,6 +23,9 @@ const FALL: LevelFile = {
   runs: [{ name: 'solution', holds: [[0, 600]] }],
 };
 
+/** Finds with which work ends: more than one kind of them is among so many. */
+const ENOUGH = 3;
+
 function stage(file: LevelFile = FALL) {
   const document = createEditedLevel(file);
   const proof = createProofStore(document, DEFAULT_TERMS);
@@ -69,12 +72,13 @@ function stage(file: LevelFile = FALL) {
       if (job === null) throw new Error('nothing was asked for');
       const steps = JOBS.mend(structuredClone(job.request), () => 0);
       for (;;) {
-        const step = steps.next();
-        if (step.done !== true) continue;
-        job.end({ kind: 'done', result: structuredClone(step.value) });
+        const { value, done } = steps.next();
+        // the rest of the search would only find more
+        if (value === null || (done !== true && value.found.length < ENOUGH)) continue;
+        job.end({ kind: 'done', result: structuredClone(value) });
         await Promise.resolve();
         await Promise.resolve();
-        return step.value;
+        return value;
       }
     },
   };
@@ -161,7 +165,7 @@ describe('what mends a level on the page', () => {
     mend.start();
     const { found } = await work();
     expect(phase()).toBe('done');
-    expect(found.length).toBeGreaterThanOrEqual(3);
+    expect(found.length).toBeGreaterThanOrEqual(ENOUGH);
     for (const one of mend.store.getState().mending?.found ?? []) {
       mend.preview(one);
       expect(document.committedFile()).toBe(broken);
