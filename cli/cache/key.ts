@@ -64,13 +64,21 @@ export function semantics(root: string = HERE, extension: string = MODULE): stri
   return createHash('sha256').update(process.version).update(codeFingerprint(root, extension)).digest('hex');
 }
 
+let running: string | null = null;
+
 /**
- * The same without Node: results don't depend on it, only a cache takes no chances.
+ * The same without Node: results don't depend on it, only a cache takes no chances. That of the modules that run is computed once.
  * @param root the folder with the rooms
  * @param extension of a module
  * @throws if something is missing
  */
 export function codeFingerprint(root: string = HERE, extension: string = MODULE): string {
+  if (root !== HERE || extension !== MODULE) return fingerprint(root, extension);
+  running ??= fingerprint(HERE, MODULE);
+  return running;
+}
+
+function fingerprint(root: string, extension: string): string {
   const hash = createHash('sha256');
   const addFile = (name: string, bytes: Uint8Array): void => {
     // with the length, so that no bytes can look like the beginning of another file
