@@ -46,7 +46,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
   solve: {
     ask: (file, terms) => ({
       ...playedOf(file, terms),
-      ...{ goal: ANY, objective: 'robust', count: 1, seed: 1, lane: 0, budget: 30, known: [holdsOf(file)] },
+      ...{ goal: ANY, objective: 'robust', count: 1, seed: 1, lane: 0, budget: 5, known: [holdsOf(file)] },
     }),
     completes: ({ solutions }) => solutions.length > 0,
     dependsOn: ['maxTime'],
@@ -68,7 +68,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     dependsOn: MOTION,
   },
   difficulty: {
-    ask: (file, terms) => ({ ...playedOf(file, terms), holds: null, goal: ANY, budget: 30 }),
+    ask: (file, terms) => ({ ...playedOf(file, terms), holds: null, goal: ANY, budget: 5 }),
     completes: (result) => result !== null,
     dependsOn: ['maxTime'],
   },
@@ -93,7 +93,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     dependsOn: ALL,
   },
   fix: {
-    ask: (file, terms) => ({ ...playedOf(file, terms), seed: 0, budget: 20 }),
+    ask: (file, terms) => ({ ...playedOf(file, terms), seed: 0, budget: 10 }),
     completes: ({ completing }) => completing !== null,
     dependsOn: MOTION,
   },
@@ -126,7 +126,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     dependsOn: ['accuracy', 'maxTime'],
   },
   losses: {
-    ask: (file, terms) => ({ ...playedOf(file, terms), traced: [holdsOf(file)], effort: 1_000_000 }),
+    ask: (file, terms) => ({ ...playedOf(file, terms), traced: [holdsOf(file)], effort: 200_000 }),
     completes: ({ losses: [loss] }) => loss.completes,
     dependsOn: MOTION,
   },
