@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, simulate } from '../../engine/index.ts';
+import { compile, type Scene, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
-import { applyChange, certify, createRetime, findSlack, type Retime, verifyRun } from '../../solver/index.ts';
+import { applyChange, certify, createRetime, findSlack, type Retime, type Retimed, verifyRun } from '../../solver/index.ts';
 import '../fast-check.ts';
 import { shippedLevel } from './shipped-level.ts';
 
@@ -46,15 +46,24 @@ function smallestSingle(level: Level, holds: readonly Hold[], until: number): nu
   return Number.POSITIVE_INFINITY;
 }
 
+/** Those of them where all shifts at once are soon tried: elsewhere that takes a second each. */
+const FORGIVING_LITTLE = ['02-first-swing', '04-slingshot', '07-nova-lane'];
+
+/** What all shifts at once show of a result. */
+function certified(scene: Scene, { holds, run }: Retimed): Retimed['certified'] {
+  const goal = { minerals: run.minerals.length };
+  const { ticks, exhausted } = certify(scene, holds, goal, { maxRuns: 20_000, limit: 12 });
+  return { ticks, exhausted };
+}
+
 describe('holds near others that complete a changed level', () => {
   it('complete it in a simulation from the start, and are what they say they are', () => {
     fc.assert(
       fc.property(anyMove, ([slug, index, dx, dy]) => {
         const { level, holds, before } = moved(slug, index, dx, dy);
         const scene = compile(level);
-        const { best } = finish(
-          createRetime(scene, holds, { minerals: before.minerals, formerEnd: before.tick, certifies: true }),
-        );
+        const certifies = FORGIVING_LITTLE.includes(slug);
+        const { best } = finish(createRetime(scene, holds, { minerals: before.minerals, formerEnd: before.tick, certifies }));
         if (best === null) return;
         const run = simulate(scene, best.holds);
         expect(run.outcome).toBe('completed');
@@ -65,13 +74,22 @@ describe('holds near others that complete a changed level', () => {
         expect(best.edges).toBe(away.filter((by) => by > 0).length);
         expect(best.most).toBe(Math.max(...away));
         expect(best.total).toBe(away.reduce((sum, by) => sum + by, 0));
-        const goal = { minerals: collected.size };
-        expect(best.slack).toEqual(findSlack(scene, best.holds, goal));
-        const { ticks } = certify(scene, best.holds, goal, { maxRuns: 20_000, limit: 12 });
-        expect(best.certified?.ticks).toBe(ticks);
+        expect(best.slack).toEqual(findSlack(scene, best.holds, { minerals: collected.size }));
+        expect(best.certified).toEqual(certifies ? certified(scene, best) : null);
       }),
       { numRuns: 25 },
     );
+  });
+
+  it.each([
+    ['where they forgive as much as is looked at', '01-first-pull', 0, { ticks: 12, exhausted: false }],
+    ['where not all shifts are tried', '16-firewalk', 3, { exhausted: true }],
+  ] as const)('have certified ticks %s', (_, slug, index, expected) => {
+    const { level, holds } = moved(slug, index, -7, -6);
+    const scene = compile(level);
+    const { best } = finish(createRetime(scene, holds, { certifies: true }));
+    expect(best?.certified).toMatchObject(expected);
+    expect(best?.certified).toEqual(best && certified(scene, best));
   });
 
   it('are found wherever one press or release alone is enough, and are shifted no more before they are centred', () => {
