@@ -16,8 +16,8 @@ const PROGRAMS = ['munged', 'slurmctld', 'slurmd', 'sbatch', 'squeue', 'scancel'
 export const missingPrograms = (): string[] =>
   PROGRAMS.filter((name) => !PATH.split(delimiter).some((folder) => existsSync(join(folder, name))));
 
-/** ms between two looks at the cluster */
-const PAUSE = 100;
+/** ms between two looks at the cluster; each starts a program */
+const PAUSE = 400;
 
 /** s after which a node that does not answer is taken for lost */
 const NODE_TIMEOUT = 4;

@@ -7,7 +7,7 @@ import { declareMissing } from '../missing.ts';
 import { until } from '../until.ts';
 import { type Cluster, missingPrograms, startCluster } from './cluster.ts';
 
-const LEVELS = 20_000;
+const LEVELS = 4000;
 const SHARDS = 8;
 
 const SHIPPED = fileURLToPath(new URL('../../levels/', import.meta.url));
