@@ -20,8 +20,8 @@ import { LEVELS } from './impossible-levels.ts';
 
 const { precise } = ACCURACIES;
 
-function repaired(level: Level, options: RepairOptions = {}, ticks = 8_000_000) {
-  const proof = proveImpossible(level, { accuracy: 'precise' });
+function repaired(level: Level, options: RepairOptions = {}, ticks = 2_500_000) {
+  const proof = options.proof ?? proveImpossible(level, { accuracy: 'precise' });
   const repair = createRepair(level, precise, { proof, ...options });
   while (!repair.finished && repair.effort.ticks < ticks) repair.advance(Math.min(100_000, ticks - repair.effort.ticks));
   return repair;
@@ -147,7 +147,7 @@ describe('an impossible level', () => {
     const level = LEVELS[name];
     const proof = proveImpossible(level, { accuracy: 'precise' });
     expect(proof).not.toBeNull();
-    const { proposals } = repaired(level, {}, 4_000_000);
+    const { proposals } = repaired(level, { proof }, 1_700_000);
     expect(proposals.length).toBeGreaterThan(0);
     for (const { change, run } of proposals) {
       expect(change).not.toBeNull();

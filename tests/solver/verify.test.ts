@@ -98,8 +98,13 @@ describe.each(Object.keys(LEVELS))('a certificate of the kind %s', (code) => {
   test('any change to the proof is rejected, or its claim is still true', () => {
     const places = ways(proof as unknown as Json).filter(([first]) => first !== 'reason');
     let rejected = 0;
+    // several changes of a value may come to the same
+    const seen = new Set<string>();
     const tamper = (way: (string | number)[], change: (old: Json) => Json | undefined) => {
       const tampered = (changed(proof as unknown as Json, way, change) ?? {}) as unknown as Proof;
+      const text = JSON.stringify(tampered);
+      if (seen.has(text)) return;
+      seen.add(text);
       const verdict = verifyProof(LEVELS[code], tampered);
       if (verdict.ok) expect(`${way.join('.')}: ${isTrue(LEVELS[code], tampered)}`).toBe(`${way.join('.')}: true`);
       else rejected++;
