@@ -1,11 +1,11 @@
 import { execFile } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { fallThrough, gq, gqProcess, MAIN } from '../cli/gq.ts';
 import { until } from '../until.ts';
-import { levelTexts, makeSet, merge, planSet, type TestSet } from './sets.ts';
+import { levelTexts, makeSet, merge, planSet, runShard, type TestSet } from './sets.ts';
 
 // processes of their own, with threads
 
@@ -16,19 +16,24 @@ beforeAll(async () => {
 });
 afterAll(() => set.remove());
 
-const shard = (out: string, index: string, during?: Parameters<typeof gqProcess>[1]) =>
-  gqProcess(['check', '--plan', 'plan.json', '--shard', index, '--out', out, '--jobs', '2'], { cwd: set.directory, ...during });
+const shard = (out: string, index: string, jobs: number, during?: Parameters<typeof gqProcess>[1]) =>
+  gqProcess(['check', '--plan', 'plan.json', '--shard', index, '--out', out, '--jobs', `${jobs}`], {
+    cwd: set.directory,
+    ...during,
+  });
 const listed = (folder: string): string[] => readdirSync(join(set.directory, folder)).sort();
 
 describe('a shard', () => {
   it('that two processes do at once has one result', async () => {
-    const both = await Promise.all([shard('twice', '0'), shard('twice', '0')]);
+    const both = await Promise.all([shard('out', '0', 2), shard('out', '0', 1)]);
     expect(both.map(({ code }) => code)).toEqual([0, 0]);
-    expect(listed('twice')).toEqual(['shard-0.ndjson']);
+    expect(listed('out')).toEqual(['shard-0.ndjson']);
   });
 
   it('is the same in threads as in one', async () => {
-    for (const index of ['1/2', '2/2']) expect((await shard('out', index)).code).toBe(0);
+    rmSync(join(set.directory, 'out'), { recursive: true });
+    expect((await shard('out', '1/2', 2)).code).toBe(0);
+    expect((await runShard(set, '2/2')).code).toBe(0);
     const merged = await merge(set, '--format', 'json');
     const direct = await gq(['check', ...set.paths, '--format', 'json'], { cwd: set.directory });
     const verdicts = (text: string) =>
@@ -41,7 +46,7 @@ describe('a shard', () => {
     ['SIGINT', 130],
   ] as const)('that gets %s leaves nothing', async (signal, code) => {
     const out = `out-${signal}`;
-    const ended = await shard(out, '0', {
+    const ended = await shard(out, '0', 2, {
       during: (child) => {
         const unfinished = () => existsSync(join(set.directory, out)) && listed(out).length > 0;
         void until(() => unfinished() || child.exitCode !== null).then(() => child.kill(signal));
@@ -58,7 +63,8 @@ describe('a shard', () => {
     // a limit in KiB on the size of files, as of a full disk
     const { code, stderr } = await new Promise<{ code: number; stderr: string }>((resolve) => {
       const script = `ulimit -f 8; exec "$0" "$@"`;
-      const args = ['-c', script, process.execPath, MAIN, 'check', '--plan', 'plan.json', '--shard', '0', '--out', 'full'];
+      const check = ['check', '--plan', 'plan.json', '--shard', '0', '--out', 'full', '--jobs', '1'];
+      const args = ['-c', script, process.execPath, MAIN, ...check];
       execFile('bash', args, { cwd: set.directory }, (error, _, errors) =>
         resolve({ code: Number(error?.code ?? 0), stderr: errors }),
       );
@@ -70,7 +76,7 @@ describe('a shard', () => {
 
   it('refuses a place that is no directory', async () => {
     writeFileSync(join(set.directory, 'file'), '');
-    const { code, stderr } = await shard('file', '0');
+    const { code, stderr } = await shard('file', '0', 1);
     expect(code).toBe(2);
     expect(stderr).toContain("error: file: can't be written");
   });
@@ -96,7 +102,8 @@ describe('a thread that dies', () => {
     writeFileSync(join(set.directory, 'deadly.ndjson'), texts.join('\n'));
     const { code, stdout } = await gqProcess(['check', 'deadly.ndjson', '--format', 'json', '--jobs', '2'], {
       cwd: set.directory,
-      env: { ...process.env, NODE_OPTIONS: `--import=${dying}` },
+      // so that there is not much of it
+      env: { ...process.env, NODE_OPTIONS: `--import=${dying} --max-old-space-size=200` },
     });
     expect(code).toBe(2);
     const levels = JSON.parse(stdout).levels as { readonly file: string; readonly verdict: string }[];
