@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { propertySettings } from './property-settings.ts';
+import { isHunt as isHuntBy, propertySettings } from './property-settings.ts';
 
 const { runs } = propertySettings(process.env);
 
@@ -7,7 +7,7 @@ const { runs } = propertySettings(process.env);
 export const isDeep = runs >= 1;
 
 /** Whether this is a hunt for bugs, as in `npm run bench -- soak`, which tries more than any set. */
-export const isHunt = runs >= 10;
+export const isHunt = isHuntBy(process.env);
 
 /** Whether the deep set runs, which does not repeat what the quick one says; by hand, or for mutants, all of a file runs. */
 const isDeepSet = process.env.TEST_SET === 'deep';

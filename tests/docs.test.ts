@@ -2,9 +2,9 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect } from 'vitest';
 import { parse as parseYaml } from 'yaml';
-import { describeDeep, itDeep, itQuick } from './depth.ts';
+import { describeDeep, describeQuick, itQuick as it, itDeep } from './depth.ts';
 import { brokenLinks, missingFiles } from './docs/links.ts';
 import { ALL_PAGES, PROJECT, RUN_PAGES, readPage, shownIn } from './docs/page.ts';
 import { type Commands, openTerminal, readCommands, type Terminal, wordsOf } from './docs/terminal.ts';
@@ -30,7 +30,7 @@ const withoutMissing = (prose: string): string => prose.replace(/^## Not there y
 /** Pages whose commands search for seconds. */
 const DEAR = ['docs/difficulty.md', 'docs/softlocks.md'];
 
-describe.each(RUN_PAGES)('%s', (path) => {
+function describePage(path: string): void {
   const page = readPage(path);
   let terminal: Terminal;
   /** What commands print now where the page shows something else, by the line of the command. Only while updating. */
@@ -70,7 +70,7 @@ describe.each(RUN_PAGES)('%s', (path) => {
       },
     }));
   });
-  if (steps.length > 0) (DEAR.includes(path) ? itDeep : itQuick).each(steps)('$step', ({ take }) => take());
+  if (steps.length > 0) (DEAR.includes(path) ? itDeep : it).each(steps)('$step', ({ take }) => take());
 
   it('has code that can be read', () => {
     for (const { language, code, line, title } of page.blocks) {
@@ -112,9 +112,12 @@ describe.each(RUN_PAGES)('%s', (path) => {
       }
     }
   });
-});
+}
 
-describe.each(ALL_PAGES)('%s', (path) => {
+describe.each(DEAR)('%s', describePage);
+describeQuick.each(RUN_PAGES.filter((path) => !DEAR.includes(path)))('%s', describePage);
+
+describeQuick.each(ALL_PAGES)('%s', (path) => {
   const page = readPage(path);
 
   it('has links and pictures that are there', () => {
@@ -130,7 +133,7 @@ describe.each(ALL_PAGES)('%s', (path) => {
   });
 });
 
-describe('README.md', () => {
+describeQuick('README.md', () => {
   const { text, prose } = readPage('README.md');
 
   it('has at most 1,300 words', () => {
@@ -147,7 +150,7 @@ describe('README.md', () => {
   });
 });
 
-describe('docs/accuracy.md', () => {
+describeQuick('docs/accuracy.md', () => {
   const measured = JSON.parse(readFileSync(join(PROJECT, 'docs/accuracy.json'), 'utf8'));
   const { text } = readPage('docs/accuracy.md');
   const rows = [...text.matchAll(/^\| (`\w+`|[\w -]+ 60 Hz) +\|(.*\d of \d+) *\|$/gm)];
@@ -190,7 +193,7 @@ describeDeep('programs in the pages', () => {
   // Phaser's own declarations have errors
   const inBrowser = { module: 'esnext', moduleResolution: 'bundler', lib: ['es2023', 'dom'], types: [], skipLibCheck: true };
 
-  it.each([
+  itDeep.each([
     { where: 'in Node', those: programs.filter((program) => !usesPhaser(program)), options: inNode },
     { where: 'with Phaser', those: programs.filter(usesPhaser), options: { target: 'es2022', ...inBrowser } },
   ])('fit the types of the library $where', ({ those, options }) => {
@@ -218,7 +221,7 @@ describeDeep('programs in the pages', () => {
   });
 });
 
-describe('pictures', () => {
+describeQuick('pictures', () => {
   const texts = RUN_PAGES.map((path) => readPage(path).text).join('\n');
   const makers = [...texts.matchAll(/npx gq render (\S+) -o (docs\/\S+\.svg)((?: --[a-z-]+| \w+)*)/g)];
   const drawn = new Map(
@@ -231,7 +234,7 @@ describe('pictures', () => {
     expect(all.map((name) => `docs/${name}`).sort()).toEqual([...new Set([...drawn.keys(), ...measured])].sort());
   });
 
-  itQuick.each([...drawn])('%s is what its command makes', async (picture, words) => {
+  it.each([...drawn])('%s is what its command makes', async (picture, words) => {
     const terminal = openTerminal();
     const made = `${await terminal.run(`npx ${words.join(' ')}`)}\n`;
     terminal.close();

@@ -23,3 +23,7 @@ export function propertySettings(environment: Readonly<Record<string, string | u
     throw new Error(`PROPERTY_RUNS: expected a number above 0, found "${runs}"`);
   return { seed: seed === 'random' ? null : Number(seed), runs: Number(runs) };
 }
+
+/** Whether this is a hunt for bugs, as in `npm run bench -- soak`, which tries more than any set. */
+export const isHunt = (environment: Readonly<Record<string, string | undefined>>): boolean =>
+  propertySettings(environment).runs >= 10;

@@ -6,7 +6,7 @@ import { chooseReference } from '../../check/plays/routes.ts';
 import { ACCURACIES, compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createRandom, successProbability } from '../../solver/index.ts';
 import { wilsonInterval } from '../../solver/measure/robustness/index.ts';
-import { isHunt, itDeep } from '../depth.ts';
+import { isHunt, itDeep, itQuick } from '../depth.ts';
 import { noisy, playedBy, shippedLevel, statisticsOf } from './played.ts';
 
 const ANY = { minerals: 'any' } as const;
@@ -45,7 +45,7 @@ describe('the noise that explains the success of players', () => {
     expect(model.edges.map(({ players }) => players)).toEqual(statistics.edges.map(() => null));
   });
 
-  it('is not what explains players who miss one press only, and the comparison says which', () => {
+  itQuick('is not what explains players who miss one press only, and the comparison says which', () => {
     const level = shippedLevel('14-run-up');
     const [{ holds, name }] = level.runs;
     const record = playedBy(level, 'fast');

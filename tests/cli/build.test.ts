@@ -3,9 +3,9 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, symlinkSync, 
 import { join } from 'node:path';
 import process from 'node:process';
 import { runInNewContext } from 'node:vm';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { buildReportSchema, readLevel } from '../../schema/index.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { narrowGap } from './levels.ts';
@@ -61,7 +61,7 @@ function packIn(site: string): PackRead {
 }
 const idsIn = (site: string): string[] => packIn(site).levels.map(({ id }) => id);
 
-describe('gq build', () => {
+describeQuick('gq build', () => {
   it('makes a page of a folder: in the order of play, the same for the same levels, and says what to do next', async () => {
     const made = await build('levels', '--out', 'out/site', '--title', ' My levels ');
     expect(made).toMatchObject({ code: 0, stderr: '' });
@@ -164,7 +164,7 @@ describe('gq build', () => {
   });
 });
 
-describe.runIf(process.platform !== 'win32')('gq build writes nothing', () => {
+describeQuick.runIf(process.platform !== 'win32')('gq build writes nothing', () => {
   const refused = async (env: Readonly<Record<string, string>>, ...args: string[]) => {
     const ended = await gqProcess(['build', ...args, '--out', 'nothing', '--jobs', '1', '--no-cache'], { cwd, env });
     expect(existsSync(join(cwd, 'nothing'))).toBe(false);

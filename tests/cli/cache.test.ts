@@ -86,7 +86,7 @@ const PLAIN: CheckSettings = {
 };
 
 describe('a report from the cache', () => {
-  it.each([
+  itQuick.each([
     ['plain', PLAIN],
     ['with everything', { ...SETTINGS, terms: { ...SETTINGS.terms, rules: {} } }],
   ])('is the one without a cache, and the one that was kept to the last digit: %s', async (_, settings) => {

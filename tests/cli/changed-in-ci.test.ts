@@ -128,7 +128,7 @@ describe.each(someOf(PUSHED, 1))('gq check --changed on %s, for a push', (_, pus
     expect((await check(checkout('main', 2), pushed(before))).names).toEqual(['a']);
   });
 
-  it('checks what a merge brings, renamed files too, and nothing for deleted ones', async () => {
+  itQuick('checks what a merge brings, renamed files too, and nothing for deleted ones', async () => {
     const before = head();
     git(work, 'checkout', '-qb', 'topic');
     write('a');
@@ -146,7 +146,7 @@ describe.each(someOf(PUSHED, 1))('gq check --changed on %s, for a push', (_, pus
     expect(await check(checkout('main', 0), pushed(merged))).toMatchObject({ code: 0, names: [] });
   });
 
-  it('compares with what a forced push has left, or checks all where that is gone', async () => {
+  itQuick('compares with what a forced push has left, or checks all where that is gone', async () => {
     write('a');
     const left = push(work);
     git(work, 'reset', '-q', '--hard', 'HEAD~1');
@@ -163,7 +163,7 @@ describe.each(someOf(PUSHED, 1))('gq check --changed on %s, for a push', (_, pus
     expect((await check(job, pushed(left))).names).toEqual(['a', 'b']);
   });
 
-  it('compares a new branch with the default branch, or checks all where that says nothing', async () => {
+  itQuick('compares a new branch with the default branch, or checks all where that says nothing', async () => {
     git(work, 'checkout', '-qb', 'topic');
     const empty = push(work);
     expect(empty).not.toBe('');

@@ -1,10 +1,10 @@
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect } from 'vitest';
 import { applyDiff, type Change } from '../../review/index.ts';
 import { type DiffReport, diffReportSchema, formatLevel, type LevelFile, withIds } from '../../schema/index.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { fallThrough, gq, MAIN, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
 
@@ -48,7 +48,7 @@ beforeAll(() => {
 });
 afterAll(() => remove());
 
-describe('gq diff in a repository', () => {
+describeQuick('gq diff in a repository', () => {
   it('says that nothing changed, and ends with 0', async () => {
     expect(await diff('--exit-code')).toMatchObject({
       code: 0,
@@ -274,7 +274,7 @@ describe('gq inside git', () => {
   });
 });
 
-describe('gq diff of files and folders, without git', () => {
+describeQuick('gq diff of files and folders, without git', () => {
   const files = makeFiles({
     'old/a.level.json': level(),
     'old/gone.level.json': level({ name: 'Gone', astronaut: { x: 1, y: 1 } }),

@@ -221,12 +221,12 @@ describe('gq difficulty --plays', () => {
     expect(drawn.match(/M/g)).toHaveLength(2);
   });
 
-  it('names a play of another engine, whatever its level is', async () => {
+  itQuick('names a play of another engine, whatever its level is', async () => {
     const { report } = await difficulty('pack/first.level.json', '--plays', 'old.gqr', '--jobs', '1');
     expect(report.plays).toMatchObject({ found: 1, elsewhere: [], refused: [{ play: 'old.gqr', verdict: 'unknown-engine' }] });
   });
 
-  it('says that no play is of a level, and measures it all the same', async () => {
+  itQuick('says that no play is of a level, and measures it all the same', async () => {
     const { code, report } = await difficulty('pack/second.level.json', '--plays', 'lines.ndjson', '--jobs', '1');
     expect([code, report.levels[0].players?.attempts, report.levels[0].players?.noise]).toEqual([0, 0, null]);
     expect(report.levels[0].measured).not.toBeNull();

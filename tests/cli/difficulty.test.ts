@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { difficultyReportSchema } from '../../schema/index.ts';
-import { itDeep, itQuick } from '../depth.ts';
+import { itQuick as it, itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { shipped, withoutRuns } from './levels.ts';
 
@@ -34,7 +34,7 @@ describe('gq difficulty', () => {
     expect(ended[1].stdout).toBe(ended[0].stdout);
   });
 
-  itQuick('measures each level it can, and gives the reason for the others', async () => {
+  it('measures each level it can, and gives the reason for the others', async () => {
     const { code, levels } = await difficulty('d --effort 40000 --jobs 1');
     expect(code).toBe(1);
     const [away, invalid, through, unsolved] = levels;
@@ -45,7 +45,7 @@ describe('gq difficulty', () => {
     expect(unsolved.measured?.run.name).toBeNull();
   });
 
-  itQuick('prints a table of several levels, the easiest first', async () => {
+  it('prints a table of several levels, the easiest first', async () => {
     const { code, stdout } = await gq(['difficulty', 'd', '--effort', '40000', '--jobs', '1'], { cwd });
     expect(code).toBe(1);
     const grades = [...stdout.matchAll(/^ +(\d+\.\d) {2}\w+ /gm)].map(([, grade]) => Number(grade));
@@ -54,7 +54,7 @@ describe('gq difficulty', () => {
     expect(stdout).toContain('d/away.level.json: not measured: proved impossible');
   });
 
-  itQuick('prints the details of a single level, and draws it', async () => {
+  it('prints the details of a single level, and draws it', async () => {
     const ended = await gq(['difficulty', shipped('02-first-swing'), '--svg', 'one.svg', '--jobs', '1'], { cwd });
     expect(ended).toMatchObject({ code: 0, stderr: 'wrote one.svg\n' });
     for (const line of [
@@ -72,7 +72,7 @@ describe('gq difficulty', () => {
     expect(svg).toMatch(/^<svg [^>]*><title>How hard First Swing is: /);
   });
 
-  itQuick('measures the selected run, which must complete the level', async () => {
+  it('measures the selected run, which must complete the level', async () => {
     const named = await difficulty('named.level.json --run all --jobs 1');
     expect([named.code, named.levels[0].measured?.run.name]).toEqual([0, 'all']);
     const never = await difficulty('named.level.json --run never --jobs 1');

@@ -1,6 +1,6 @@
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { itDeep, itQuick } from '../depth.ts';
+import { afterAll, beforeAll, describe, expect } from 'vitest';
+import { itQuick as it, itDeep } from '../depth.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 
 // she falls through the asteroid with any pull, and sooner with a stronger one
@@ -79,7 +79,7 @@ describe('rules of gq.config.json', () => {
     expect(await hashOf('levels/plain.level.json')).not.toBe(await hashOf('levels/usual.level.json'));
   });
 
-  itQuick('do not make gq edit print anything at its start: its page uses them', async () => {
+  it('do not make gq edit print anything at its start: its page uses them', async () => {
     const { stdout, code } = await gqProcess(['edit', 'levels', '--port', '0'], {
       cwd: files.directory,
       during: (child) => child.stdout?.once('data', () => child.kill('SIGTERM')),

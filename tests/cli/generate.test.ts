@@ -1,10 +1,10 @@
 import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { generatedPath, keepLevel, packPath } from '../../cli/generate/index.ts';
 import { formatLevel, generateReportSchema, type LevelFile } from '../../schema/index.ts';
 import type { Generated } from '../../solver/index.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, makeFiles } from './gq.ts';
 import { inDirectory } from './levels.ts';
@@ -14,7 +14,7 @@ afterAll(remove);
 
 const generate = (args: string, run = gq) => run(['generate', ...args.split(' ')], { cwd });
 
-describe('a generated level', () => {
+describeQuick('a generated level', () => {
   const level = JSON.parse(fallThrough({ name: 'Gentle Bend!' })) as LevelFile;
   const made = { level } as Generated;
   const directory = join(cwd, 'kept');

@@ -1,9 +1,9 @@
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect } from 'vitest';
 import { formatLevel, type LevelFile, readLevel } from '../../schema/index.ts';
-import { itDeep, itQuick } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { GIT_ENVIRONMENT } from './git-environment.ts';
 import { gq, MAIN, makeFiles } from './gq.ts';
 
@@ -39,7 +39,7 @@ const levelIn = (name: string): LevelFile => {
 };
 afterEach(() => folder.remove());
 
-describe('gq merge-driver', () => {
+describeQuick('gq merge-driver', () => {
   async function merge(base: string | Uint8Array, ours: string | Uint8Array, theirs: string | Uint8Array, ...more: string[]) {
     folder = makeFiles({ base, ours, theirs });
     const ended = await gq(['merge-driver', ...more, 'base', 'ours', 'theirs', 'levels/x.level.json'], { cwd: folder.directory });
@@ -248,7 +248,7 @@ describe('git, set up by gq git-setup', () => {
     expect(levelIn('levels/new.level.json').minerals).toHaveLength(1);
   });
 
-  itQuick('stops at a conflict with a valid file, and at a deleted one as ever', () => {
+  it('stops at a conflict with a valid file, and at a deleted one as ever', () => {
     fork(moved, level(novae(600, -400)));
     const { status, said } = run('merge', '--no-edit', 'other');
     expect(status).toBe(1);
@@ -286,7 +286,7 @@ describe('git, set up by gq git-setup', () => {
   });
 });
 
-describe('gq git-setup', () => {
+describeQuick('gq git-setup', () => {
   it('says what is missing where git has no working tree', async () => {
     folder = makeFiles({});
     const setUp = () => gq(['git-setup'], { cwd: folder.directory });

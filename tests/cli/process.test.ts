@@ -2,9 +2,9 @@ import { execFileSync, spawn } from 'node:child_process';
 import { closeSync, constants, mkdirSync, openSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { findLevelFiles } from '../../cli/find/index.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqCovered, gqProcess, MAIN, makeFiles } from './gq.ts';
 
@@ -73,7 +73,7 @@ itDeep('prints the same output with any number of workers', async () => {
   expect(ended.map(({ code }) => code)).toEqual([0, 0]);
 });
 
-describe('a reader that closes the pipe', () => {
+describeQuick('a reader that closes the pipe', () => {
   it('ends gq quietly, with the exit code of the check', () => {
     const pipe = (command: string) =>
       execFileSync('bash', ['-c', `${command} 2>err; echo "\${PIPESTATUS[0]}"; cat err`, '--', process.execPath, MAIN], {
@@ -155,7 +155,7 @@ describe.runIf(process.platform === 'linux')('a signal', () => {
   });
 });
 
-describe('colours', () => {
+describeQuick('colours', () => {
   it('are not used in pipes and with NO_COLOR, and are always used with FORCE_COLOR', async () => {
     const env = { NO_COLOR: '', CI: 'true' };
     const [piped, forced, none] = await Promise.all([
@@ -187,7 +187,7 @@ describe('colours', () => {
   });
 });
 
-describe('the files of a directory', () => {
+describeQuick('the files of a directory', () => {
   it('are read once: links are followed, loops and hidden files left out; a broken link is exit code 2, and the rest is checked', async () => {
     const root = join(cwd, 'tree');
     for (const name of ['sub/deep', '.git', 'node_modules/x', 'named.level.json'])

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Ajv2020 } from 'ajv/dist/2020.js';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { formatReportJsonSchema, REPORT_SCHEMAS, type ReportName, reportJsonSchema } from '../../schema/index.ts';
-import { itDeep, itQuick } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 import { shipped } from './levels.ts';
 import { playOfRun } from './plays.ts';
@@ -73,11 +73,11 @@ describe('the JSON of every command', () => {
   const HAS_ITS_SHAPE = '%s begins with its version and has the published shape: gq %s';
   // gq accuracy measures every accuracy, for seconds; tests/accuracy looks at the shape of one report
   const isDear = ([name]: (typeof COMMANDS)[number]) => name === 'accuracy';
-  itQuick.each(COMMANDS.filter((command) => !isDear(command)))(HAS_ITS_SHAPE, hasItsShape);
+  it.each(COMMANDS.filter((command) => !isDear(command)))(HAS_ITS_SHAPE, hasItsShape);
   itDeep.each(COMMANDS.filter(isDear))(HAS_ITS_SHAPE, hasItsShape);
 });
 
-describe('gq schema', () => {
+describeQuick('gq schema', () => {
   it.each(Object.keys(REPORT_SCHEMAS) as ReportName[])('%s prints the committed file (updated by vitest -u)', async (name) => {
     const { code, stdout } = await gq(['schema', name]);
     expect({ code, stdout }).toEqual({ code: 0, stdout: formatReportJsonSchema(name) });

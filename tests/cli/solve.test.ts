@@ -2,10 +2,10 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, lstatSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import process from 'node:process';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { formatLevel, readLevel, solveReportSchema } from '../../schema/index.ts';
 import { type Proof, verifyProof } from '../../solver/index.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { fallThrough, gq, gqProcess, MAIN, makeFiles } from './gq.ts';
 import { inDirectory, narrowGap, shipped, withoutRuns, withoutTimes } from './levels.ts';
@@ -102,7 +102,7 @@ describe('a run that is found', () => {
   });
 });
 
-describe('no run', () => {
+describeQuick('no run', () => {
   it('proved: prints a certificate that the checker confirms, with exit code 1', async () => {
     const ended = await solve('away.level.json --format json');
     expect(ended.code).toBe(1);
@@ -135,7 +135,7 @@ describe('no run', () => {
   });
 });
 
-describe('--write', () => {
+describeQuick('--write', () => {
   const write = (name: string, more = '') => solve(`${name} --objective first --effort 1000000 --write${more}`);
 
   it('adds the run in the canonical layout and changes nothing else', async () => {
@@ -183,7 +183,7 @@ it("evaluates the level's own runs even with a very short budget", async () => {
   expect(report(ended)).toMatchObject({ found: true, outcome: 'completed' });
 });
 
-describe('bad input', () => {
+describeQuick('bad input', () => {
   it.each([
     ['through.level.json --minerals 2', 'has only 0 minerals'],
     ['through.level.json --minerals most', 'expected any, all or a whole number'],

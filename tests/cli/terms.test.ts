@@ -1,11 +1,13 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Command } from 'commander';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { COMMANDS } from '../../cli/commands/index.ts';
+import { compile, DEFAULT_TERMS } from '../../engine/index.ts';
 import { createPlayer, encodePlay, playOf } from '../../game/index.ts';
-import { readLevel } from '../../schema/index.ts';
-import { describeDeep, describeQuick, itDeep } from '../depth.ts';
+import { type LevelFile, readLevel, resolveLevel } from '../../schema/index.ts';
+import { measureDifficulty } from '../../solver/index.ts';
+import { describeDeep, describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { type Ended, gq, makeFiles } from './gq.ts';
 
 // She swings around an asteroid past a nova, whose place decides between accuracies.
@@ -26,7 +28,7 @@ const EASY = swing(FAR);
 /** Completes in continuous time, and collides in `arcade`. */
 const BROKEN_IN_ARCADE = swing({ x: 120, y: 13.22 }, { rules: { pull: 37 } });
 /** Drifts into the black hole after 85 s. */
-const SLOW = {
+const SLOW: LevelFile = {
   version: 1,
   name: 'Slow',
   astronaut: { x: 0, y: 0, vx: 2 },
@@ -285,7 +287,7 @@ const WITHOUT_TERMS: Readonly<Record<string, string>> = {
   edit: 'serves the page, whose terms tests/server looks at',
 };
 
-describe('every command', () => {
+describeQuick('every command', () => {
   it('either answers under the asked terms, and is tested here, or answers nothing about a level', () => {
     const known = [...Object.keys(PROBES), ...Object.keys(WITHOUT_TERMS)];
     expect(COMMANDS.map(({ name }) => name).sort()).toEqual(known.sort());
@@ -313,10 +315,10 @@ const usually = (name: string): Promise<Said> => {
   return known;
 };
 
-const answersUnderOtherTerms = (name: string): void => {
+const answersUnderOtherTerms = (name: string, test: Pick<typeof it, 'each'>): void => {
   const { ask, kinds, onlyConfigured = ['rules'] } = PROBES[name];
 
-  it.each(kinds)('answers under other terms: %s', async (kind) => {
+  test.each(kinds)('answers under other terms: %s', async (kind) => {
     const usual = await usually(name);
     const { config, options }: Unusual = UNUSUAL[kind];
     const configured = await ask(folderWith(config), []);
@@ -333,8 +335,10 @@ const answersUnderOtherTerms = (name: string): void => {
 };
 
 // gq accuracy measures every accuracy, for seconds
-describeDeep.each(['accuracy'])('gq %s', answersUnderOtherTerms);
-describeQuick.each(Object.keys(PROBES).filter((name) => name !== 'accuracy'))('gq %s', answersUnderOtherTerms);
+describeDeep('gq accuracy', () => answersUnderOtherTerms('accuracy', itDeep));
+describeQuick.each(Object.keys(PROBES).filter((name) => name !== 'accuracy'))('gq %s', (name) =>
+  answersUnderOtherTerms(name, it),
+);
 
 /** Configurations that an option has to win over. */
 const OTHERWISE: Readonly<Record<Kind, object>> = {
@@ -349,6 +353,11 @@ describe('a run that lasts longer than 60 s', () => {
 
   itDeep('is one for slack, certified ticks, softlocks, difficulty and fixes, too', async () => {
     const at = folder();
+    const slow = resolveLevel(SLOW);
+    // as gq difficulty does, with fewer samples
+    const few = { samples: 20, games: 20, effort: 0, asteroidEffort: 0, onePressStride: 600, playerEffort: 0 };
+    const hard = measureDifficulty(compile(slow, { ...DEFAULT_TERMS, maxTime: 120 }), slow.runs[1].holds, few);
+    expect(hard?.robustness.certifiedTicks).toBeGreaterThan(0);
     expect(await run(at, ['check', 'slow.level.json', '--require-slack', '1'])).toMatchObject({ code: 0 });
     expect(await run(at, ['check', 'slow.level.json', '--require-slack', '1', '--max-time', '60'])).toMatchObject({ code: 1 });
     const softlocks = await run(at, ['check', 'slow.level.json', '--softlocks', '50000', '--format', 'json']);
@@ -356,19 +365,6 @@ describe('a run that lasts longer than 60 s', () => {
       verdict: 'completable',
       softlocks: { states: { proved: 0, notFound: 0 } },
     });
-    const hard = await run(at, [
-      'difficulty',
-      'slow.level.json',
-      '--run',
-      'early',
-      '--effort',
-      '1',
-      '--format',
-      'json',
-      '-j',
-      '1',
-    ]);
-    expect(JSON.parse(hard.stdout).levels[0].measured.robustness.certifiedTicks).toBeGreaterThan(0);
     const fixed = await run(at, ['fix', 'slow.level.json', '--effort', '1000', '--format', 'json']);
     expect(JSON.parse(fixed.stdout)).toMatchObject({ verdict: 'completable', completedBy: 's' });
     const other = await run(at, ['check', 'slow.level.json', '--no-config']);
@@ -387,7 +383,7 @@ describe('a run that lasts longer than 60 s', () => {
   });
 });
 
-describe('the merge driver', () => {
+describeQuick('the merge driver', () => {
   const merge = async (config: object, ours: object, theirs: object) => {
     const at = folderWith(
       {},
@@ -426,7 +422,7 @@ describe('the merge driver', () => {
   });
 });
 
-describe('the warnings', () => {
+describeQuick('the warnings', () => {
   it('allow for how far recoil carries asteroids in the longest run', async () => {
     const level = {
       version: 1,
@@ -447,7 +443,7 @@ describe('the warnings', () => {
   });
 });
 
-describe('a lock', () => {
+describeQuick('a lock', () => {
   it('that was agreed on under other limits differs, in words', async () => {
     const at = folderWith({}, { 'easy.level.json': JSON.stringify(EASY) });
     const locked = (...more: string[]) => run(at, ['check', 'easy.level.json', '--lock', 'gq.lock.json', ...more]);
@@ -463,7 +459,7 @@ describe('a lock', () => {
   });
 });
 
-describe('a plan', () => {
+describeQuick('a plan', () => {
   it('has the terms, and a shard takes no others', async () => {
     const at = folderWith({ accuracy: 'arcade', maxTime: 120 });
     expect(await run(at, ['plan', LEVEL, '--shards', '1', '-o', 'plan.json'])).toMatchObject({ code: 0 });
@@ -475,7 +471,7 @@ describe('a plan', () => {
   });
 });
 
-describe('a report for people', () => {
+describeQuick('a report for people', () => {
   it('says terms that are not the usual ones', async () => {
     const at = folderWith({ accuracy: 'arcade', maxTime: 120 });
     expect((await run(at, ['check', 'levels/easy.level.json'])).stdout).toContain(

@@ -5,7 +5,7 @@ import { moveObjects, type ObjectKey, objectsOf, replaceHolds, setLevelProperty 
 import { aliveInWords } from '../../editor/features/alive/index.ts';
 import { formatLevel, type LevelFile, readLevel, withIds } from '../../schema/index.ts';
 import '../fast-check.ts';
-import { itQuick } from '../depth.ts';
+import { describeQuick, itQuick } from '../depth.ts';
 import { aliveStage, outcomeOf } from './alive-stage.ts';
 
 const LEVELS = new URL('../../levels/', import.meta.url);
@@ -25,7 +25,7 @@ const SECOND = SWINGS.asteroids?.[1].id ?? '';
 const broken = () => moveObjects([SECOND], 8, 8);
 
 describe('a run that is kept alive', () => {
-  it('completes the level that a drag has broken, and one undo takes back both', async () => {
+  itQuick('completes the level that a drag has broken, and one undo takes back both', async () => {
     const { document, proof, store, work, settle } = aliveStage(SWINGS);
     const before = formatLevel(document.file());
     const drag = document.begin('Move');
@@ -50,7 +50,7 @@ describe('a run that is kept alive', () => {
     expect(outcomeOf(document.file(), RUN)).toBe('completed');
   });
 
-  it('is as it was when the drag is taken back, or comes back to where it began', async () => {
+  itQuick('is as it was when the drag is taken back, or comes back to where it began', async () => {
     const { document, store, work } = aliveStage(SWINGS);
     const before = document.file();
     const drag = document.begin('Move');
@@ -86,7 +86,7 @@ describe('a run that is kept alive', () => {
     expect(run.outcome).toBe(outcomeOf(document.file(), RUN));
   });
 
-  it('is kept by a single change, too, and by the next of keys held down, in one step', async () => {
+  itQuick('is kept by a single change, too, and by the next of keys held down, in one step', async () => {
     const { document, settle } = aliveStage(SWINGS);
     const before = formatLevel(document.file());
     for (let i = 0; i < 4; i++) {
@@ -202,8 +202,8 @@ const KICKBACK: LevelFile = withIds({
 });
 const up = (by: number) => moveObjects(['o06tc5'], 0, -by);
 
-describe('a run that can not be kept alive', () => {
-  itQuick('has the holds of its author after a drag that had found others on the way', async () => {
+describeQuick('a run that can not be kept alive', () => {
+  it('has the holds of its author after a drag that had found others on the way', async () => {
     const { document, store, work, settle, proof } = aliveStage(KICKBACK);
     const drag = document.begin('Move');
     const found = new Set<string>();

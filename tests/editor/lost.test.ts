@@ -20,7 +20,7 @@ import { JOBS } from '../../editor/workers/runner.ts';
 import { compile, DEFAULT_TERMS, simulate, TICK } from '../../engine/index.ts';
 import { levelHash } from '../../game/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
-import { itQuick } from '../depth.ts';
+import { describeQuick } from '../depth.ts';
 import { type FakeJob, FakeWorkers } from './fake-desk.ts';
 
 /** She drifts into the black hole unless the weak gun bends her way; past it she is too fast to come back. */
@@ -288,7 +288,7 @@ describe('the examination of where a level is lost', () => {
   });
 });
 
-describe('the jobs of a worker', () => {
+describeQuick('the jobs of a worker', () => {
   const played = { level: resolveLevel(PAST), terms: DEFAULT_TERMS };
   const finish = <R>(steps: Generator<unknown, R>): { result: R; told: number } => {
     for (let told = 0; ; ) {
@@ -312,7 +312,7 @@ describe('the jobs of a worker', () => {
     expect(bytes).toBeLessThan(100_000);
   });
 
-  itQuick('date the loss of a run within what is known: it is open before, and the proof holds until the end', () => {
+  it('date the loss of a run within what is known: it is open before, and the proof holds until the end', () => {
     const traced: Hold[][] = [[[0, 600]], []];
     const { losses } = finish(JOBS.losses({ ...played, traced, effort: 3_000_000 }, () => 0)).result;
     const [held, drifted] = losses;

@@ -22,7 +22,7 @@ import {
   termsOf,
 } from '../../engine/index.ts';
 import { type LevelFile, readLevel } from '../../schema/index.ts';
-import { expectDeep } from '../depth.ts';
+import { expectDeep, itQuick } from '../depth.ts';
 import { arbitraryHolds, arbitraryPlayableLevel } from '../engine/arbitrary-level.ts';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
@@ -335,7 +335,7 @@ describe('a proof that takes too long', () => {
     }
   });
 
-  it('reports that other runs were not simulated', () => {
+  itQuick('reports that other runs were not simulated', () => {
     const [first] = file.runs ?? [];
     const failing = { name: 'drift', holds: [] };
     const many = Array.from({ length: 300 }, (_, i) => ({ name: `r${i}`, holds: [[i, i + 1]] as [number, number][] }));

@@ -426,7 +426,7 @@ describe('thinning', () => {
     expect(thin(versions, START, { versions: 1e9, size: 1000 }).drop).toEqual(drop);
   });
 
-  it('does not touch the texts of versions that stay', async () => {
+  itQuick('does not touch the texts of versions that stay', async () => {
     const all = begin();
     const { level, versions, clock } = all;
     clock.now = START - 50 * 24 * 3_600_000;

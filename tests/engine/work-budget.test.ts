@@ -11,6 +11,7 @@ import {
   WorkLimitReached,
 } from '../../engine/index.ts';
 import { resolveLevel } from '../../schema/index.ts';
+import { itQuick } from '../depth.ts';
 import { HEAVY_LEVELS } from '../scenes/heavy-levels.ts';
 import { randomScene } from '../scenes/random-scene.ts';
 import { plainLevel } from './plain-level.ts';
@@ -57,7 +58,7 @@ describe('a budget of work', () => {
     );
   });
 
-  it('covers the search for repeated orbits to skip', () => {
+  itQuick('covers the search for repeated orbits to skip', () => {
     for (const share of [1, 1e-2, 1e-4, 1e-7]) {
       const across = 3e-7;
       const level = plainLevel({
@@ -74,7 +75,7 @@ describe('a budget of work', () => {
     }
   });
 
-  it('an endless sequence of events at one instant is stopped, with or without a budget', () => {
+  itQuick('an endless sequence of events at one instant is stopped, with or without a budget', () => {
     const level = plainLevel({ astronaut: { vx: 60 }, repulsors: [{ x: 100, y: 0, radius: 40 }] });
     const rule = EFFECTS.find(({ name }) => name === 'repulsor')?.events?.find(({ name }) => name === 'enter');
     if (rule === undefined) throw new Error('no such rule');

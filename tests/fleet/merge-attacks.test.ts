@@ -221,7 +221,7 @@ describe('a merge', () => {
     expect(stderr).toContain('out/shard-1.differs-1.ndjson: the same as out/shard-1.ndjson');
   });
 
-  it('refuses results of other plans, engines, code and versions, and overwrites none', async () => {
+  itQuick('refuses results of other plans, engines, code and versions, and overwrites none', async () => {
     const header = JSON.parse(resultLines(set, 2)[0]);
     const changes = {
       plan: ['0'.repeat(64), 'it belongs to another plan'],
@@ -250,7 +250,7 @@ describe('a merge', () => {
     expect(stderr).toContain('out/shard-7.ndjson: the plan has shards 0 to 2 only');
   });
 
-  it('names what is missing, in each form', async () => {
+  itQuick('names what is missing, in each form', async () => {
     restore();
     rmSync(path(0));
     writeFileSync(path(2), kept.get(2)!.subarray(0, 500));

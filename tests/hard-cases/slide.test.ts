@@ -12,7 +12,7 @@ import {
   WorkBudget,
 } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
-import { itQuick } from '../depth.ts';
+import { describeQuick, itQuick } from '../depth.ts';
 import { continuousNames } from '../engine/accuracies.ts';
 import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { once } from '../once.ts';
@@ -125,7 +125,7 @@ const slideAtLimit = once((level: Level, seconds: number): [x: number, y: number
   return [radius * Math.cos(angle), radius * Math.sin(angle), radius * turn * Math.cos(angle)];
 });
 
-describe.each(continuousNames)('sliding on a rim at the speed limit: %s', (accuracy) => {
+describeQuick.each(continuousNames)('sliding on a rim at the speed limit: %s', (accuracy) => {
   it('the limit holds her until the forces would push her back', () => {
     const radius = 5e4;
     for (const sign of [1, -1]) {
@@ -200,7 +200,7 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
   });
 
   // nearly on a circle about the centre of the pull, the holding force hardly varies, and only just reaches 0
-  it('ends correctly after the holding force has been close to 0 for a long time', () => {
+  itQuick('ends correctly after the holding force has been close to 0 for a long time', () => {
     let off = 0;
     for (const rest of [3e-2, 1e-3, 1e-5]) {
       for (const aside of [1e-3, 0.03, 0.4]) {

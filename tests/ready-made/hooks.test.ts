@@ -1,10 +1,10 @@
 import { chmodSync, copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, expect } from 'vitest';
 import { parse } from 'yaml';
 import { type Ended, fallThrough, gq } from '../cli/gq.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { makeProject, ofPackage, runIn } from './project.ts';
 
 interface Hook {
@@ -56,7 +56,7 @@ function run({ entry, files, pass_filenames }: Hook, staged: readonly string[]) 
   return runGq(entry, pass_filenames === false ? [] : matching);
 }
 
-describe.each([
+describeQuick.each([
   ['of this package', own],
   ['that call the installed gq', local],
 ])('hooks for pre-commit %s', (_, hooks) => {

@@ -3,11 +3,11 @@ import { connect, createServer, type Server } from 'node:net';
 import { networkInterfaces } from 'node:os';
 import { delimiter, join } from 'node:path';
 import process from 'node:process';
-import { afterAll, describe, expect, it } from 'vitest';
+import { afterAll, describe, expect } from 'vitest';
 import { readPage } from '../../cli/serve/app.ts';
 import { EDIT_API } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { interruptAt } from '../interrupted/step.ts';
 import { until } from '../until.ts';
 import { gqEdit } from './command.ts';
@@ -151,7 +151,7 @@ describe('gq edit', () => {
   });
 });
 
-describe('a page that is not built', () => {
+describeQuick('a page that is not built', () => {
   it('is reported as missing', () => {
     expect(() => readPage(join(cwd, 'nowhere'))).toThrow(/nowhere: no such file or directory; npm run build/);
     expect(() => readPage(join(cwd, 'levels'))).toThrow(/expected .*index\.html; npm run build/);

@@ -6,7 +6,7 @@ import type { KnownLevels } from '../../cli/serve/known-levels.ts';
 import { openLevelFolder } from '../../cli/serve/level-folder.ts';
 import { NO_FOLDER_TERMS } from '../../editor/core/files/folder-list.ts';
 import { EDIT_API, type EditEvent, type LevelEntry, type ListResponse } from '../../schema/index.ts';
-import { itDeep, itQuick } from '../depth.ts';
+import { itQuick as it, itDeep } from '../depth.ts';
 import { levelPath, levelText, makeFolder, put, serve } from './running.ts';
 
 const entry = (id: string): LevelEntry => ({
@@ -50,7 +50,7 @@ async function readUntil(stream: ReadableStream<Uint8Array>, passes: (event: Edi
   }
 }
 
-itQuick('a page that reads nothing is disconnected in the end, and others get everything', async () => {
+it('a page that reads nothing is disconnected in the end, and others get everything', async () => {
   const listeners = new Set<(event: EditEvent) => void>();
   const known = {
     list: () => listOf([entry('a')]),
@@ -113,7 +113,7 @@ itDeep('a list of more than 16 MiB is sent to all, and later saves are answered 
   made.remove();
 });
 
-itQuick('a level that changes during the first reading is reported in its new state, and each level once', async () => {
+it('a level that changes during the first reading is reported in its new state, and each level once', async () => {
   const made = makeFolder(Object.fromEntries(Array.from({ length: 3000 }, (_, i) => [`${i}.level.json`, levelText(`${i}`)])));
   const levels = openLevelFolder(made.folder, 'levels');
   const page = new Map<string, string | null>();

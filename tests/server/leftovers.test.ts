@@ -14,10 +14,10 @@ import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, expect } from 'vitest';
 import { openLevelFolder } from '../../cli/serve/level-folder.ts';
 import { collectLeftovers } from '../../cli/serve/trash.ts';
-import { itDeep } from '../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../depth.ts';
 import { gqEdit } from './command.ts';
 import { everythingIn, levelText, makeFolder, put } from './running.ts';
 
@@ -33,7 +33,7 @@ const write = (): Promise<{ entry: { name: string | null } }> => {
 };
 const lock = (): string => join(made.folder, '.gq-edit.lock');
 
-describe.runIf(process.platform === 'linux')('an obstacle in place of the lock', () => {
+describeQuick.runIf(process.platform === 'linux')('an obstacle in place of the lock', () => {
   it.each([
     ['a device without end', () => symlinkSync('/dev/zero', lock())],
     ['a link to nowhere', () => symlinkSync('nowhere', lock())],

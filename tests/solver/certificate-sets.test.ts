@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compile, STATE_SIZE, simulate } from '../../engine/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { type Doomed, type Flowpipe, type Proof, proveBy, verifyProof } from '../../solver/index.ts';
+import { itQuick } from '../depth.ts';
 import { at, LEVELS, level } from './impossible-levels.ts';
 
 // Certificates with sets may come from anybody: a set that is missing, smaller than before or moved is noticed, unless it was
@@ -257,7 +258,7 @@ describe.each(Object.keys(PIPES))('the hints of flowpipe: %s', (name) => {
     }
   });
 
-  it('a part that goes on has not ended because the certificate says so', () => {
+  itQuick('a part that goes on has not ended because the certificate says so', () => {
     const goOn = parts.flatMap(({ to }, n) => (to === null ? [] : [n]));
     const accepted = goOn.filter((n) => accepts(of, withPart(n, (part) => ({ ...part, to: null }))(layers)));
     // Slightly more may be empty or out of range for the checker than for the prover.

@@ -15,7 +15,7 @@ import {
 import { type Hold, type Level, resolveLevel } from '../../schema/index.ts';
 import { createSearch, createSoftlockSurvey, cutHolds, LIVES_ON, type SoftlockSurvey, verifyProof } from '../../solver/index.ts';
 import { createLongProof, levelFrom, proveLost } from '../../solver/measure/softlock/prove-lost.ts';
-import { describeDeep, itDeep } from '../depth.ts';
+import { describeDeep, itDeep, itQuick } from '../depth.ts';
 import { holdsOf, shipped } from '../levels/shipped-pack.ts';
 
 function surveyed(level: Level, ticks: number, accuracy: AccuracyName = 'precise'): { scene: Scene; survey: SoftlockSurvey } {
@@ -71,7 +71,7 @@ describe('where the dead end is known', () => {
     expect(open.some(({ x }) => x < 60)).toBe(true);
   });
 
-  it('brute force completes the level from none of the proved states, and an open state has a run', () => {
+  itQuick('brute force completes the level from none of the proved states, and an open state has a run', () => {
     for (const state of proved.filter((_, i) => i % 8 === 0)) {
       expect(bruteForce(scene, state.holds, state.tick), JSON.stringify(state)).toBe(false);
     }
@@ -83,7 +83,7 @@ describe('where the dead end is known', () => {
     }
   });
 
-  it('a place that is proved says since when and how long she lives on, and its proof is confirmed', () => {
+  itQuick('a place that is proved says since when and how long she lives on, and its proof is confirmed', () => {
     const places = survey.places.filter(({ standing }) => standing.is === 'proved');
     expect(places.length).toBeGreaterThan(0);
     for (const { holds, tick, open: last, alive, x, y } of places) {
@@ -252,7 +252,7 @@ describe('since when a run was lost', () => {
     );
   });
 
-  it('is the moment at which brute force stops completing the level', () => {
+  itQuick('is the moment at which brute force stops completing the level', () => {
     const [held] = past.runs.slice(1).map(({ holds }) => holds);
     const tracing = createSoftlockSurvey(scene, { traced: [held], explores: false });
     tracing.advance(3_000_000);

@@ -12,7 +12,7 @@ import {
   type SolveOptions,
   successProbability,
 } from '../../solver/index.ts';
-import { expectDeep } from '../depth.ts';
+import { expectDeep, itQuick } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';
 import { shipped } from '../levels/shipped-pack.ts';
 import { arbitraryOrdinaryLevel, arbitrarySolvableLevel, fallThrough, swing } from './search/solvable-levels.ts';
@@ -156,7 +156,7 @@ it('presses and time are better than the first run', () => {
   expect(time?.time).toBeLessThanOrEqual(presses?.time ?? 0);
 });
 
-it('several solutions are different paths', () => {
+itQuick('several solutions are different paths', () => {
   const { solutions } = solved('slingshot', { count: 3 }, 5_000_000);
   expect(solutions.length).toBe(3);
   for (let i = 1; i < solutions.length; i++) expect(solutions[i].score).toBeLessThanOrEqual(solutions[i - 1].score);

@@ -3,6 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { validateXML } from 'xmllint-wasm';
 import { checkJunit } from '../../../cli/reporters/junit.ts';
+import { itQuick } from '../../depth.ts';
 import { brokenLevel, CONTEXT, checkedLevel, resultsOf, shownProblem } from './context.ts';
 
 const JENKINS = { ...CONTEXT, isJenkins: true };
@@ -123,7 +124,7 @@ describe('the junit reporter', () => {
     expect(await problemsIn(xml)).toEqual([]);
   });
 
-  it('would be refused with a raw character', async () => {
+  itQuick('would be refused with a raw character', async () => {
     const xml = checkJunit(resultsOf([brokenLevel()]), JENKINS);
     expect(await problemsIn(xml.replace('</failure>', '\u0001</failure>'))).not.toEqual([]);
     expect(await problemsIn(xml.replace('<testcase', '<testcase file="a"'))).not.toEqual([]);

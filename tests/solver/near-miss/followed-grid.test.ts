@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import type { Certificate } from '../../../solver/index.ts';
-import { itQuick } from '../../depth.ts';
 import { at, doomedBy, FRAMES, flowpipeBy, levelWith, ORIGIN, whyNot } from './near-miss.ts';
 
 // What a certificate with reachable sets may ask for. She moves so fast that she is out of range soon, so all of it is quick.
@@ -59,7 +58,7 @@ describe('the sets of doomed', () => {
 
   it('an additional box does no harm', () => expect(withBox(far)).toBeNull());
 
-  itQuick('boxes are eight numbers, each least before its greatest, none too large', () => {
+  it('boxes are eight numbers, each least before its greatest, none too large', () => {
     const none = 'its sets are not valid';
     for (const layers of [undefined, null, {}, 'all', [...DOOMED.layers, null], [...DOOMED.layers, {}]])
       expect(accepted(layers), JSON.stringify(layers)).toBe(none);
@@ -74,7 +73,7 @@ describe('the sets of doomed', () => {
     expect(withNumber(0, -1e9)).not.toBe(none);
   });
 
-  itQuick('no more of them than allowed', () => {
+  it('no more of them than allowed', () => {
     const count = DOOMED.layers.flat().length;
     const more = (n: number) => accepted([[...first, ...Array.from({ length: n }, () => far)], ...rest]);
     expect(more(20_000 - count)).toBeNull();

@@ -1,8 +1,8 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect } from 'vitest';
 import { compile, simulate } from '../../../engine/index.ts';
 import type { Hold, Level, LevelFile } from '../../../schema/index.ts';
 import type { FanGrid, Flowpipe, PipeGrid } from '../../../solver/index.ts';
-import { itDeep } from '../../depth.ts';
+import { describeQuick, itQuick as it, itDeep } from '../../depth.ts';
 import {
   type Asked,
   at,
@@ -58,7 +58,7 @@ const away = (v: number, more: Partial<LevelFile> = {}) => moving(-v, 0, { aster
 const turning = (x: number, more: Partial<LevelFile> = {}) =>
   moving(-40, 0, { asteroids: [at(100, 0)], novae: [at(-x, 0, 20)], ...more });
 
-describe.each([
+describeQuick.each([
   ['doomed', doomed],
   ['flowpipe', flowpipe],
 ] as const)('%s', (kind, follow) => {
