@@ -6,17 +6,23 @@ import { isNode, lineOf, type Node, treeOf, walk } from './syntax.ts';
 const literal = (value: unknown): string | null =>
   isNode(value) && value.type === 'Literal' && typeof value.value === 'string' ? value.value : null;
 
+/** What a text has that imports elsewhere than at its outermost level: on demand, in a type, or in a declared module. */
+const MAYBE_INSIDE = /\bimport\s*[(/]|\b(?:module|namespace|global)\b/;
+
 /** What a source file imports: static, re-exported, dynamic and in types. A dynamic import of no literal is `null`. */
 export const importsOf = once((path: string, text: string): (string | null)[] => {
   const found: (string | null)[] = [];
-  walk(treeOf(path, text), (node) => {
+  const visit = (node: Node): void => {
     if (node.type === 'ImportDeclaration' || node.type === 'ImportExpression' || node.type === 'TSImportType') {
       found.push(literal(node.source));
     }
     if ((node.type === 'ExportNamedDeclaration' && node.source) || node.type === 'ExportAllDeclaration') {
       found.push(literal(node.source));
     }
-  });
+  };
+  const tree = treeOf(path, text);
+  if (MAYBE_INSIDE.test(text)) walk(tree, visit);
+  else for (const statement of tree.body as readonly Node[]) visit(statement);
   return found;
 });
 
