@@ -9,8 +9,9 @@ import { gq, makeFiles } from '../cli/gq.ts';
 import { complaintsAbout } from './axe.ts';
 import { sharedChromium } from './chromium.ts';
 import { command, verdict } from './commands.ts';
+import { hurry, paceFrames } from './frames.ts';
 import { straight } from './levels.ts';
-import { hurry, inChromium, paceFrames, type Stage } from './stage.ts';
+import { inChromium, type Stage } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
 // What `gq build` and the editor publish, as players open it: from a file and from a web server that knows only files.

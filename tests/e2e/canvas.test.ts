@@ -313,32 +313,28 @@ inChromium('the canvas in Chromium', ({ on }) => {
   }));
   it(
     'shows many objects correctly, both the resting ones and the moving one',
-    on(
-      { '01': straight({ novae: [], minerals: crowd }) },
-      async ({ page, canvas, file }) => {
-        const [from, near, to] = [crowd[44], crowd[45], { x: 696, y: 520 }];
-        const seen = async () =>
-          Promise.all(
-            [from, near, to].map(async (place) => (await countColour(page, canvas.at(place), 8, COLOURS.dark.mineral)) > 10),
-          );
-        // the outline at the former place has the colour of minerals
-        await command(page, 'Show or hide the run before and after a change');
-        await canvas.fit(file('01'));
-        await until(async () => expect(await seen()).toEqual([true, true, false]));
-        const moved = () => until(async () => expect(await seen()).toEqual([false, true, true]));
-        await canvas.drag(from, { to: [to], before: moved });
-        // a selected object has an outline, which would hide it in the comparison
-        await canvas.click({ x: 696, y: 640 });
-        await moved();
-        await page.keyboard.press('Control+z');
-        await until(async () => expect(await seen()).toEqual([true, true, false]));
-        // zoom in and out
-        await page.keyboard.press('+');
-        await canvas.fit(file('01'));
-        await until(async () => expect(await seen()).toEqual([true, true, false]));
-      },
-      { ownPage: true },
-    ),
+    on({ '01': straight({ novae: [], minerals: crowd }) }, async ({ page, canvas, file }) => {
+      const [from, near, to] = [crowd[44], crowd[45], { x: 696, y: 520 }];
+      const seen = async () =>
+        Promise.all(
+          [from, near, to].map(async (place) => (await countColour(page, canvas.at(place), 8, COLOURS.dark.mineral)) > 10),
+        );
+      // the outline at the former place has the colour of minerals
+      await command(page, 'Show or hide the run before and after a change');
+      await canvas.fit(file('01'));
+      await until(async () => expect(await seen()).toEqual([true, true, false]));
+      const moved = () => until(async () => expect(await seen()).toEqual([false, true, true]));
+      await canvas.drag(from, { to: [to], before: moved });
+      // a selected object has an outline, which would hide it in the comparison
+      await canvas.click({ x: 696, y: 640 });
+      await moved();
+      await page.keyboard.press('Control+z');
+      await until(async () => expect(await seen()).toEqual([true, true, false]));
+      // zoom in and out
+      await page.keyboard.press('+');
+      await canvas.fit(file('01'));
+      await until(async () => expect(await seen()).toEqual([true, true, false]));
+    }),
   );
 
   it(

@@ -180,28 +180,23 @@ inChromium('comfort in Chromium', ({ on }) => {
 
   it(
     'the keyboard alone can select, place, move, fix the run, play and save',
-    on(
-      { '01': straight({ runs: [{ name: 'try', holds: [[0, 10]] }] }) },
-      async ({ page, file, saved }) => {
-        await verdict(page, 'broken');
-        const outline = page.getByRole('tree', { name: 'Objects of the level' });
-        for (let i = 0; i < 40 && !(await outline.evaluate((tree) => tree.contains(document.activeElement))); i++)
-          await page.keyboard.press('Tab');
-        await page.keyboard.press('End');
-        await page.keyboard.press('Home');
-        await page.keyboard.press('ArrowDown');
-        const release = page.getByRole('slider', { name: 'Release of hold 1' });
-        for (let i = 0; i < 60 && !(await release.evaluate((edge) => edge === document.activeElement)); i++)
-          await page.keyboard.press('Tab');
-        for (let i = 0; i < 60; i++) await page.keyboard.press('Shift+ArrowRight');
-        await verdict(page, 'completable');
-        await until(() => expect(file('01').runs?.[0].holds).toEqual([[0, 610]]));
-        await page.keyboard.press('Control+s');
-        await saved();
-      },
-      // Tab begins where a page begins
-      { ownPage: true },
-    ),
+    on({ '01': straight({ runs: [{ name: 'try', holds: [[0, 10]] }] }) }, async ({ page, file, saved }) => {
+      await verdict(page, 'broken');
+      const outline = page.getByRole('tree', { name: 'Objects of the level' });
+      for (let i = 0; i < 40 && !(await outline.evaluate((tree) => tree.contains(document.activeElement))); i++)
+        await page.keyboard.press('Tab');
+      await page.keyboard.press('End');
+      await page.keyboard.press('Home');
+      await page.keyboard.press('ArrowDown');
+      const release = page.getByRole('slider', { name: 'Release of hold 1' });
+      for (let i = 0; i < 60 && !(await release.evaluate((edge) => edge === document.activeElement)); i++)
+        await page.keyboard.press('Tab');
+      for (let i = 0; i < 60; i++) await page.keyboard.press('Shift+ArrowRight');
+      await verdict(page, 'completable');
+      await until(() => expect(file('01').runs?.[0].holds).toEqual([[0, 610]]));
+      await page.keyboard.press('Control+s');
+      await saved();
+    }),
   );
 
   it(

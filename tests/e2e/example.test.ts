@@ -11,9 +11,9 @@ import { readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { complaintsAbout } from './axe.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
+import { hurry, nextFrames, paceFrames, pass } from './frames.ts';
 import { straight } from './levels.ts';
 import { type Heard, listenToSound } from './sound.ts';
-import { hurry, nextFrames, paceFrames, pass } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
 // The built game as a page from a file, the strictest place that it must work in.

@@ -1,7 +1,8 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { hurry } from './frames.ts';
 import { straight } from './levels.ts';
-import { hurry, inChromium } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const A = 0;

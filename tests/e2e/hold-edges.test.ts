@@ -1,7 +1,8 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { nextFrames } from './frames.ts';
 import { straight } from './levels.ts';
-import { inChromium, nextFrames, type Stage } from './stage.ts';
+import { inChromium, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
 /** She stays far from everything for a long time. */

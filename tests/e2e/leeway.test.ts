@@ -102,28 +102,24 @@ inChromium('where the selection may stand in Chromium', ({ on }) => {
 
   it(
     'by keys alone: of a run that fails it says where it would complete; one mouth of a wormhole moves alone',
-    on(
-      { '01': { ...LEVEL, asteroids: [{ id: 'bjzg', x: 608, y: 620, radius: 32 }] } },
-      async ({ page, file }) => {
-        expect(completes(at(608, 620))).toBe(false);
-        await page.getByRole('tree', { name: 'Objects of the level' }).getByText('Asteroid 1').click();
-        await command(page, 'Show or hide the places where the selection may stand');
-        await legend(page).getByText('It fails as it is: there is no place to keep.').waitFor();
-        const left = reachOf(file('01'), -1, 0);
-        expect(completes(at(608 - left - 1, 620))).toBe(true);
-        await legend(page)
-          .getByRole('status')
-          .filter({ hasText: `Would complete left by ${left + 1} px` })
-          .waitFor();
-        await page.getByRole('tree', { name: 'Objects of the level' }).getByText('Wormhole 1').click();
-        await legend(page).getByText('Wormhole 1 may stand').waitFor();
-        await legend(page).getByRole('radio', { name: 'both' }).focus();
-        await page.keyboard.press('ArrowRight');
-        await legend(page).getByText('First mouth of wormhole 1 may stand').waitFor();
-        expect(await complaintsAbout(page, 'where a mouth may stand', 'main')).toEqual([]);
-      },
-      { ownPage: true },
-    ),
+    on({ '01': { ...LEVEL, asteroids: [{ id: 'bjzg', x: 608, y: 620, radius: 32 }] } }, async ({ page, file }) => {
+      expect(completes(at(608, 620))).toBe(false);
+      await page.getByRole('tree', { name: 'Objects of the level' }).getByText('Asteroid 1').click();
+      await command(page, 'Show or hide the places where the selection may stand');
+      await legend(page).getByText('It fails as it is: there is no place to keep.').waitFor();
+      const left = reachOf(file('01'), -1, 0);
+      expect(completes(at(608 - left - 1, 620))).toBe(true);
+      await legend(page)
+        .getByRole('status')
+        .filter({ hasText: `Would complete left by ${left + 1} px` })
+        .waitFor();
+      await page.getByRole('tree', { name: 'Objects of the level' }).getByText('Wormhole 1').click();
+      await legend(page).getByText('Wormhole 1 may stand').waitFor();
+      await legend(page).getByRole('radio', { name: 'both' }).focus();
+      await page.keyboard.press('ArrowRight');
+      await legend(page).getByText('First mouth of wormhole 1 may stand').waitFor();
+      expect(await complaintsAbout(page, 'where a mouth may stand', 'main')).toEqual([]);
+    }),
   );
 
   it(

@@ -3,8 +3,9 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { verdict } from './commands.ts';
+import { hurry } from './frames.ts';
 import { straight } from './levels.ts';
-import { hurry, inChromium } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'levels', '16-firewalk.level.json'), 'utf8');

@@ -6,8 +6,9 @@ import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { SWING } from '../editor/swing-level.ts';
 import { complaintsAbout } from './axe.ts';
 import { command } from './commands.ts';
+import { nextFrames } from './frames.ts';
 import { countColour } from './screen-colours.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const LEVEL: LevelFile = { ...SWING, novae: [{ id: 'nova', x: 400, y: 700, radius: 16 }] };

@@ -1,8 +1,9 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { complaintsAbout } from './axe.ts';
+import { nextFrames } from './frames.ts';
 import { garden } from './levels.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const A = { x: 400, y: 200 };

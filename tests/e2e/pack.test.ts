@@ -6,8 +6,9 @@ import type { PackFile } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
 import { complaintsAbout } from './axe.ts';
 import { command, verdict } from './commands.ts';
+import { nextFrames } from './frames.ts';
 import { garden, straight } from './levels.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const pack = (...levels: PackFile['levels']): string => JSON.stringify({ version: 1, name: 'My game', levels });

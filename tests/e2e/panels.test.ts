@@ -5,9 +5,10 @@ import { expect, it } from 'vitest';
 import { COLOURS } from '../../editor/canvas/colours.ts';
 import { gq } from '../cli/gq.ts';
 import { command, verdict } from './commands.ts';
+import { nextFrames } from './frames.ts';
 import { garden, straight } from './levels.ts';
 import { countColour } from './screen-colours.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const levels = (page: Page) => page.getByRole('tree', { name: 'Levels' });

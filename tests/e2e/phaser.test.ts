@@ -6,8 +6,8 @@ import { createPlayer } from '../../game/index.ts';
 import { shipped } from '../levels/shipped-pack.ts';
 import { declareMissing } from '../missing.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
+import { paceFrames } from './frames.ts';
 import { MAJORS, type Major, scriptsOf, WAYS, type Way } from './phaser/pages.ts';
-import { paceFrames } from './stage.ts';
 import { PATIENCE } from './until.ts';
 
 // A game with both majors of Phaser, bundled by Vite and esbuild or by script tags, in a real browser.

@@ -3,9 +3,10 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { gq } from '../cli/gq.ts';
 import { verdict } from './commands.ts';
+import { hurry, nextFrames } from './frames.ts';
 import { straight } from './levels.ts';
 import { type Heard, listenToSound } from './sound.ts';
-import { hurry, inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });

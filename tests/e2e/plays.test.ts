@@ -6,9 +6,10 @@ import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { recordedPlay } from '../editor/recorded-play.ts';
 import { command } from './commands.ts';
 import { drop } from './drop.ts';
+import { hurry } from './frames.ts';
 import { straight } from './levels.ts';
 import { countColour } from './screen-colours.ts';
-import { hurry, inChromium } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 /** She drifts downwards out of range; the gun pulls her towards a hot asteroid and past it into a nova. */
@@ -146,64 +147,60 @@ inChromium('plays in Chromium', ({ on }) => {
 
   it(
     'hundreds of plays: the list filters and sorts, and the heat map shows where and why she dies',
-    on(
-      { '01': lane() },
-      async ({ page, canvas, file, saved }) => {
-        await saved();
-        await canvas.fit(file('01'));
-        const dead = recordedPlay(lane(), HOLD);
-        const place = verifyPlay(resolveLevel(lane()), dead);
-        expect(place.ending?.outcome).toBe('collided');
-        const files = Object.fromEntries(
-          Array.from({ length: 200 }, (_, i) => {
-            const left = recordedPlay(lane(), [], 60 + i);
-            const played = recordedPlay(lane(), [[20 + (i % 5), 90 + i]]);
-            return [`${i}.gqr`, i % 4 === 0 ? left : played];
-          }),
-        );
-        // after her death, other holds are the same play
-        const different = [...new Map(Object.values(files).map((bytes) => [playToText(bytes), bytes])).values()];
-        const endings = different.map((bytes) => verifyPlay(resolveLevel(lane()), bytes).ending);
-        const [all, left] = [different.length, endings.filter((ending) => ending === null).length];
-        const novae = endings.filter((ending) => ending?.with?.kind === 'nova').length;
-        expect([all > 120, left, novae > 50]).toEqual([true, 50, true]);
-        await drop(page, files);
-        await messages(page).getByText(`${all} plays were opened`).waitFor();
-        await panel(page).getByText(`${all} attempts`).waitFor();
-        // only what is seen is rendered
-        expect(await rows(page).count()).toBeLessThan(60);
-        await panel(page).getByRole('combobox', { name: 'Show' }).selectOption('left');
-        await panel(page).getByText(`${left} of ${all} attempts`).waitFor();
-        await panel(page).getByRole('combobox', { name: 'Show' }).selectOption('all');
-        await panel(page).getByRole('searchbox').fill('nova 1');
-        await panel(page).getByText(`${novae} of ${all} attempts`).waitFor();
-        await panel(page).getByRole('searchbox').fill('');
-        await panel(page).getByRole('combobox', { name: 'Order' }).selectOption('name');
-        await until(async () => expect(await rows(page).first().textContent()).toContain('0.gqr'));
+    on({ '01': lane() }, async ({ page, canvas, file, saved }) => {
+      await saved();
+      await canvas.fit(file('01'));
+      const dead = recordedPlay(lane(), HOLD);
+      const place = verifyPlay(resolveLevel(lane()), dead);
+      expect(place.ending?.outcome).toBe('collided');
+      const files = Object.fromEntries(
+        Array.from({ length: 200 }, (_, i) => {
+          const left = recordedPlay(lane(), [], 60 + i);
+          const played = recordedPlay(lane(), [[20 + (i % 5), 90 + i]]);
+          return [`${i}.gqr`, i % 4 === 0 ? left : played];
+        }),
+      );
+      // after her death, other holds are the same play
+      const different = [...new Map(Object.values(files).map((bytes) => [playToText(bytes), bytes])).values()];
+      const endings = different.map((bytes) => verifyPlay(resolveLevel(lane()), bytes).ending);
+      const [all, left] = [different.length, endings.filter((ending) => ending === null).length];
+      const novae = endings.filter((ending) => ending?.with?.kind === 'nova').length;
+      expect([all > 120, left, novae > 50]).toEqual([true, 50, true]);
+      await drop(page, files);
+      await messages(page).getByText(`${all} plays were opened`).waitFor();
+      await panel(page).getByText(`${all} attempts`).waitFor();
+      // only what is seen is rendered
+      expect(await rows(page).count()).toBeLessThan(60);
+      await panel(page).getByRole('combobox', { name: 'Show' }).selectOption('left');
+      await panel(page).getByText(`${left} of ${all} attempts`).waitFor();
+      await panel(page).getByRole('combobox', { name: 'Show' }).selectOption('all');
+      await panel(page).getByRole('searchbox').fill('nova 1');
+      await panel(page).getByText(`${novae} of ${all} attempts`).waitFor();
+      await panel(page).getByRole('searchbox').fill('');
+      await panel(page).getByRole('combobox', { name: 'Order' }).selectOption('name');
+      await until(async () => expect(await rows(page).first().textContent()).toContain('0.gqr'));
 
-        const legend = page.getByRole('figure', { name: 'Heat map of deaths' });
-        await legend.getByText(`${all - left} deaths, counted in squares of 24 px`).waitFor();
-        const first = panel(page)
-          .getByRole('list')
-          .getByRole('button', { name: /nova 1/ })
-          .first();
-        expect(await first.textContent()).toMatch(/^\d+× she hits nova 1 at \d+, \d+$/);
-        const [, x, y] = /at (\d+), (\d+)$/.exec((await first.textContent()) ?? '') ?? [];
-        const at = canvas.at({ x: Number(x), y: Number(y) });
-        await page.mouse.move(at.x, at.y);
-        await page
-          .getByRole('tooltip')
-          .filter({ hasText: /^\d+× she hits nova 1/ })
-          .waitFor();
-        const look = () => page.screenshot({ clip: { x: at.x - 30, y: at.y - 30, width: 60, height: 60 } });
-        await page.mouse.move(5, 5);
-        const hot = await look();
-        await command(page, 'Show or hide the heat map of deaths');
-        await legend.waitFor({ state: 'hidden' });
-        await until(async () => expect(hot.equals(await look())).toBe(false));
-      },
-      { ownPage: true },
-    ),
+      const legend = page.getByRole('figure', { name: 'Heat map of deaths' });
+      await legend.getByText(`${all - left} deaths, counted in squares of 24 px`).waitFor();
+      const first = panel(page)
+        .getByRole('list')
+        .getByRole('button', { name: /nova 1/ })
+        .first();
+      expect(await first.textContent()).toMatch(/^\d+× she hits nova 1 at \d+, \d+$/);
+      const [, x, y] = /at (\d+), (\d+)$/.exec((await first.textContent()) ?? '') ?? [];
+      const at = canvas.at({ x: Number(x), y: Number(y) });
+      await page.mouse.move(at.x, at.y);
+      await page
+        .getByRole('tooltip')
+        .filter({ hasText: /^\d+× she hits nova 1/ })
+        .waitFor();
+      const look = () => page.screenshot({ clip: { x: at.x - 30, y: at.y - 30, width: 60, height: 60 } });
+      await page.mouse.move(5, 5);
+      const hot = await look();
+      await command(page, 'Show or hide the heat map of deaths');
+      await legend.waitFor({ state: 'hidden' });
+      await until(async () => expect(hot.equals(await look())).toBe(false));
+    }),
   );
 
   it(

@@ -1,9 +1,10 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { command } from './commands.ts';
+import { nextFrames } from './frames.ts';
 import { straight } from './levels.ts';
 import { compare } from './pictures.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const drawnBy = (page: Page): Promise<'webgl' | 'canvas'> =>

@@ -8,7 +8,8 @@ import { SWING } from '../editor/swing-level.ts';
 import { put } from '../server/running.ts';
 import { complaintsAbout } from './axe.ts';
 import { command, verdict } from './commands.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { nextFrames } from './frames.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const shots = process.env.GQ_SHOTS;

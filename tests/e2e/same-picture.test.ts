@@ -3,9 +3,10 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { propertySettings } from '../property-settings.ts';
 import { command } from './commands.ts';
+import { nextFrames } from './frames.ts';
 import { garden, straight } from './levels.ts';
 import { compare } from './pictures.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 /** Small levels, as the processor renders WebGL here. */

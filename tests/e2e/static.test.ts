@@ -10,8 +10,8 @@ import { readLevel } from '../../schema/index.ts';
 import { declareMissing } from '../missing.ts';
 import { CHROMIUM, sharedChromium } from './chromium.ts';
 import { command, verdict } from './commands.ts';
+import { paceFrames } from './frames.ts';
 import { straight } from './levels.ts';
-import { paceFrames } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
 
 // The built page in a subfolder of a host that serves only files: levels are stored in the browser.

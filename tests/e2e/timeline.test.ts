@@ -2,8 +2,9 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { holding } from './canvas.ts';
 import { command, verdict } from './commands.ts';
+import { hurry, nextFrames, pass } from './frames.ts';
 import { straight } from './levels.ts';
-import { hurry, inChromium, nextFrames, pass, type Stage } from './stage.ts';
+import { inChromium, type Stage } from './stage.ts';
 import { until } from './until.ts';
 
 /** She drifts along the asteroids for a long time, so that holds can be moved freely. */

@@ -1,8 +1,9 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import type { LevelFile } from '../../schema/index.ts';
+import { nextFrames } from './frames.ts';
 import { compare } from './pictures.ts';
-import { inChromium, nextFrames } from './stage.ts';
+import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const COLUMNS = 50;

@@ -1,0 +1,56 @@
+import type { Page } from 'playwright-core';
+
+/**
+ * Runs in a page before its own scripts.
+ * Draws about 10 frames per second, not 60, which would use half a processor.
+ * The clock of frames and `performance.now` can run faster or stand still: see `hurry` and `pass`. Timers and dates do not
+ * change.
+ */
+export function paceFrames(): void {
+  const now = performance.now.bind(performance);
+  const clock = { rate: 1, real: 0, shown: 0 };
+  const shownAt = (real: number) => clock.shown + (real - clock.real) * clock.rate;
+  performance.now = () => shownAt(now());
+  const setRate = (rate: number) => {
+    const real = now();
+    Object.assign(clock, { rate, real, shown: shownAt(real) });
+  };
+  const pass = (ms: number) => {
+    clock.shown += ms;
+  };
+  Object.assign(window, { setRate, pass });
+
+  const ask = window.requestAnimationFrame.bind(window);
+  const cancel = window.cancelAnimationFrame.bind(window);
+  const cancels = new Map<number, () => void>();
+  let last = 0;
+  window.requestAnimationFrame = (callback) => {
+    const id = ++last;
+    const timer = setTimeout(() => {
+      const frame = ask((real) => {
+        cancels.delete(id);
+        callback(shownAt(real));
+      });
+      cancels.set(id, () => cancel(frame));
+    }, 84);
+    cancels.set(id, () => clearTimeout(timer));
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => {
+    cancels.get(id)?.();
+    cancels.delete(id);
+  };
+}
+
+/**
+ * Sets the pace of frames until the page is reloaded.
+ * @param rate seconds of the frames' clock per second; 0: the clock stands still. A playtest advances at most 0.25 s per frame.
+ */
+export const hurry = (page: Page, rate: number): Promise<void> => page.evaluate(`setRate(${rate})`);
+
+/** Advances the clock of the frames at once. */
+export const pass = (page: Page, ms: number): Promise<void> => page.evaluate(`pass(${ms})`);
+
+/** Waits for two frames, after which all changes are drawn. */
+export const nextFrames = (page: Page): Promise<unknown> =>
+  page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
