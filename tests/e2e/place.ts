@@ -63,6 +63,8 @@ interface Seat {
   /** Of its last server. The scripts of the same origin are still compiled, which saves more than half of the time to load. */
   port: number;
   readonly complaints: string[];
+  /** Whether a test has crashed its page. */
+  hasCrashed: boolean;
 }
 
 /** Runs in a page before its own scripts: a test can't answer the dialogs of the system, only those of the older ways. */
@@ -137,7 +139,11 @@ async function newSeat({ context: wanted = {}, firstTime = false, before }: Plac
     route.fulfill({ contentType: 'text/html', body: '', headers: ISOLATION }),
   );
   const complaints: string[] = [];
-  return { context, page: await newPage(context, complaints), port: 0, complaints };
+  const seat = { context, page: await newPage(context, complaints), port: 0, complaints, hasCrashed: false };
+  seat.page.on('crash', () => {
+    seat.hasCrashed = true;
+  });
+  return seat;
 }
 
 /** Leaves the page of a test, and takes away what it and the ones before it have stored at an origin. */
@@ -196,7 +202,7 @@ export async function openPlace(files: Files, options: PlaceOptions): Promise<Pl
     return { page: entered, canvas: canvasOf(entered) };
   };
   const leave = async (isGood: boolean): Promise<void> => {
-    const stays = isGood && canShare(options) && !page.isClosed();
+    const stays = isGood && canShare(options) && !page.isClosed() && !seat.hasCrashed;
     if (stays) {
       for (const other of context.pages()) if (other !== page) await other.close();
       await page.unrouteAll();
