@@ -13,7 +13,8 @@ function tagsOf(html) {
   const anchors = new Set();
   let hasText = false;
   for (const [tag, name] of html.matchAll(/<([a-z][\w-]*)\b(?:[^>"']|"[^"]*"|'[^']*')*>/g)) {
-    hasText ||= name === 'h1' || name === 'h2';
+    // the sidebar has headings of the second order on every page
+    hasText ||= name === 'h1';
     for (const [, attribute, value] of tag.matchAll(ATTRIBUTE)) {
       if (attribute === 'id' || (attribute === 'name' && name === 'a')) anchors.add(decoded(value));
       else if (attribute === 'href' && name === 'a') links.push(decoded(value));
