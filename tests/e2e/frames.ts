@@ -2,7 +2,8 @@ import type { Page } from 'playwright-core';
 
 /**
  * Runs in a page before its own scripts.
- * Draws about 10 frames per second, not 60, which would use half a processor.
+ * Draws about 10 frames per second, not 60, which would use half a processor. While the clock is fast, a frame comes whenever a
+ * playtest can go on by as much as it may at once, which is 0.25 s.
  * The clock of frames and `performance.now` can run faster or stand still: see `hurry` and `pass`. Timers and dates do not
  * change.
  */
@@ -26,13 +27,16 @@ export function paceFrames(): void {
   let last = 0;
   window.requestAnimationFrame = (callback) => {
     const id = ++last;
-    const timer = setTimeout(() => {
-      const frame = ask((real) => {
-        cancels.delete(id);
-        callback(shownAt(real));
-      });
-      cancels.set(id, () => cancel(frame));
-    }, 84);
+    const timer = setTimeout(
+      () => {
+        const frame = ask((real) => {
+          cancels.delete(id);
+          callback(shownAt(real));
+        });
+        cancels.set(id, () => cancel(frame));
+      },
+      Math.min(84, Math.max(0, 250 / Math.max(clock.rate, 1) - 16)),
+    );
     cancels.set(id, () => clearTimeout(timer));
     return id;
   };

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { hurry } from './frames.ts';
-import { straight } from './levels.ts';
+import { near, straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
@@ -50,10 +50,10 @@ inChromium('a gamepad in Chromium', ({ on }) => {
   it(
     'starts a playtest, holds the gun, changes the speed, restarts, keeps the attempt and goes back',
     on(
-      { '01': straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, runs: undefined }) },
+      { '01': near({ runs: undefined }) },
       async ({ page, file, saved }) => {
         await saved();
-        await hurry(page, 4);
+        await hurry(page, 8);
         await press(page, START);
         await playtest(page).waitFor();
         await page.getByText('gamepad: A: gun · Select: again · Start: edit').waitFor();
@@ -78,7 +78,7 @@ inChromium('a gamepad in Chromium', ({ on }) => {
         await press(page, SELECT);
         await theEnd(page).waitFor({ state: 'hidden' });
         const again = await hold(page, A);
-        await hurry(page, 4);
+        await hurry(page, 8);
         await theEnd(page).waitFor();
         await again();
         const focused = (name: string) =>

@@ -11,6 +11,10 @@ export const straight = (changes: Readonly<Record<string, unknown>> = {}): Recor
   ...changes,
 });
 
+/** She drifts into the black hole within three seconds, whatever the gun does. */
+export const near = (changes: Readonly<Record<string, unknown>> = {}): Record<string, unknown> =>
+  straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, ...changes });
+
 /** One of each kind and three asteroids, all on the grid of 8 px and far from one another. */
 export const garden = (changes: Readonly<Record<string, unknown>> = {}): Record<string, unknown> => ({
   version: 1,

@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { verdict } from './commands.ts';
 import { hurry } from './frames.ts';
-import { straight } from './levels.ts';
+import { near } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
@@ -13,16 +13,13 @@ const firewalk = () => readFileSync(join(import.meta.dirname, '..', '..', 'level
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 const theEnd = (page: Page) => playtest(page).getByRole('status');
 
-/** She drifts into the black hole in three seconds. */
-const short = (name: string) => straight({ name, astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 } });
-
 inChromium('attempts that do not complete the level, in Chromium', ({ on }) => {
   it(
     'become the last run, by key or button, even if they were left before their end',
     on({ '16': firewalk() }, async ({ page, file }) => {
       await verdict(page, 'completable');
       const names = () => file('16').runs?.map(({ name }) => name);
-      await hurry(page, 4);
+      await hurry(page, 8);
       await page.getByRole('button', { name: 'Play', exact: true }).click();
       // without a press she drifts into a nova
       await theEnd(page).getByText('Not completed').waitFor();
@@ -61,36 +58,33 @@ inChromium('attempts that do not complete the level, in Chromium', ({ on }) => {
 
   it(
     'an attempt that completed the level before a change becomes the last run as well',
-    on(
-      { '01': straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 } }) },
-      async ({ page, canvas, file }) => {
-        await verdict(page, 'completable');
-        await canvas.fit(file('01'));
-        await hurry(page, 4);
-        await page.getByRole('button', { name: 'Play', exact: true }).click();
-        await theEnd(page).getByText('Level completed').waitFor();
-        await playtest(page).getByRole('button', { name: 'Keep as a run' }).waitFor();
-        await page.keyboard.press('Escape');
-        await playtest(page).waitFor({ state: 'hidden' });
-        await canvas.drag({ x: 400, y: 304 }, { to: [{ x: 200, y: 504 }] });
-        await verdict(page, 'impossible');
-        await page.getByRole('tab', { name: 'Runs' }).click();
-        await page.getByRole('button', { name: 'Keep attempt 1 as a run' }).click();
-        await page.getByText('Attempt 1 does not complete the level as it is now').waitFor();
-        await until(() => expect(file('01').runs?.map(({ name }) => name)).toEqual(['solution', 'attempt 1']));
-        await verdict(page, 'impossible');
-      },
-    ),
+    on({ '01': near() }, async ({ page, canvas, file }) => {
+      await verdict(page, 'completable');
+      await canvas.fit(file('01'));
+      await hurry(page, 8);
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await theEnd(page).getByText('Level completed').waitFor();
+      await playtest(page).getByRole('button', { name: 'Keep as a run' }).waitFor();
+      await page.keyboard.press('Escape');
+      await playtest(page).waitFor({ state: 'hidden' });
+      await canvas.drag({ x: 400, y: 304 }, { to: [{ x: 200, y: 504 }] });
+      await verdict(page, 'impossible');
+      await page.getByRole('tab', { name: 'Runs' }).click();
+      await page.getByRole('button', { name: 'Keep attempt 1 as a run' }).click();
+      await page.getByText('Attempt 1 does not complete the level as it is now').waitFor();
+      await until(() => expect(file('01').runs?.map(({ name }) => name)).toEqual(['solution', 'attempt 1']));
+      await verdict(page, 'impossible');
+    }),
   );
 
   it(
     'are still there when another level has been opened in the meantime, in the list and on the canvas',
-    on({ '01': short('First'), '02': short('Second') }, async ({ page, saved }) => {
+    on({ '01': near({ name: 'First' }), '02': near({ name: 'Second' }) }, async ({ page, saved }) => {
       await saved();
       const open = (name: string) =>
         page.getByRole('tree', { name: 'Levels' }).getByRole('treeitem').filter({ hasText: name }).click();
       const attempts = page.getByRole('region', { name: 'Attempts and plays' });
-      await hurry(page, 4);
+      await hurry(page, 8);
       await page.getByRole('button', { name: 'Play', exact: true }).click();
       await theEnd(page).getByText('Level completed').waitFor();
       await page.keyboard.press('Escape');

@@ -4,26 +4,35 @@ import { expect, it } from 'vitest';
 import { gq } from '../cli/gq.ts';
 import { verdict } from './commands.ts';
 import { hurry, nextFrames } from './frames.ts';
-import { straight } from './levels.ts';
+import { near, straight } from './levels.ts';
 import { type Heard, listenToSound } from './sound.ts';
 import { inChromium } from './stage.ts';
 import { until } from './until.ts';
 
 const playtest = (page: Page) => page.getByRole('application', { name: /^Playtest/ });
 const theEnd = (page: Page) => playtest(page).getByRole('status');
-/** The speed relative to real time: 0.2 s of the game per frame. The tests of the kept run and of sound play in real time. */
-const FAST = 4;
+/** The speed relative to real time: 0.25 s of the game per frame. */
+const FAST = 8;
 
-/** She flies to the black hole, and arrives within seconds. */
-const quick = () => straight({ astronaut: { x: 200, y: 304, vx: 60 }, blackHole: { x: 400, y: 304 }, runs: undefined });
+/** Nobody has played it yet. */
+const quick = () => near({ runs: undefined });
+/** She flies towards an asteroid that ends it. */
+const deadly = () =>
+  straight({
+    astronaut: { x: 200, y: 304, vx: 60 },
+    asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }],
+    minerals: [],
+    runs: undefined,
+  });
 /** The end of an attempt as shown on the page: its kind and time. */
 const ending = /She (reaches the black hole|collides with .*|is lost) at ([\d.]+) s/;
 
 inChromium('playing in Chromium', ({ on }) => {
   it(
     'an attempt played with the mouse becomes a run, and gq check and gq simulate agree',
-    on({ '01': straight({ runs: undefined }) }, async ({ page, canvas, file, folder, saved }) => {
+    on({ '01': quick() }, async ({ page, canvas, file, folder, saved }) => {
       await verdict(page, 'unproven');
+      await hurry(page, FAST);
       await canvas.fit(file('01'));
       await page.keyboard.press('Space');
       await playtest(page).waitFor();
@@ -67,34 +76,31 @@ inChromium('playing in Chromium', ({ on }) => {
 
   it(
     'after a death a key restarts, and Esc returns to editing with the same view',
-    on(
-      { '01': straight({ asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [], runs: undefined }) },
-      async ({ page, canvas, file, saved, text }) => {
-        await saved();
-        await hurry(page, FAST);
-        const before = text('01');
-        await canvas.fit(file('01'));
-        const zoom = await page.getByText(/^\d+ %$/).textContent();
-        await page.getByRole('button', { name: 'Play', exact: true }).click();
-        await page.keyboard.down('x');
-        await theEnd(page).waitFor();
-        await page.keyboard.up('x');
-        expect(await theEnd(page).textContent()).toContain('She collides with hot asteroid 1');
-        await page.keyboard.press('r');
-        await theEnd(page).waitFor({ state: 'hidden' });
-        await page.keyboard.down('Space');
-        await theEnd(page).waitFor();
-        await page.keyboard.up('Space');
-        await page.keyboard.press('Escape');
-        await playtest(page).waitFor({ state: 'hidden' });
-        expect(await page.getByText(/^\d+ %$/).textContent()).toBe(zoom);
-        // attempts do not change the file, and a click still selects objects
-        expect(text('01')).toBe(before);
-        await canvas.click({ x: 448, y: 304 });
-        await page.keyboard.press('ArrowUp');
-        await until(() => expect(file('01').asteroids?.[0]).toMatchObject({ x: 448, y: 303 }));
-      },
-    ),
+    on({ '01': deadly() }, async ({ page, canvas, file, saved, text }) => {
+      await saved();
+      await hurry(page, FAST);
+      const before = text('01');
+      await canvas.fit(file('01'));
+      const zoom = await page.getByText(/^\d+ %$/).textContent();
+      await page.getByRole('button', { name: 'Play', exact: true }).click();
+      await page.keyboard.down('x');
+      await theEnd(page).waitFor();
+      await page.keyboard.up('x');
+      expect(await theEnd(page).textContent()).toContain('She collides with hot asteroid 1');
+      await page.keyboard.press('r');
+      await theEnd(page).waitFor({ state: 'hidden' });
+      await page.keyboard.down('Space');
+      await theEnd(page).waitFor();
+      await page.keyboard.up('Space');
+      await page.keyboard.press('Escape');
+      await playtest(page).waitFor({ state: 'hidden' });
+      expect(await page.getByText(/^\d+ %$/).textContent()).toBe(zoom);
+      // attempts do not change the file, and a click still selects objects
+      expect(text('01')).toBe(before);
+      await canvas.click({ x: 448, y: 304 });
+      await page.keyboard.press('ArrowUp');
+      await until(() => expect(file('01').asteroids?.[0]).toMatchObject({ x: 448, y: 303 }));
+    }),
   );
 
   it(
@@ -147,7 +153,7 @@ inChromium('playing in Chromium', ({ on }) => {
         expect(await heard()).toMatchObject({ contexts: 1, oscillators: 1 });
         await page.keyboard.up('Space');
         await until(async () => expect((await heard()).levels.at(-1)).toBe(0));
-        await hurry(page, 1);
+        await hurry(page, FAST);
         await page.keyboard.down('Space');
         await theEnd(page).waitFor();
         await page.keyboard.up('Space');
@@ -159,7 +165,7 @@ inChromium('playing in Chromium', ({ on }) => {
         await page.keyboard.press('r');
         await theEnd(page).waitFor({ state: 'hidden' });
         const before = await heard();
-        await hurry(page, 1);
+        await hurry(page, FAST);
         await page.keyboard.down('Space');
         await theEnd(page).waitFor();
         await page.keyboard.up('Space');
@@ -174,7 +180,7 @@ inChromium('playing in Chromium', ({ on }) => {
   it(
     'attempts stay on the canvas as ghosts, which can be hidden, kept as runs and deleted',
     on(
-      { '01': straight({ runs: undefined, asteroids: [{ id: 'rock', x: 448, y: 304, radius: 16, hot: true }], minerals: [] }) },
+      { '01': deadly() },
       async ({ page, canvas, file, saved }) => {
         await saved();
         await hurry(page, FAST);
@@ -216,6 +222,7 @@ inChromium('playing in Chromium', ({ on }) => {
     on(
       {
         '01': straight({
+          blackHole: { x: 400, y: 304 },
           runs: [
             {
               name: 'try',
