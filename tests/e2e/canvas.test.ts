@@ -344,14 +344,14 @@ inChromium('the canvas in Chromium', ({ on }) => {
       const before = text('01');
       await canvas.fit(file('01'));
       await canvas.click({ x: 560, y: 480 });
-      for (let i = 0; i < 40; i++) await page.keyboard.press('Control+d');
-      await until(() => expect(file('01').minerals).toHaveLength(41));
-      for (let i = 0; i < 40; i++) await page.keyboard.press('Control+z');
+      for (let i = 0; i < 5; i++) await page.keyboard.press('Control+d');
+      await until(() => expect(file('01').minerals).toHaveLength(6));
+      for (let i = 0; i < 5; i++) await page.keyboard.press('Control+z');
       await page.getByRole('button', { name: 'Nothing to undo' }).waitFor();
       await until(() => expect(file('01').minerals).toHaveLength(1));
-      for (let i = 0; i < 40; i++) await page.keyboard.press('Control+y');
-      await until(() => expect(file('01').minerals).toHaveLength(41));
-      for (let i = 0; i < 40; i++) await page.keyboard.press('Control+z');
+      for (let i = 0; i < 5; i++) await page.keyboard.press('Control+y');
+      await until(() => expect(file('01').minerals).toHaveLength(6));
+      for (let i = 0; i < 5; i++) await page.keyboard.press('Control+z');
       await until(() => expect(JSON.parse(text('01'))).toEqual(JSON.parse(before)));
     }),
   );

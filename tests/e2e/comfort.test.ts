@@ -180,7 +180,7 @@ inChromium('comfort in Chromium', ({ on }) => {
 
   it(
     'the keyboard alone can select, place, move, fix the run, play and save',
-    on({ '01': straight({ runs: [{ name: 'try', holds: [[0, 10]] }] }) }, async ({ page, file, saved }) => {
+    on({ '01': straight({ runs: [{ name: 'try', holds: [[0, 460]] }] }) }, async ({ page, file, saved }) => {
       await verdict(page, 'broken');
       const outline = page.getByRole('tree', { name: 'Objects of the level' });
       for (let i = 0; i < 40 && !(await outline.evaluate((tree) => tree.contains(document.activeElement))); i++)
@@ -191,9 +191,9 @@ inChromium('comfort in Chromium', ({ on }) => {
       const release = page.getByRole('slider', { name: 'Release of hold 1' });
       for (let i = 0; i < 60 && !(await release.evaluate((edge) => edge === document.activeElement)); i++)
         await page.keyboard.press('Tab');
-      for (let i = 0; i < 60; i++) await page.keyboard.press('Shift+ArrowRight');
+      for (let i = 0; i < 5; i++) await page.keyboard.press('Shift+ArrowRight');
       await verdict(page, 'completable');
-      await until(() => expect(file('01').runs?.[0].holds).toEqual([[0, 610]]));
+      await until(() => expect(file('01').runs?.[0].holds).toEqual([[0, 510]]));
       await page.keyboard.press('Control+s');
       await saved();
     }),
