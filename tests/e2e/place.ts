@@ -50,7 +50,7 @@ export interface Place {
   server(): PlaceServer;
   /** Opens another page of the same browser and server. */
   open(): Promise<{ page: Page; canvas: Canvas }>;
-  /** Starts the server again on the same folder, as a process of its own. */
+  /** Starts the server again on the same folder, where it ran before. */
   startServer(port?: number): Promise<void>;
   /** Ends all. @param isGood whether the next test may use the browser context */
   leave(isGood: boolean): Promise<void>;
@@ -189,7 +189,8 @@ export async function openPlace(files: Files, options: PlaceOptions): Promise<Pl
 
   const seat = await seatFor(options);
   const { context, page, complaints } = seat;
-  let server = ownProcess ? await serveThere(folder, seat.port, user) : await serveHere(folder, seat.port);
+  const serve = (port: number) => (ownProcess ? serveThere(folder, port, user) : serveHere(folder, port));
+  let server = await serve(seat.port);
   seat.port = server.port;
   const { origin } = new URL(server.address);
 
@@ -223,7 +224,7 @@ export async function openPlace(files: Files, options: PlaceOptions): Promise<Pl
       server: () => server,
       open: async () => enter(await newPage(context, complaints)),
       async startServer(port = server.port) {
-        server = await serveThere(folder, port, user);
+        server = await serve(port);
       },
       leave,
     };

@@ -25,7 +25,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     'changes by another program appear at once; separate changes by both are merged',
     on(
       { '01': garden() },
-      async ({ page, canvas, file, open, write, saved, killServer, startServer }) => {
+      async ({ page, canvas, file, open, write, saved, endServer, startServer }) => {
         await canvas.fit(file('01'));
         write('01', garden({ name: 'From outside' }));
         await page.getByRole('heading', { level: 1, name: 'From outside' }).waitFor();
@@ -35,7 +35,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await until(() => expect(file('01').name).toBe('Garden'));
 
         // while writing is paused, both change a different asteroid
-        await killServer();
+        await endServer();
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
         await saving(page, /disconnected, kept in this browser/);
@@ -48,7 +48,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await until(() => expect(file('01').blackHole.y).toBe(320));
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
-      { complaints: OUTAGE, ownProcess: true },
+      { complaints: OUTAGE },
     ),
   );
 
@@ -56,11 +56,11 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     'unsaved changes are reported as kept once they are, with the place; a page that dies recovers them, and undo reverts them',
     on(
       { '01': garden() },
-      async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
+      async ({ page, canvas, file, open, saved, endServer, startServer, server }) => {
         await canvas.fit(file('01'));
         await saved();
         const { port } = server();
-        await killServer();
+        await endServer();
         await canvas.click(A);
         for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowDown');
         await saving(page, /disconnected, kept in this browser/);
@@ -77,7 +77,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await again.page.getByRole('button', { name: /^Undo: Recovered/ }).click();
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject(A));
       },
-      { complaints: OUTAGE, ownProcess: true },
+      { complaints: OUTAGE },
     ),
   );
 
@@ -112,11 +112,11 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     'changes of a level that is not opened again are listed with their place, and can be saved as a file',
     on(
       { '01': garden(), '02': straight() },
-      async ({ page, canvas, file, open, saved, killServer, startServer, server, context }) => {
+      async ({ page, canvas, file, open, saved, endServer, startServer, server, context }) => {
         await canvas.fit(file('01'));
         await saved();
         const { port } = server();
-        await killServer();
+        await endServer();
         await canvas.click(A);
         await page.keyboard.press('ArrowDown');
         await saving(page, /disconnected, kept in this browser/);
@@ -137,7 +137,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await dialog.getByRole('button', { name: 'Open' }).click();
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
-      { complaints: OUTAGE, ownProcess: true },
+      { complaints: OUTAGE },
     ),
   );
 
@@ -145,14 +145,14 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     'a page whose server was restarted is let in again, and what was changed in between is saved',
     on(
       { '01': garden() },
-      async ({ page, canvas, file, saved, killServer, startServer, server }) => {
+      async ({ page, canvas, file, saved, endServer, startServer, server }) => {
         await canvas.fit(file('01'));
         await saved();
         await hasKey(page);
         const notices = page.getByRole('list', { name: 'Messages' });
         for (const y of [201, 202]) {
           const { port } = server();
-          await killServer();
+          await endServer();
           await notices.getByText(/gq edit does not answer/).waitFor();
           await canvas.click(A);
           await page.keyboard.press('ArrowDown');
@@ -176,14 +176,14 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
     'a page whose server was restarted with another key says so, and its unsaved changes move to the new page',
     on(
       { '01': garden() },
-      async ({ page, canvas, file, open, saved, killServer, startServer, server }) => {
+      async ({ page, canvas, file, open, saved, endServer, startServer, server }) => {
         await canvas.fit(file('01'));
         await saved();
         await hasKey(page);
         await page.evaluate((name) => sessionStorage.setItem(name, 'k'.repeat(43)), KEY);
         const { port } = server();
         const notices = page.getByRole('list', { name: 'Messages' });
-        await killServer();
+        await endServer();
         await notices.getByText(/gq edit does not answer/).waitFor();
         await startServer(port);
         await notices.getByText(/belongs to the previous start.*Open the address that gq edit prints now/).waitFor();
@@ -201,7 +201,7 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
         await saving(again.page, /^saved$/);
         await until(() => expect(placeOf(file('01'), 'a1')).toMatchObject({ x: 400, y: 201 }));
       },
-      { complaints: OUTAGE, ownProcess: true },
+      { complaints: OUTAGE },
     ),
   );
 

@@ -34,8 +34,8 @@ export interface Stage {
   write(id: string, content: unknown): void;
   /** Waits until the page reports that everything is on disk. */
   saved(): Promise<void>;
-  /** Kills the server, which must be a process of its own. */
-  killServer(): Promise<void>;
+  /** Kills the server if it is a process of its own; otherwise cuts its connections and closes it, which the page sees likewise. */
+  endServer(): Promise<void>;
   /** Starts it again on the same folder, and on the same port if possible. */
   startServer(port?: number): Promise<void>;
 }
@@ -65,7 +65,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
       on:
         (levels, play, options = {}) =>
         async () => {
-          const { complaints: expected, readOnly = false, ownProcess = readOnly, others = {} } = options;
+          const { complaints: expected, others = {} } = options;
           const texts = Object.entries(levels).map(([id, content]) => [`${id}.level.json`, textOf(content)] as const);
           const place = await openPlace({ ...others, ...Object.fromEntries(texts) }, options);
           const { folder, page, canvas, complaints, server } = place;
@@ -92,8 +92,7 @@ export function inChromium(suite: string, declare: (browsers: Browsers) => void)
                   .getByRole('status', { name: 'Saving' })
                   .filter({ hasText: /^saved$/ })
                   .waitFor(),
-              async killServer() {
-                expect(ownProcess, 'only a server that is a process can be killed').toBe(true);
+              async endServer() {
                 await server().end('SIGKILL');
               },
               startServer: place.startServer,
