@@ -120,22 +120,24 @@ itDeep('a folder keeps its port; if that is taken, gq edit says where unsaved ed
   const again = await start('--port', '0');
   expect(again.port).toBe(any.port);
   await again.end('SIGTERM');
+  const first = await start('--port', String(any.port));
+  await first.end('SIGTERM');
   const second = await start();
-  expect(second.port).toBe(any.port);
+  expect(second.port).toBe(first.port);
   expect(second.said().stdout).toMatch(/^Editing/);
   await second.end('SIGTERM');
 
-  const taken = createServer().listen(any.port, '127.0.0.1');
+  const taken = createServer().listen(first.port, '127.0.0.1');
   const third = await start();
-  expect(third.port).not.toBe(any.port);
-  const said = `Port ${any.port} is taken, perhaps by another gq edit; this one uses ${third.port}. If a page could not save its changes last time`;
+  expect(third.port).not.toBe(first.port);
+  const said = `Port ${first.port} is taken, perhaps by another gq edit; this one uses ${third.port}. If a page could not save its changes last time`;
   expect(third.said().stdout).toContain(said);
-  expect(third.said().stdout).toContain(`http://127.0.0.1:${any.port}/: gq edit --port ${any.port} finds them`);
+  expect(third.said().stdout).toContain(`http://127.0.0.1:${first.port}/: gq edit --port ${first.port} finds them`);
   await third.end('SIGTERM');
   await new Promise((resolve) => taken.close(resolve));
   // the old port was not forgotten
   const fourth = await start();
-  expect(fourth.port).toBe(any.port);
+  expect(fourth.port).toBe(first.port);
   await fourth.end('SIGTERM');
   expect(existsSync(env.XDG_STATE_HOME)).toBe(true);
 });
