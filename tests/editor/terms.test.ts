@@ -126,7 +126,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     dependsOn: ['accuracy', 'maxTime'],
   },
   losses: {
-    ask: (file, terms) => ({ ...playedOf(file, terms), traced: [holdsOf(file)], effort: 200_000 }),
+    ask: (file, terms) => ({ ...playedOf(file, terms), traced: [holdsOf(file)], effort: 1_000_000 }),
     completes: ({ losses: [loss] }) => loss.completes,
     dependsOn: MOTION,
   },
