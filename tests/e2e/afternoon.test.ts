@@ -5,6 +5,7 @@ import { expect, it } from 'vitest';
 import type { LevelFile, PackFile } from '../../schema/index.ts';
 import { gq } from '../cli/gq.ts';
 import { command, tool, verdict } from './commands.ts';
+import { hurry, paceFrames } from './frames.ts';
 import { straight } from './levels.ts';
 import { inChromium } from './stage.ts';
 import { PATIENCE, until } from './until.ts';
@@ -41,7 +42,7 @@ async function checked(folder: string): Promise<{ code: number | null; levels: [
 inChromium("a designer's afternoon in Chromium", ({ on }) => {
   it(
     'three levels are built, broken, mended, proved, ordered, reviewed and played on a phone',
-    on({ pull: straight({ name: 'Pull', minerals: [], novae: [] }) }, async (stage) => {
+    on({ pull: straight({ name: 'Pull', minerals: [], novae: [], astronaut: { x: 200, y: 304, vx: 120 } }) }, async (stage) => {
       const { page, canvas, folder, file, saved, server, context } = stage;
       await verdict(page, 'completable');
 
@@ -144,6 +145,7 @@ inChromium("a designer's afternoon in Chromium", ({ on }) => {
       const phone = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
       try {
         await phone.addInitScript(`localStorage['gravity-quest-editor-settings'] ??= '{"tourSeen":true}'`);
+        await phone.addInitScript(paceFrames);
         const small = await phone.newPage();
         small.setDefaultTimeout(PATIENCE);
         await small.goto(`${server().address}&level=pull`);
@@ -152,6 +154,7 @@ inChromium("a designer's afternoon in Chromium", ({ on }) => {
         await small.getByRole('button', { name: 'Play', exact: true }).tap();
         const playtest = small.getByRole('application', { name: /^Playtest/ });
         await playtest.waitFor();
+        await hurry(small, 10);
         const touch = await phone.newCDPSession(small);
         await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x: 195, y: 500, id: 0 }] });
         await playtest.getByRole('status').filter({ hasText: 'Level completed' }).waitFor();
