@@ -17,7 +17,7 @@ const past = (changes: Partial<LevelFile> = {}): LevelFile => ({
   name: 'Past it',
   astronaut: { x: 0, y: 0, vx: 60 },
   blackHole: { x: 150, y: 30 },
-  range: 450,
+  range: 160,
   rules: { pull: 10 },
   asteroids: [{ id: 'rock', x: 60, y: -100, radius: 16 }],
   // so that the view reaches far enough to the right
