@@ -17,34 +17,33 @@ const ACROSS = 504;
 
 const PANELS = ['Timeline', 'Levels', 'Outline', 'Runs', 'Inspector', 'Solver', 'Effects', 'Accuracy', 'Problems'];
 
-/** Checks that the canvas is large enough, the whole level fills most of it, and nothing extends beyond the page. */
-async function lookAtCanvas(page: Page, where: string): Promise<void> {
+/** Checks that the canvas is large enough, and nothing extends beyond the page. @returns the size of the canvas */
+async function lookAtCanvas(page: Page, where: string): Promise<string> {
   const size = page.viewportSize() as { width: number; height: number };
-  const canvas = page.getByRole('application', { name: 'Level canvas' });
-  await until(async () => {
-    const box = await canvas.boundingBox();
-    expect(box?.width, where).toBeGreaterThanOrEqual(LEAST.width);
-    expect(box?.height, where).toBeGreaterThanOrEqual(Math.max(LEAST.height, LEAST.share * size.height) - 1);
+  return until(async () => {
+    const [width, height, ...scrolled] = await page.evaluate(() => {
+      const box = document.querySelector('[aria-label="Level canvas"]')?.getBoundingClientRect();
+      const { scrollWidth, scrollHeight } = document.documentElement;
+      return [box?.width ?? 0, box?.height ?? 0, scrollWidth, scrollHeight];
+    });
+    expect(width, where).toBeGreaterThanOrEqual(LEAST.width);
+    expect(height, where).toBeGreaterThanOrEqual(Math.max(LEAST.height, LEAST.share * size.height) - 1);
+    expect(scrolled, where).toEqual([size.width, size.height]);
+    return `${width} x ${height}`;
   });
+}
+
+/** Checks that the whole level fills most of the canvas. */
+async function lookAtLevel(page: Page, where: string): Promise<void> {
+  const shown = page.locator('.statusbar').getByText(/^\d+ %$/);
   await until(async () => {
-    await canvas.press('f');
-    const zoom =
-      Number.parseInt(
-        (await page
-          .locator('.statusbar')
-          .getByText(/^\d+ %$/)
-          .textContent()) ?? '',
-        10,
-      ) / 100;
+    await page.getByRole('application', { name: 'Level canvas' }).press('f');
+    const zoom = Number.parseInt((await shown.textContent()) ?? '', 10) / 100;
     expect(ACROSS * zoom, where).toBeGreaterThan(LEAST.width / 2);
   });
-  const scrolled = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
-  expect(scrolled, where).toEqual([size.width, size.height]);
 }
 
 async function lookAtControls(page: Page, where: string): Promise<void> {
-  // no tooltip covers anything
-  await page.mouse.move(1, 1);
   await until(async () => {
     const missed = (await controlsOf(page)).filter(({ isReached }) => !isReached);
     expect(missed.map(({ name }) => `${where}: ${name}`)).toEqual([]);
@@ -59,16 +58,21 @@ async function lookAt({ page }: Stage, size: { width: number; height: number }):
   await tabs.waitFor({ state: isWide ? 'hidden' : 'visible' });
   if (isWide) {
     await lookAtCanvas(page, name);
+    await lookAtLevel(page, name);
     for (const panel of ['Runs', 'Outline', 'Solver', 'Effects', 'Accuracy', 'Inspector']) {
-      await page.getByRole('tab', { name: panel }).click();
+      // by the keyboard: no tooltip covers anything
+      await page.getByRole('tab', { name: panel }).press('Enter');
       await lookAtControls(page, `${name}, ${panel}`);
     }
     return;
   }
+  const sizes = new Set<string>();
   for (const panel of PANELS) {
     const tab = tabs.getByRole('button', { name: panel });
-    if ((await tab.getAttribute('aria-pressed')) !== 'true') await tab.click();
-    await lookAtCanvas(page, `${name}, ${panel}`);
+    if ((await tab.getAttribute('aria-pressed')) !== 'true') await tab.press('Enter');
+    const canvas = await lookAtCanvas(page, `${name}, ${panel}`);
+    if (!sizes.has(canvas)) await lookAtLevel(page, `${name}, ${panel}`);
+    sizes.add(canvas);
     await lookAtControls(page, `${name}, ${panel}`);
   }
 }
