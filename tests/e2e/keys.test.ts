@@ -43,13 +43,20 @@ inChromium('keys in Chromium', ({ on }) => {
         'the time': page.getByRole('slider', { name: 'Time' }),
         'an end of a hold': page.getByRole('slider', { name: 'Release of hold 1' }),
       };
+      const find = page.getByRole('searchbox', { name: 'Find a level' });
+      const isFinding = () => find.evaluate((field) => field === document.activeElement);
       for (const [place, locator] of Object.entries(places)) {
-        await tab(page, 'Inspector').click();
         await locator.focus();
+        await page.keyboard.press('Control+p');
+        await until(async () => expect([place, await isFinding()]).toEqual([place, true]));
+      }
+      // Enter alone does something there; one of each sort, since each begins a search
+      for (const place of ['a tab on the left', 'a button', 'the outline', 'a number', 'an end of a hold']) {
+        await places[place].focus();
         await page.keyboard.press('Control+Enter');
         await until(async () => expect([place, await isChosen(page, 'Solver')]).toEqual([place, true]));
+        await tab(page, 'Inspector').click();
       }
-      await tab(page, 'Inspector').click();
 
       // undo works in a select element, which has no undo of its own
       await places['an end of a hold'].focus();
@@ -62,8 +69,7 @@ inChromium('keys in Chromium', ({ on }) => {
       // the next level can be opened from the search field
       await places['a number'].focus();
       await page.keyboard.press('Control+p');
-      const find = page.getByRole('searchbox', { name: 'Find a level' });
-      await until(async () => expect(await find.evaluate((field) => field === document.activeElement)).toBe(true));
+      await until(async () => expect(await isFinding()).toBe(true));
       await page.keyboard.press('Alt+PageDown');
       await page.getByRole('heading', { name: 'Second', level: 1 }).waitFor();
 
