@@ -77,7 +77,8 @@ inChromium('the crosshair in Chromium', ({ on }) => {
       for (const [i, [key, list, name, title]] of lists.entries()) {
         await page.keyboard.press(key);
         await hears(page, new RegExp(`^${title}\\. x `));
-        const to = { x: 320 + 80 * i, y: 344 };
+        // a place of the long strides
+        const to = { x: 320 + 64 * i, y: 320 };
         await go(page, to);
         await hears(page, `x ${to.x}, y ${to.y}, empty`);
         await page.keyboard.press('Enter');
@@ -88,15 +89,15 @@ inChromium('the crosshair in Chromium', ({ on }) => {
 
       // with Shift the tool stays selected; arrows with a held key set the radius
       await page.keyboard.press('n');
-      await go(page, { x: 320, y: 520 });
+      await go(page, { x: 320, y: 512 });
       await page.keyboard.press('Shift+Enter');
       await hears(page, 'Nova 3 added');
-      await go(page, { x: 640, y: 560 });
+      await go(page, { x: 640, y: 576 });
       await page.keyboard.press('d');
       await press(page, 'ArrowRight', 3);
-      await hears(page, 'Nova 4 added at x 640, y 560, radius 24');
+      await hears(page, 'Nova 4 added at x 640, y 576, radius 24');
       await page.keyboard.press('d');
-      await until(() => expect(last(file('01'), 'novae')).toMatchObject({ x: 640, y: 560, radius: 24 }));
+      await until(() => expect(last(file('01'), 'novae')).toMatchObject({ x: 640, y: 576, radius: 24 }));
     }),
   );
 
