@@ -55,22 +55,18 @@ export const ROOMS: Readonly<Record<string, Room>> = {
   },
   'editor/core/document': {
     sources: ['editor/core/document'],
-    tests: [
-      ...editor('history', 'normalize', 'hold-operations', 'object-operations', 'document'),
-      ...editor('marks', 'pinned-notes', 'notes', 'transform', 'copy-names', 'rules'),
-    ],
+    tests: editor(
+      ...['history', 'normalize', 'hold-operations', 'object-operations', 'document'],
+      ...['marks', 'pinned-notes', 'notes', 'transform', 'copy-names', 'rules'],
+    ),
   },
 };
 
-/**
- * The files in some files and folders whose names end in `ending`.
- * @throws for a place that does not exist: a room would quietly lose its tests when one of them is renamed
- */
+/** The files in some files and folders whose names end in `ending`. A place that does not exist is an error: it was renamed. */
 export function filesIn(root: string, places: readonly string[], ending: string): string[] {
   const found = places.flatMap((place) => {
     const path = join(root, place);
-    if (!existsSync(path))
-      throw new Error(`the rooms of bench/mutation name ${place}, which does not exist; name it as it is called now`);
+    if (!existsSync(path)) throw new Error(`the rooms of bench/mutation name ${place}, which does not exist`);
     if (!statSync(path).isDirectory()) return [place];
     return readdirSync(path, { recursive: true, encoding: 'utf8' })
       .map((name) => `${place}/${name.replaceAll('\\', '/')}`)

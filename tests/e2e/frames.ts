@@ -12,38 +12,55 @@ export function paceFrames(): void {
   const clock = { rate: 1, real: 0, shown: 0 };
   const shownAt = (real: number) => clock.shown + (real - clock.real) * clock.rate;
   performance.now = () => shownAt(now());
+  const ask = window.requestAnimationFrame.bind(window);
+  /** What the next frame calls, in this order, as in every frame of a browser. */
+  const waiting = new Map<number, FrameRequestCallback>();
+  let last = 0;
+  let timer: number | null = null;
+  let isAsked = false;
+  const draw = (real: number) => {
+    isAsked = false;
+    for (const id of [...waiting.keys()]) {
+      const callback = waiting.get(id);
+      waiting.delete(id);
+      try {
+        callback?.(shownAt(real));
+      } catch (error) {
+        reportError(error);
+      }
+    }
+  };
+  const schedule = () => {
+    if (isAsked || waiting.size === 0) return;
+    if (timer !== null) clearTimeout(timer);
+    timer = window.setTimeout(
+      () => {
+        timer = null;
+        isAsked = true;
+        ask(draw);
+      },
+      Math.min(84, Math.max(0, 250 / Math.max(clock.rate, 1) - 16)),
+    );
+  };
+  window.requestAnimationFrame = (callback) => {
+    waiting.set(++last, callback);
+    if (timer === null) schedule();
+    return last;
+  };
+  window.cancelAnimationFrame = (id) => {
+    waiting.delete(id);
+  };
+
   const setRate = (rate: number) => {
     const real = now();
     Object.assign(clock, { rate, real, shown: shownAt(real) });
+    // a frame that is already due comes at the new pace, too
+    schedule();
   };
   const pass = (ms: number) => {
     clock.shown += ms;
   };
   Object.assign(window, { setRate, pass });
-
-  const ask = window.requestAnimationFrame.bind(window);
-  const cancel = window.cancelAnimationFrame.bind(window);
-  const cancels = new Map<number, () => void>();
-  let last = 0;
-  window.requestAnimationFrame = (callback) => {
-    const id = ++last;
-    const timer = setTimeout(
-      () => {
-        const frame = ask((real) => {
-          cancels.delete(id);
-          callback(shownAt(real));
-        });
-        cancels.set(id, () => cancel(frame));
-      },
-      Math.min(84, Math.max(0, 250 / Math.max(clock.rate, 1) - 16)),
-    );
-    cancels.set(id, () => clearTimeout(timer));
-    return id;
-  };
-  window.cancelAnimationFrame = (id) => {
-    cancels.get(id)?.();
-    cancels.delete(id);
-  };
 }
 
 /**
