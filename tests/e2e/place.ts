@@ -190,7 +190,11 @@ export async function openPlace(files: Files, options: PlaceOptions): Promise<Pl
   const seat = await seatFor(options);
   const { context, page, complaints } = seat;
   const serve = (port: number) => (ownProcess ? serveThere(folder, port, user) : serveHere(folder, port));
-  let server = await serve(seat.port);
+  // somebody may have taken the port since the last test: only the time to compile is lost then
+  let server = await serve(seat.port).catch((error) => {
+    if (seat.port === 0) throw error;
+    return serve(0);
+  });
   seat.port = server.port;
   const { origin } = new URL(server.address);
 
