@@ -18,7 +18,7 @@ level.runs[0].holds[1][0] += 4;
 writeFileSync(join(folder, 'before.level.json'), before);
 writeFileSync(join(folder, 'after.level.json'), JSON.stringify(level));
 const args = ['diff', '--format', 'html', '-o', 'page.html', 'before.level.json', 'after.level.json'];
-spawnSync(process.execPath, [join(root, 'dist/cli/main.js'), ...args], { cwd: folder, stdio: 'inherit' });
+spawnSync(process.execPath, [join(root, 'dist/gq/main.js'), ...args], { cwd: folder, stdio: 'inherit' });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
 try {
   const page = await browser.newPage({ viewport: { width: 1240, height: 860 }, colorScheme: 'light' });

@@ -31,7 +31,7 @@ function marked() {
 
 const levels = mkdtempSync(join(tmpdir(), 'gq-order-'));
 writeFileSync(join(levels, `${LEVEL}.level.json`), JSON.stringify(marked()));
-const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', levels, '--port', '0']);
+const server = spawn(process.execPath, [join(root, 'dist/gq/main.js'), 'edit', levels, '--port', '0']);
 const address = new Promise((resolve) => {
   for (const stream of [server.stdout, server.stderr]) {
     createInterface({ input: stream }).on('line', (line) => {

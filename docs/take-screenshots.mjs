@@ -82,7 +82,7 @@ function withRuns() {
 }
 
 // the page shows the path as it is given here
-const server = spawn(process.execPath, [join(root, 'dist/cli/main.js'), 'edit', 'levels', '--port', '0'], {
+const server = spawn(process.execPath, [join(root, 'dist/gq/main.js'), 'edit', 'levels', '--port', '0'], {
   cwd: folder,
   stdio: ['ignore', 'pipe', 'pipe'],
 });

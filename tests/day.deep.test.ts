@@ -124,11 +124,6 @@ function annotationsIn(log: string): { severity: string; message: string; file?:
   }));
 }
 
-interface ScriptCoverage {
-  readonly url: string;
-  readonly functions: readonly { readonly functionName: string; readonly ranges: readonly { readonly count: number }[] }[];
-}
-
 /** Where the run "solution" of the broken level begins: what its annotation points at. */
 const lineOfSolution = (): number => linesOf(SWING).findIndex((line) => line.includes('"solution"'));
 
@@ -398,14 +393,8 @@ describe.runIf(process.platform !== 'win32')('a day with git and CI', () => {
     const cache = at('node_modules/.cache/gq');
     const kept = () => readdirSync(cache).map((name) => [name, readFileSync(join(cache, name), 'latin1')]);
     const played = async (...command: string[]) => {
-      const { coverage, ...ended } = await gqCovered(command, root);
-      const scripts = coverage.flatMap((text): ScriptCoverage[] => JSON.parse(text).result);
-      const called = scripts
-        .filter(({ url }) => url.includes('/dist/engine/'))
-        .flatMap(({ functions }) =>
-          functions.filter(({ ranges }) => ranges[0].count > 0).map(({ functionName }) => functionName),
-        );
-      return { ...ended, compiled: called.includes('compile'), simulated: called.includes('simulate') };
+      const { called, loaded: _, ...ended } = await gqCovered(command, root);
+      return { ...ended, compiled: called.has('compile'), simulated: called.has('simulate') };
     };
     const before = kept();
     const known = await played(...args);

@@ -37,7 +37,7 @@ describe.runIf(process.platform !== 'win32')('the package', () => {
 
   it('contains no source map, since it does not contain the sources', () => {
     const files = execFileSync('tar', ['-tzf', `${manifest.name}-${manifest.version}.tgz`], { cwd: folder, encoding: 'utf8' });
-    expect(files).toContain('package/dist/cli/main.js\n');
+    expect(files).toContain('package/dist/gq/main.js\n');
     expect(files.split('\n').filter((file) => /\.map$|\.ts$/.test(file) && !file.endsWith('.d.ts'))).toEqual([]);
   });
 

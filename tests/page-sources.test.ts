@@ -85,7 +85,7 @@ it.each([
   ['examples/phaser/src/style.css?inline', true],
   ['node_modules/phaser/dist/phaser.js', true],
   ['examples/other/main.ts', false],
-  ['dist/cli/main.js', false],
+  ['dist/gq/main.js', false],
   ['../elsewhere.ts', false],
 ])('%s: a source of the game or in a package: %s', (path, is) => {
   expect(isSiteSource('/project', join('/project', path))).toBe(is);

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 
 /** The folder of the project, from a source and from what is compiled into dist/. */
 export const PROJECT = projectFolder();
-export const GQ = join(PROJECT, 'dist/cli/main.js');
+export const GQ = join(PROJECT, 'dist/gq/main.js');
 
 function projectFolder(): string {
   let folder = dirname(fileURLToPath(import.meta.url));

@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { extname, join } from 'node:path';
+import { basename, extname, join } from 'node:path';
 import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { walk } from '../io/index.ts';
@@ -50,12 +50,15 @@ export const DECIDING_PACKAGES: readonly (readonly [name: string, neededBy?: str
 /** What holds the rooms: `dist`, or the project when its sources are run as they are. */
 const HERE = fileURLToPath(new URL('../../', import.meta.url));
 
+/** The folders of the modules that run: the bundle has all rooms in one. */
+const RUNNING = basename(fileURLToPath(new URL('..', import.meta.url))) === 'gq' ? ['gq'] : DECIDING_ROOMS;
+
 /** The modules that run: `.js`, or `.ts` of the sources. */
 const MODULE = extname(new URL(import.meta.url).pathname);
 
 /**
  * A fingerprint of everything that decides besides files and options: the modules of the rooms, the packages they need, and Node.
- * It is computed from the modules that run, which takes about 20 ms, so it is right after every build and in every copy.
+ * It is computed from the modules that run, so it is right after every build and in every copy.
  * @param root the folder with the rooms
  * @param extension of a module
  * @throws if something is missing
@@ -73,18 +76,18 @@ let running: string | null = null;
  * @throws if something is missing
  */
 export function codeFingerprint(root: string = HERE, extension: string = MODULE): string {
-  if (root !== HERE || extension !== MODULE) return fingerprint(root, extension);
-  running ??= fingerprint(HERE, MODULE);
+  if (root !== HERE || extension !== MODULE) return fingerprint(root, extension, DECIDING_ROOMS);
+  running ??= fingerprint(HERE, MODULE, RUNNING);
   return running;
 }
 
-function fingerprint(root: string, extension: string): string {
+function fingerprint(root: string, extension: string, rooms: readonly string[]): string {
   const hash = createHash('sha256');
   const addFile = (name: string, bytes: Uint8Array): void => {
     // with the length, so that no bytes can look like the beginning of another file
     hash.update(`\0${name}\0${bytes.length}\0`).update(bytes);
   };
-  for (const room of DECIDING_ROOMS) {
+  for (const room of rooms) {
     const passes = (below: string): boolean => isModule(below, extension);
     const { files, unreadable } = walk(join(root, room), { links: 'listed', hidden: 'entered', passes });
     for (const { error } of unreadable) throw error;

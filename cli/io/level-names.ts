@@ -47,8 +47,8 @@ export const levelIdOf = (folder: string, file: string): string =>
 /** The name of a level file without its ending. */
 export const nameOfFile = (file: string): string => basename(file).replace(/(\.level)?\.json$/, '');
 
-// en: the order must not depend on the language of the machine
-const collator = new Intl.Collator('en', { numeric: true });
+/** Made when it is needed first, because that takes longer than the check of a level; `en`, whatever the language of the machine. */
+let collator: Intl.Collator | null = null;
 
 /** Compares paths with slashes by folder, then by name, with numbers by value: `2-b` before `10-a`. */
 export const inOrderOfPlay = (a: string, b: string): number => comparePaths(a.split('/'), b.split('/'));
@@ -61,6 +61,7 @@ export function sortedByPlay<T>(things: readonly T[], pathOf: (thing: T) => stri
 }
 
 function comparePaths(left: readonly string[], right: readonly string[]): number {
+  collator ??= new Intl.Collator('en', { numeric: true });
   for (let i = 0; i < Math.min(left.length, right.length); i++) {
     const order = collator.compare(left[i], right[i]) || (left[i] < right[i] ? -1 : left[i] > right[i] ? 1 : 0);
     if (order !== 0) return order;

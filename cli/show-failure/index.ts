@@ -1,5 +1,5 @@
 import { InvalidArgumentError, Option } from 'commander';
-import type { EditorPlace } from '../../schema/index.ts';
+import { type EditorPlace, placeFragment } from '../../schema/index.ts';
 import type { CheckedLevel } from '../check/index.ts';
 import { entryName } from '../io/index.ts';
 import { shellPath } from '../terminal/index.ts';
@@ -18,12 +18,7 @@ interface FailingPlace {
 export type EditorLink = (place: EditorPlace) => string;
 
 /** Makes links to a page of the editor; null if no address of one is known. */
-export async function editorLinkTo(url = ''): Promise<EditorLink | null> {
-  if (url === '') return null;
-  // imported only if needed: a check leaves the schema to its workers
-  const { placeFragment } = await import('../../schema/index.ts');
-  return (place) => `${url}#${placeFragment(place)}`;
-}
+export const editorLinkTo = (url = ''): EditorLink | null => (url === '' ? null : (place) => `${url}#${placeFragment(place)}`);
 
 /** Whether a level needs attention. */
 export const isFailing = ({ verdict, problems }: CheckedLevel): boolean =>

@@ -16,7 +16,7 @@ export function lightVersions(project, pages) {
     const text = readFileSync(join(project, page), 'utf8');
     for (const [, level, picture, rest] of text.matchAll(/npx gq render (\S+) -o (docs\/\S+\.svg)((?: --[a-z-]+| \w+)*)/g)) {
       const words = ['render', level, '-o', '-', ...rest.trim().split(/\s+/).filter(Boolean), '--theme', 'light'];
-      const gq = join(project, 'dist/cli/main.js');
+      const gq = join(project, 'dist/gq/main.js');
       light.set(picture, execFileSync(process.execPath, [gq, ...words], { cwd: project, stdio: ['ignore', 'pipe', 'inherit'] }));
     }
     for (const [, name] of text.matchAll(/([\w-]+)-dark\.png/g)) {

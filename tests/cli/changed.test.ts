@@ -277,7 +277,7 @@ describe('a level from standard input', () => {
     const script = join(root, 'run.sh');
     writeFileSync(
       script,
-      `#!/bin/sh\nexec "${process.execPath}" "${new URL('../../dist/cli/main.js', import.meta.url).pathname}" check -\n`,
+      `#!/bin/sh\nexec "${process.execPath}" "${new URL('../../dist/gq/main.js', import.meta.url).pathname}" check -\n`,
     );
     chmodSync(script, 0o755);
     const ended = spawnSync('script', ['-qec', script, '/dev/null'], {

@@ -6,7 +6,7 @@ import process from 'node:process';
 import { fileURLToPath } from 'node:url';
 
 /** The shipped command line; `npm test` builds it first. */
-export const MAIN = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+export const MAIN = fileURLToPath(new URL('../../dist/gq/main.js', import.meta.url));
 
 const WARM = fileURLToPath(new URL('./warm-process.mjs', import.meta.url));
 
@@ -141,16 +141,42 @@ export function gqProcess(args: readonly string[], { cwd, env, during }: Process
   });
 }
 
-/** Runs gq in a process of its own. @returns also which modules it has loaded and functions it has called, as V8 records it */
-export async function gqCovered(args: readonly string[], cwd: string): Promise<Ended & { readonly coverage: readonly string[] }> {
+/** What V8 records of a script that a process has loaded. */
+interface CoveredScript {
+  readonly url: string;
+  readonly functions: readonly { readonly functionName: string; readonly ranges: readonly { readonly count: number }[] }[];
+}
+
+/** What a process has loaded and called. */
+interface Covered {
+  /** Modules of the project, such as `engine/simulate.js`, and packages, such as `zod`. */
+  readonly loaded: ReadonlySet<string>;
+  /** Names of the functions of the project that it has called. */
+  readonly called: ReadonlySet<string>;
+}
+
+/** Runs gq in a process of its own. @returns also what it has loaded and called */
+export async function gqCovered(args: readonly string[], cwd: string): Promise<Ended & Covered> {
   const folder = mkdtempSync(join(tmpdir(), 'gq-coverage-'));
   try {
     const ended = await gqProcess(args, { cwd, env: { NODE_V8_COVERAGE: folder } });
-    return { ...ended, coverage: readdirSync(folder).map((name) => readFileSync(join(folder, name), 'utf8')) };
+    const scripts = readdirSync(folder).flatMap(
+      (name): CoveredScript[] => JSON.parse(readFileSync(join(folder, name), 'utf8')).result,
+    );
+    const ours = scripts.filter(({ url }) => url.includes('/dist/gq/'));
+    const called = ours
+      .flatMap(({ functions }) => functions)
+      .flatMap(({ functionName, ranges }) => (ranges[0].count > 0 ? [functionName] : []));
+    const packages = scripts.flatMap(({ url }) => /.*\/node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(url)?.[1] ?? []);
+    return { ...ended, loaded: new Set([...ours.flatMap(({ url }) => modulesIn(url)), ...packages]), called: new Set(called) };
   } finally {
     rmSync(folder, { recursive: true });
   }
 }
+
+/** The modules that a file of the bundle is made of. */
+const modulesIn = (url: string): string[] =>
+  [...readFileSync(fileURLToPath(url), 'utf8').matchAll(/^\/\/ dist\/(.*\.js)$/gm)].map(([, module]) => module);
 
 /** Makes a directory for a test. @param files its file names and contents */
 export function makeFiles(files: Readonly<Record<string, string | Uint8Array>>): { directory: string; remove: () => void } {

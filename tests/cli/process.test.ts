@@ -56,9 +56,9 @@ it('prints its version, and help for every command, on stdout', async () => {
 });
 
 it('lists its commands without what reads files and levels', async () => {
-  const loaded = (await gqCovered(['--help'], cwd)).coverage.join('');
-  expect(loaded).toMatch(/\/dist\/cli\/command-line\.js/);
-  expect(loaded).not.toMatch(/\/dist\/(?:cli\/io|engine|schema\/json)\/index\.js|\/node_modules\/zod\//);
+  const loaded = [...(await gqCovered(['--help'], cwd)).loaded];
+  expect(loaded).toContain('cli/command-line.js');
+  expect(loaded.filter((name) => /^(?:cli\/io|engine|schema\/json)\/|^zod$/.test(name))).toEqual([]);
 });
 
 itDeep('prints the same output with any number of workers', async () => {

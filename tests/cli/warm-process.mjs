@@ -4,7 +4,7 @@ import { register, syncBuiltinESMExports } from 'node:module';
 import os from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
-import { runCommandLine } from '../../dist/cli/command-line.js';
+import { runCommandLine } from '../../dist/gq/command-line.js';
 
 register(new URL('./thread-hooks.mjs', import.meta.url).href);
 // what a command does by default must not depend on the machine

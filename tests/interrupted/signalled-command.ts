@@ -97,7 +97,7 @@ async function run(command: string, number: number, signals: readonly NodeJS.Sig
     const [out, err] = ['out', 'err'].map((name) => openSync(join(home, name), 'w'));
     const start = contentOf(home);
     const [copy, count] = [join(place, 'copy'), join(place, 'count')];
-    const main = join(projectFolder(), 'dist/cli/main.js');
+    const main = join(projectFolder(), 'dist/gq/main.js');
     const env = { ...process.env, ...interruptAt({ of, number, signals, copy: { from: home, to: copy }, count }) };
     const child = spawn(process.execPath, [main, ...command.split(' ')], {
       cwd: join(home, 'work'),

@@ -225,7 +225,7 @@ async function check(
     forLock: lock !== null,
     inFull: reports.some(({ name }) => name === 'json'),
   };
-  const linkTo = await editorLinkTo(options.editorUrl);
+  const linkTo = editorLinkTo(options.editorUrl);
   const maxWarnings = options.maxWarnings ?? configuration.maxWarnings;
   if (pack !== undefined) {
     if (unreadable.length > 0) throw unreadableFolders(unreadable);
