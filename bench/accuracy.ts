@@ -13,7 +13,6 @@ import {
   type Player,
   playerOf,
   quantile,
-  REFERENCE_TOLERANCE,
   type Reference,
   referenceOf,
 } from '../engine/work-precision/index.ts';
@@ -91,6 +90,7 @@ function peerPlayer(peer: Peer, rate: number, scripts: readonly Script[]): Playe
   const buttons = scripts.map(({ holds }) => buttonPerStep(holds, (DEFAULT_MAX_TICKS * rate) / TICK_RATE, rate));
   let worlds: PeerWorld[] = [];
   return {
+    code: peer.name,
     prepare() {
       for (const world of worlds) world.dispose();
       worlds = scripts.map(({ level }) => peer.create(level, rate));
@@ -116,7 +116,7 @@ const summary = ({ deviations, cost }: Row) => {
     runs: deviations.length,
     error: { median: quantile(errors, 0.5), p90: quantile(errors, 0.9), worst: quantile(errors, 1) },
     cost: cost.minimum,
-    medianCost: cost.median,
+    costSpread: [cost.minimum, cost.high],
     otherOutcomes: deviations.filter(({ sameVerdict }) => !sameVerdict).length,
   };
 };
@@ -216,23 +216,25 @@ export const bench = define({
     const driven = scripts.filter(isDrivable);
     const { rows, peers, peerRows } = await measureAll(scripts, driven);
     const { swept, curves } = missed();
-    const floor = Math.max(...scripts.map(({ reference }) => reference.floor));
-    const levels = new Set(scripts.map(({ level }) => level.name)).size;
-    const typicalFloor = quantile(
-      scripts.map(({ reference }) => reference.floor),
-      0.5,
+    const known = scripts.flatMap(({ reference: { knownTo } }) => knownTo ?? []);
+    const doubts = scripts.flatMap(({ level, run, reference: { doubt } }) =>
+      doubt === null ? [] : [`${level.name}, ${run}: ${doubt}`],
     );
+    if (known.length === 0) throw new Error(`expected a run that two references agree on, found none: ${doubts.join('; ')}`);
+    const knownTo = Math.max(...known);
+    const levels = new Set(scripts.map(({ level }) => level.name)).size;
+    const typical = quantile(known, 0.5);
     const what = levels === 1 ? scripts[0].level.name : `${levels} levels`;
     const svg = drawDiagram({
       title: `What accuracy costs: ${what}, ${scripts.length} runs`,
       subtitle: [
-        `Largest distance to a run at tolerance ${REFERENCE_TOLERANCE.toExponential()} px, known to ${brief(typicalFloor)} px: the median over runs.`,
+        `Largest distance to a reference with 32 digits, known to ${brief(typical)} px: the median over runs.`,
         ...(peers.length > 0
           ? [`Other engines at ${PEER_RATES.join(', ')} Hz, on the ${driven.length} runs they can be driven through.`]
           : []),
       ],
       runs: scripts.length,
-      floor: typicalFloor,
+      floor: typical,
       lines: [
         ...linesOf(rows, ourPoint),
         ...peers.map((peer) => ({
@@ -264,7 +266,7 @@ export const bench = define({
       machine: machine(),
       levels,
       runs: scripts.length,
-      reference: { tolerance: REFERENCE_TOLERANCE, floor: { median: typicalFloor, worst: floor } },
+      reference: { method: scripts[0].reference.method, knownTo: { median: typical, worst: knownTo }, doubts },
       methods: rows.map((row) => ({
         name: row.name,
         ...settingOf(row.accuracy),
@@ -283,7 +285,7 @@ export const bench = define({
       measured: { standard: p90('standard'), fast: p90('fast'), missed: swept },
       notes: [
         `Errors are largest distances to the reference at ticks before the earlier end, whether or not the outcome is the same. ` +
-          `The reference (taylor, ${REFERENCE_TOLERANCE.toExponential()} px) moves by ${brief(typicalFloor)} px in the median and ${brief(floor)} px at worst when its tolerance is 3 or 10 times looser.`,
+          `Two references of different methods (${scripts[0].reference.method}, and series with isolated roots) differ by ${brief(typical)} px in the median and ${brief(knownTo)} px at worst. In doubt: ${doubts.join('; ') || 'none'}.`,
         `Outcomes change: ${rows.flatMap((row) => changed(row, scripts).map((text) => `${row.name}: ${text}`)).join('; ') || 'nowhere'}.`,
         `Tests at ${TICK_RATE} Hz miss up to ${Math.max(...curves.flatMap((c) => c.points.map(([, m]) => 100 * m))).toFixed(1)} % of the contacts of a flight below the speed limit; swept ones none of ${SPEEDS.length * RADII.length * FLIGHTS}.`,
         'Ninja, a tile-platformer engine without free bodies, can not be driven through a level.',

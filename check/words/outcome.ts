@@ -41,7 +41,7 @@ export function outcomeInWords(end: RunEnd, range: number): string {
  * How a run ended, as the predicate of a sentence about her or the run: `collides with nova 3 at 3.22 s`.
  * @param range range of the level, px
  */
-export function outcomeAsPredicate(end: RunEnd, range: number): string {
+export function outcomeAsPredicate(end: Omit<RunEnd, 'tick'>, range: number): string {
   const when = `at ${end.time.toFixed(2)} s`;
   switch (end.outcome) {
     case 'completed':

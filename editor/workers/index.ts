@@ -18,6 +18,7 @@ export {
   type Proofs,
   type Retiming,
   type Setting,
+  type SettingError,
   type Solving,
   type Thumbnail,
 } from './jobs/index.ts';

@@ -7,6 +7,8 @@ import { createSimulation } from '../simulate.ts';
 
 /** Something whose cost per simulated second is measured. */
 export interface Player {
+  /** Players with the same name here run the same code: to warm one warms all. */
+  readonly code: string;
   /** Called before each `play`; not timed. */
   prepare?(): void;
   /** Does the work once; returns the seconds it simulated. */
@@ -15,8 +17,11 @@ export interface Player {
 
 /** A cost in microseconds per simulated second. */
 export interface Cost {
+  /** Disturbances only add to a time, so this is nearest to the truth. */
   readonly minimum: number;
   readonly median: number;
+  /** The upper quartile. */
+  readonly high: number;
 }
 
 interface CostOptions {
@@ -28,6 +33,14 @@ interface CostOptions {
 
 const FEWEST_ROUNDS = 5;
 const MOST_ROUNDS = 41;
+
+/** A player is warm when so many turns in a row did not make it faster by more than a twentieth. */
+const CALM_TURNS = 8;
+const FASTER = 0.95;
+/** A turn of warming up, in samples. */
+const WARM_SAMPLES = 4;
+/** The first player of a code plays for at least so many turns: compilers decide by how often functions ran, not by time. */
+const LEAST_TURNS = 75;
 /** Largest number of plays that are timed together to find out how long one takes. */
 const MOST_PLAYS = 1024;
 
@@ -54,24 +67,10 @@ export function measureCosts(players: readonly Player[], now: () => number, { bu
     return [ms, seconds];
   };
 
-  // a quarter of the budget is for warming up, so that shared code is optimised for all before anything counts
-  const warmUp = budget / 4 / players.length;
-  const once = players.map((player) => {
-    const until = now() + warmUp;
-    // a coarse clock, as in pages that are not isolated, cannot time one play: as many as it can time
-    let plays = 1;
-    let ms = time(player, plays)[0];
-    while (ms < Math.min(sample, warmUp) && plays < MOST_PLAYS) {
-      plays *= 2;
-      ms = time(player, plays)[0];
-    }
-    let least = ms / plays;
-    while (now() < until) least = Math.min(least, time(player, plays)[0] / plays);
-    return least;
-  });
+  const once = warmUp(players, time, now, budget / 2, sample);
   const times = once.map((ms) => Math.max(1, Math.round(sample / Math.max(ms, 1e-3))));
   const round = once.reduce((sum, ms, i) => sum + ms * times[i], 0);
-  const rounds = Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, Math.floor((0.75 * budget) / Math.max(round, 1e-3))));
+  const rounds = Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, Math.floor((0.5 * budget) / Math.max(round, 1e-3))));
 
   const samples = players.map((): number[] => []);
   for (let r = 0; r < rounds; r++) {
@@ -83,8 +82,46 @@ export function measureCosts(players: readonly Player[], now: () => number, { bu
   }
   return samples.map((list) => {
     list.sort((a, b) => a - b);
-    return { minimum: list[0], median: list[list.length >> 1] };
+    return { minimum: list[0], median: list[list.length >> 1], high: list[Math.floor(0.75 * list.length)] };
   });
+}
+
+/**
+ * Lets players play in turns until none gets faster any more, so that code which they share is optimised for all of them before
+ * anything counts, and code of only one of them has had its time, too.
+ * @param most - ms; what is not warm by then is measured as it is
+ * @returns the least time of one play for each, ms
+ */
+function warmUp(
+  players: readonly Player[],
+  time: (player: Player, times: number) => readonly [ms: number, seconds: number],
+  now: () => number,
+  most: number,
+  sample: number,
+): number[] {
+  const least = players.map(() => Number.POSITIVE_INFINITY);
+  const plays = players.map(() => 1);
+  const calm = players.map(() => 0);
+  const until = now() + most;
+  const isFirst = players.map(({ code }, i) => players.findIndex((other) => other.code === code) === i);
+  let warming = [...players.keys()];
+  for (let turn = 1; warming.length > 0; turn++) {
+    for (const i of warming) {
+      const before = least[i];
+      for (let spent = 0; spent < WARM_SAMPLES * sample; ) {
+        const [ms] = time(players[i], plays[i]);
+        // a coarse clock, as in pages that are not isolated, cannot time one play: as many as it can time
+        if (ms < sample && plays[i] < MOST_PLAYS) plays[i] *= 2;
+        else least[i] = Math.min(least[i], ms / plays[i]);
+        // a clock that stands still ends the turn, too
+        spent += Math.max(ms, plays[i] < MOST_PLAYS ? 1e-3 : sample);
+      }
+      calm[i] = least[i] < FASTER * before ? 0 : calm[i] + 1;
+    }
+    if (now() > until) break;
+    warming = warming.filter((i) => calm[i] < CALM_TURNS || (isFirst[i] && turn < LEAST_TURNS));
+  }
+  return least.map((ms) => (Number.isFinite(ms) ? ms : sample));
 }
 
 /** A player that plays holds on levels at one setting, one after the other. */
@@ -98,6 +135,7 @@ export function playerOf(
     script: joinHolds(holds),
   }));
   return {
+    code: accuracy.integrator,
     play() {
       let seconds = 0;
       for (const { simulation, script } of made) {

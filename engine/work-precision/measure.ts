@@ -5,7 +5,21 @@ import { TICK, TICK_RATE } from '../constants.ts';
 import { joinHolds } from '../script.ts';
 import { createSimulation } from '../simulate.ts';
 import { type Ending, type Outcome, type Simulation, STATE_SIZE } from '../simulation.ts';
+import { maxTicksOf } from '../terms.ts';
+import { WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { type Cost, measureCosts, playerOf } from './cost.ts';
+import {
+  apart,
+  GAUSS_TOLERANCE,
+  gauss,
+  type Method,
+  NotCovered,
+  type Played,
+  play,
+  TAYLOR_TOLERANCE,
+  taylor,
+  toNumber,
+} from './reference/index.ts';
 
 /** One point of a work-precision diagram. */
 export interface Measured extends Deviation {
@@ -13,33 +27,65 @@ export interface Measured extends Deviation {
   readonly cost: Cost;
 }
 
-export interface WorkPrecision {
+/** How all settings differ from a reference. */
+export interface Compared {
   readonly reference: Reference;
+  readonly methods: readonly (Deviation & { readonly accuracy: Accuracy })[];
+  /** Settings at which the run costs more work than is allowed, and until when they played it, s. */
+  readonly unmeasured: readonly { readonly accuracy: Accuracy; readonly time: number }[];
+}
+
+export interface WorkPrecision extends Compared {
   readonly methods: readonly Measured[];
 }
 
-interface MeasureOptions {
+interface CompareOptions {
   /** Simulated time after which a run is a timeout, s. */
   readonly maxTime: number;
+  /** The most work that a run may cost, pieces of motion. */
+  readonly maxWork: number;
+  /** The settings to compare. */
+  readonly methods: readonly Accuracy[];
+}
+
+interface MeasureOptions extends CompareOptions {
   /** A clock, ms; the engine has none. */
   readonly now: () => number;
   /** Approximate time for timing, ms; comparing takes additional time. */
   readonly budget: number;
-  /** The settings to measure; {@link METHODS} when left out. */
-  readonly methods?: readonly Accuracy[];
 }
 
 const SAMPLE = 1;
 
 /** Measures what each setting costs in time and in error, for one list of holds on a level. */
 export function measureWorkPrecision(level: Level, holds: readonly Hold[], options: MeasureOptions): WorkPrecision {
-  const { now, budget, methods = METHODS } = options;
-  const maxTicks = Math.round(options.maxTime * TICK_RATE);
+  const errors = compareAll(level, holds, options);
+  const costs = costsOf(level, holds, errors, options);
+  return { ...errors, methods: errors.methods.map((method, i) => ({ ...method, cost: costs[i] })) };
+}
+
+/** What each setting costs in error. */
+export function compareAll(level: Level, holds: readonly Hold[], options: CompareOptions): Compared {
+  const maxTicks = maxTicksOf(options);
   const reference = referenceOf(level, holds, maxTicks);
-  const deviations = methods.map((accuracy) => compareWith(reference, level, holds, accuracy, maxTicks));
-  const players = methods.map((accuracy) => playerOf([{ level, holds }], accuracy, maxTicks));
-  const costs = measureCosts(players, now, { budget, sample: SAMPLE });
-  return { reference, methods: methods.map((accuracy, i) => ({ accuracy, ...deviations[i], cost: costs[i] })) };
+  const methods: Compared['methods'][number][] = [];
+  const unmeasured: Compared['unmeasured'][number][] = [];
+  for (const accuracy of options.methods) {
+    const simulation = createSimulation(compile(level, accuracy), new WorkBudget(options.maxWork));
+    try {
+      methods.push({ accuracy, ...deviationOf(pathOf(simulation, holds, maxTicks), reference, maxTicks) });
+    } catch (error) {
+      if (!(error instanceof WorkLimitReached)) throw error;
+      unmeasured.push({ accuracy, time: simulation.tick * TICK });
+    }
+  }
+  return { reference, methods, unmeasured };
+}
+
+/** What each setting that was compared costs in time. */
+export function costsOf(level: Level, holds: readonly Hold[], { methods }: Compared, options: MeasureOptions): Cost[] {
+  const players = methods.map(({ accuracy }) => playerOf([{ level, holds }], accuracy, maxTicksOf(options)));
+  return players.length === 0 ? [] : measureCosts(players, options.now, { budget: options.budget, sample: SAMPLE });
 }
 
 /** Below this error a setting is as good as exact for a level designer, px: a hundredth of what a screen can show. */
@@ -78,44 +124,89 @@ export const METHODS: readonly Accuracy[] = [
 
 /** The run that others are compared with. */
 export interface Reference {
-  /** Tolerance, px per second: a thousandth of the tightest one that is measured. */
+  /** How it was computed. */
+  readonly method: string;
+  /** How far a step of it may be from the truth, px. */
   readonly tolerance: number;
   readonly path: Path;
   readonly outcome: Outcome;
   /** When it ended, s. */
   readonly time: number;
   /**
-   * How exactly the reference itself is known, px: its largest distance to the same run at two looser tolerances, which are
-   * still tighter than all that are measured. At these tolerances the rounding of doubles remains, magnified by the run. An
-   * error below this floor means no more than that.
+   * How exactly the reference is known, px: the largest distance, at ticks before the end, to a second reference, which computes
+   * motion and locates events in another way. An error below this says no more than that. Null where there is none: see `doubt`.
    */
-  readonly floor: number;
+  readonly knownTo: number | null;
+  /** Why there are no two references that agree; null if there are. */
+  readonly doubt: string | null;
 }
 
-export const REFERENCE_TOLERANCE = TOLERANCES[TOLERANCES.length - 1] / 1000;
+const GAUSS = 'Gauss collocation of order 32, events bracketed; 32 digits';
+const TAYLOR = 'Taylor series of degree 30, roots of polynomials isolated; 32 digits';
 
-/** Looser tolerances that show how far the reference can be trusted. */
-const DOUBTS = [3 * REFERENCE_TOLERANCE, 10 * REFERENCE_TOLERANCE];
+/** Stretches of motion after which a reference gives up: a minute of play among many objects takes a few hundred. */
+const MOST_STRETCHES = 4000;
 
-const swept = (tolerance: number): Accuracy => ({
-  name: 'reference',
-  integrator: 'taylor',
-  rate: null,
-  tolerance,
-  contact: 'swept',
-});
+/** The tolerance of the run that stands in where the game's rules and 32 digits do not decide, px per second. */
+const STAND_IN_TOLERANCE = TOLERANCES[TOLERANCES.length - 1] / 1000;
 
-/** Plays holds at the reference's tolerance and estimates how exact the result is. */
+/**
+ * Plays holds by two methods that share neither the integrator nor the location of events with anything that is measured, nor
+ * with each other: what they share are the rules of the game and the arithmetic. Where they do not cover a run, a run of the
+ * engine itself stands in, and says so.
+ * @param maxTicks - ticks of 1/60 s after which the run is a timeout
+ */
 export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: number): Reference {
-  const play = (tolerance: number) => pathOf(createSimulation(compile(level, swept(tolerance))), holds, maxTicks);
-  const path = play(REFERENCE_TOLERANCE);
+  const playBy = (method: Method): Played | string => {
+    try {
+      return play(level, holds, { method, maxTicks, every: 1, nudge: [0, 0, 0, 0], mostStretches: MOST_STRETCHES });
+    } catch (error) {
+      if (error instanceof NotCovered) return error.message;
+      throw error;
+    }
+  };
+  const first = playBy(gauss);
+  const second = playBy(taylor);
+  if (typeof first !== 'string') {
+    const of = { method: GAUSS, tolerance: GAUSS_TOLERANCE, ...referencePath(first) };
+    if (typeof second === 'string') return { ...of, knownTo: null, doubt: `a second reference gives up: ${second}` };
+    if (touchedBy(first) !== touchedBy(second)) {
+      const doubt = `two references end differently: ${endInWords(first)}, and ${endInWords(second)}`;
+      return { ...of, knownTo: null, doubt };
+    }
+    return { ...of, knownTo: apart(first, second), doubt: null };
+  }
+  const doubt = `a reference gives up: ${first}`;
+  if (typeof second !== 'string')
+    return { method: TAYLOR, tolerance: TAYLOR_TOLERANCE, ...referencePath(second), knownTo: null, doubt };
+  const accuracy = accuracyOf({ integrator: 'taylor', rate: null, tolerance: STAND_IN_TOLERANCE, contact: 'swept' });
+  const path = pathOf(createSimulation(compile(level, accuracy)), holds, maxTicks);
   return {
-    tolerance: REFERENCE_TOLERANCE,
+    method: `the engine itself, ${accuracy.name}`,
+    tolerance: STAND_IN_TOLERANCE,
     path,
     ...endOf(path, maxTicks),
-    floor: Math.max(...DOUBTS.map((tolerance) => largestDistance(path, play(tolerance)))),
+    knownTo: null,
+    doubt: `no reference covers this run: ${first}`,
   };
 }
+
+function referencePath(played: Played): Pick<Reference, 'path' | 'outcome' | 'time'> {
+  const { samples, end, outcome } = played;
+  const time = toNumber(end.time);
+  const ending = outcome === 'timeout' ? null : { outcome, with: played.with, time, tick: Math.floor(time * TICK_RATE) };
+  const path = {
+    count: samples.length,
+    x: Float64Array.from(samples, ({ at }) => toNumber(at.x)),
+    y: Float64Array.from(samples, ({ at }) => toNumber(at.y)),
+    ending,
+  };
+  return { path, outcome, time };
+}
+
+const touchedBy = ({ outcome, with: touched }: Played): string => `${outcome} ${touched?.kind} ${touched?.index}`;
+
+const endInWords = ({ outcome, end }: Played): string => `${outcome} at ${toNumber(end.time).toFixed(6)} s`;
 
 /** How and when a run ended; time in s. */
 function endOf(path: Path, maxTicks: number): { outcome: Outcome; time: number } {
@@ -127,6 +218,8 @@ export interface Deviation {
   /** Largest distance to the reference at the ticks before the earlier of both ends, px. */
   readonly error: number;
   readonly outcome: Outcome;
+  /** What she touched; null when there is nothing. */
+  readonly with: Ending['with'];
   /** When the run ended, s. */
   readonly time: number;
   /** Whether the outcome is that of the reference. If it is not, the runs diverge, and the error says little. */
@@ -139,6 +232,7 @@ export function deviationOf(path: Path, reference: Reference, maxTicks: number):
   return {
     error: largestDistance(path, reference.path),
     outcome,
+    with: path.ending?.with ?? null,
     time,
     sameVerdict: outcome === reference.outcome,
   };

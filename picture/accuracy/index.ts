@@ -54,7 +54,7 @@ export function levelDiagram(
     label: named.includes(accuracy.name) ? accuracy.name : null,
     note: accuracy.contact === 'swept' ? noteOf(accuracy) : null,
   });
-  return { title, subtitle, runs: 1, floor: reference.floor, lines: linesOf(methods, point) };
+  return { title, subtitle, runs: 1, floor: reference.knownTo ?? 0, lines: linesOf(methods, point) };
 }
 
 /** The share of contacts that a test once per frame misses, by speed, for circles of one radius. */

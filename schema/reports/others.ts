@@ -35,12 +35,22 @@ export const accuracyReportSchema = z.strictObject({
   level: z.string(),
   terms: termsReportSchema,
   holds,
-  reference: z.strictObject({
-    tolerance: px,
-    outcome,
-    time,
-    floor: px.describe("The reference's own error: a smaller error means no more than that."),
-  }),
+  reference: z
+    .strictObject({
+      method: z
+        .string()
+        .describe('How it was computed: by other methods than all that is measured, unless `doubt` says otherwise.'),
+      tolerance: px.describe('How far a step of it may be from the truth, px.'),
+      outcome,
+      time,
+      knownTo: px
+        .nullable()
+        .describe(
+          'The distance to a second reference of yet another method, px: a smaller error means no more than that. null: see `doubt`.',
+        ),
+      doubt: z.string().nullable().describe('Why there are no two references that end alike; null if there are.'),
+    })
+    .describe('The run that all others are compared with.'),
   methods: z.array(
     z.strictObject({
       name: z.string(),
@@ -50,15 +60,21 @@ export const accuracyReportSchema = z.strictObject({
       contact: z.string(),
       error: px.describe("The largest distance from the reference's path, px."),
       cost: microseconds,
-      medianCost: microseconds,
+      costSpread: z
+        .tuple([microseconds, microseconds])
+        .describe('The least of the measurements, which is the cost, and their upper quartile.'),
       outcome,
       time,
       sameVerdict: z.boolean().describe("Whether the outcome is the reference's."),
     }),
   ),
+  unmeasured: z
+    .array(z.strictObject({ name: z.string(), time: time.describe('Until when it was played, s.') }))
+    .describe('Settings at which the run costs more work than the terms allow.'),
   cheapest: z
-    .strictObject({ below: px, name: z.string().nullable().describe('null: none') })
-    .describe("The cheapest setting with the reference's outcome and an error below that."),
+    .strictObject({ name: z.string(), below: px, error: px, cost: microseconds })
+    .nullable()
+    .describe("The cheapest setting with the reference's outcome and an error below that; null: none."),
 });
 
 /** What `gq accuracy` prints as JSON. */

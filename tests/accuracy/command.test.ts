@@ -4,7 +4,7 @@ import { afterAll, describe, expect, it } from 'vitest';
 import * as z from 'zod';
 import { accuracyPretty } from '../../cli/commands/accuracy/report.ts';
 import { PLAIN } from '../../cli/terminal/terminal.ts';
-import { cheapestGoodEnough, measureWorkPrecision } from '../../engine/work-precision/index.ts';
+import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../engine/work-precision/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
 import { SWING, SWING_FILE } from './scenes.ts';
 
@@ -37,13 +37,22 @@ const method = z.object({
   contact: z.enum(['frame', 'swept']),
   error: z.number().min(0),
   cost: z.number().positive(),
+  costSpread: z.tuple([z.number(), z.number()]),
   outcome,
   sameVerdict: z.boolean(),
 });
 const reportShape = z.object({
   level: z.string(),
   holds: z.array(z.tuple([z.int(), z.int()])),
-  reference: z.object({ tolerance: z.number().positive(), outcome, time: z.number().min(0) }),
+  reference: z.object({
+    method: z.string(),
+    tolerance: z.number().positive(),
+    outcome,
+    time: z.number().min(0),
+    knownTo: z.number().positive().max(1e-15),
+    doubt: z.null(),
+  }),
+  cheapest: z.object({ name: z.string(), error: z.number().max(0.01), cost: z.number().positive() }),
   methods: z.array(method.refine((m) => (m.rate === undefined) !== (m.tolerance === undefined))),
 });
 
@@ -56,7 +65,11 @@ describe('gq accuracy', () => {
     expect(report).toMatchObject({ level: 'Swing', holds: [[0, 600]], reference: { outcome: 'timeout', time: 2 } });
     const names = report.methods.map(({ name }) => name);
     expect(names).toEqual(expect.arrayContaining(['arcade', 'fast', 'standard', 'precise', 'verlet 90 Hz', 'rk4 960 Hz, frame']));
-    for (const m of report.methods) expect(m.sameVerdict).toBe(m.outcome === report.reference.outcome);
+    for (const m of report.methods) {
+      expect(m.sameVerdict).toBe(m.outcome === report.reference.outcome);
+      expect(m.costSpread[0]).toBe(m.cost);
+      expect(m.costSpread[1]).toBeGreaterThanOrEqual(m.cost);
+    }
     const error = (name: string) => report.methods.find((m) => m.name === name)?.error ?? Number.NaN;
     expect(error('precise')).toBeLessThan(error('standard'));
     expect(error('standard')).toBeLessThan(error('fast'));
@@ -68,7 +81,13 @@ describe('gq accuracy', () => {
   it('tells a designer which setting is the cheapest that will do', () => {
     const { holds } = SWING.runs[0];
     let readings = 0;
-    const measured = measureWorkPrecision(SWING, holds, { maxTime: 1, now: () => readings++, budget: 50 });
+    const measured = measureWorkPrecision(SWING, holds, {
+      maxTime: 1,
+      maxWork: 400_000,
+      now: () => readings++,
+      budget: 50,
+      methods: METHODS,
+    });
     const cheapest = cheapestGoodEnough(measured.methods);
     const terms = { accuracy: 'precise', maxTime: 1, maxWork: 400_000, rules: {} };
     const report = {
@@ -83,6 +102,7 @@ describe('gq accuracy', () => {
     };
     const text = accuracyPretty(report, PLAIN);
     expect(text).toContain('Swing, run "swing": timeout at 1.000000 s');
+    expect(text).toMatch(/known to \d\.\de-\d\d px: so far is a second reference/);
     expect(text).toContain('taylor 1e-9 px = precise');
     expect(text).toMatch(/Cheapest with the same outcome and an error below 0\.01 px: /);
   });

@@ -15,6 +15,7 @@ import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
 import { checkQuestion, proofQuestion } from '../../editor/core/verdict/evidence.ts';
 import { accuracyQuestion } from '../../editor/features/accuracy/measured-settings.ts';
+import { namedQuestion } from '../../editor/features/accuracy/named-results.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';
 import { comparedOf, trajectoryQuestion } from '../../editor/features/compare/compared.ts';
@@ -132,6 +133,7 @@ const STAGES: Readonly<Record<string, Stage>> = {
     const seen = { now: () => ({ left: 0, top: 0, right: 900, bottom: 900 }), subscribe: () => () => {} };
     return { level: { ...open, selection }, session: open.session, settings: createSettings(null), seen };
   }),
+  namedQuestion: following(namedQuestion as never, ({ proof }) => proof),
   lossesQuestion: following(lossesQuestion as never, lostFrom, FAILS),
   lostQuestion: following(lostQuestion as never, lostFrom, FAILS),
   mendQuestion: onDemand(mendQuestion as never, asked),

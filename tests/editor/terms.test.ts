@@ -83,7 +83,7 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     dependsOn: 'see below',
   },
   accuracy: {
-    ask: runOf,
+    ask: (file, terms) => ({ ...runOf(file, terms), methods: 'named' as const }),
     completes: ({ settings }) => settings.some(({ outcome }) => outcome === 'completed'),
     dependsOn: ['maxTime', 'rules'],
   },

@@ -14,7 +14,7 @@ import {
 import { createPacer } from '../../editor/workers/job.ts';
 import { createRunner } from '../../editor/workers/runner.ts';
 import type { FromWorker, ToWorker } from '../../editor/workers/workers.ts';
-import { compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
+import { ACCURACIES, type AccuracyName, compile, DEFAULT_TERMS, joinHolds, simulate } from '../../engine/index.ts';
 import { assessLevel, effectsInWords, standingInWords } from '../../review/index.ts';
 import { type Level, readLevel } from '../../schema/index.ts';
 import { findSlack, verifyRun } from '../../solver/index.ts';
@@ -199,8 +199,21 @@ describe('jobs', () => {
     });
   });
 
+  it('compare the named settings with a reference, and report that before their costs', () => {
+    const { result, told } = doJob('accuracy', { level, terms: DEFAULT_TERMS, holds, methods: 'named' });
+    expect(result.settings.map(({ name }) => name)).toEqual(Object.keys(ACCURACIES));
+    expect(result).toMatchObject({ doubt: null });
+    expect(result.knownTo).toBeLessThan(1e-15);
+    for (const { name, outcome, time, error } of result.settings) {
+      const run = simulate(compile(level, name as AccuracyName), holds);
+      expect([name, outcome, time]).toEqual([name, run.outcome, run.time]);
+      expect(error).toBeGreaterThan(0);
+    }
+    expect(told).toEqual([{ ...result, settings: result.settings.map(({ cost: _, ...setting }) => setting) }]);
+  });
+
   it('measure the cost of accuracy', () => {
-    const { result } = doJob('accuracy', { level, terms: DEFAULT_TERMS, holds });
+    const { result } = doJob('accuracy', { level, terms: DEFAULT_TERMS, holds, methods: 'all' });
     expect(result.settings.find(({ name }) => name === 'precise')).toMatchObject({ outcome: 'completed', sameVerdict: true });
   });
 });

@@ -1,9 +1,13 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { apart, gauss, type Method, NotCovered, type Played, play, taylor } from '../../engine/work-precision/reference/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
+import { isDeep } from '../depth.ts';
 import { plainLevel } from '../engine/plain-level.ts';
-import { NotCovered, type Played, play } from '../judges/reference-play/index.ts';
+import { pack } from '../levels/shipped-pack.ts';
 import { declareMissing } from '../missing.ts';
+import { propertySettings } from '../property-settings.ts';
+import { mixedScene } from '../scenes/mixed-scene.ts';
 import {
   continuousReferences,
   hardReferences,
@@ -16,8 +20,13 @@ type Dd = Played['end']['time'];
 
 const toNumber = ({ hi, lo }: Dd): number => hi + lo;
 
-const from = (level: Level, holds: readonly Hold[], maxTicks: number): Played =>
-  play(level, holds, { maxTicks, every: 60, nudge: [0, 0, 0, 0] });
+const METHODS: readonly [string, Method][] = [
+  ['Gauss collocation', gauss],
+  ['Taylor series', taylor],
+];
+
+const from = (method: Method, level: Level, holds: readonly Hold[], maxTicks: number): Played =>
+  play(level, holds, { method, maxTicks, every: 60, nudge: [0, 0, 0, 0], mostStretches: 20_000 });
 
 /** A double-double as a whole number of 1e-36, for exact arithmetic. */
 function exactly({ hi, lo }: Dd): bigint {
@@ -37,23 +46,46 @@ function exactly({ hi, lo }: Dd): bigint {
 const ONE = 10n ** 36n;
 const product = (...factors: bigint[]): bigint => factors.reduce((a, b) => (a * b) / ONE);
 
-describe('the reference with 32 digits', () => {
-  it('shares nothing with the engine', () => {
-    const folder = new URL('../judges/reference-play/', import.meta.url);
-    const files = readdirSync(folder);
-    expect(files.length).toBeGreaterThan(4);
-    const imports = files.flatMap((file) =>
-      [...readFileSync(new URL(file, folder), 'utf8').matchAll(/from '([^']+)'/g)].map(([, path]) => path),
-    );
-    expect(imports.filter((path) => !path.startsWith('./') && path !== '../../../schema/index.ts')).toEqual([]);
+/** What the files of a folder import. */
+function importsOf(folder: URL): string[] {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
+    entry.isDirectory()
+      ? importsOf(new URL(`${entry.name}/`, folder))
+      : [...readFileSync(new URL(entry.name, folder), 'utf8').matchAll(/from '([^']+)'/g)].map(
+          ([, path]) => new URL(path, new URL(entry.name, folder)).href,
+        ),
+  );
+}
+
+describe('the references with 32 digits', () => {
+  const folder = new URL('../../engine/work-precision/reference/', import.meta.url);
+
+  it('share nothing with the engine', () => {
+    const imports = importsOf(folder);
+    expect(imports.length).toBeGreaterThan(20);
+    const schema = new URL('../../schema/basics/index.ts', import.meta.url).href;
+    expect(imports.filter((path) => !path.startsWith(folder.href) && path !== schema)).toEqual([]);
   });
 
+  it('share neither the integrator nor the location of events with each other', () => {
+    for (const [own, other] of [
+      ['gauss', 'taylor'],
+      ['taylor', 'gauss'],
+    ]) {
+      const imports = importsOf(new URL(`${own}/`, folder));
+      expect(imports.length).toBeGreaterThan(4);
+      expect(imports.filter((path) => path.startsWith(`${folder.href}${other}/`))).toEqual([]);
+    }
+  });
+});
+
+describe.each(METHODS)('the reference by %s', (_, method) => {
   it('falls in a wind as the closed form says, to 28 digits', () => {
     const level = {
       ...plainLevel({ range: 1000, asteroids: [{ x: 500, y: 0, radius: 16 }] }),
       winds: [{ id: null, x: 0, y: 0, radius: 400, ax: 7, ay: -3 }],
     };
-    const { end, outcome } = from(level, [], 70);
+    const { end, outcome } = from(method, level, [], 70);
     expect(outcome).toBe('timeout');
     const t = (ONE * 70n) / 60n;
     expect(Number(exactly(end.at.x) - product(7n * ONE, t, t) / 2n) / 1e36).toBeCloseTo(0, 27);
@@ -62,7 +94,7 @@ describe('the reference with 32 digits', () => {
 
   it('keeps energy and angular momentum of an orbit to 24 digits', () => {
     const level = plainLevel({ range: 250, asteroids: [{ x: 100, y: 0, radius: 16 }], astronaut: { vy: 41 } });
-    const { end } = from(level, [[0, 1200]], 1200);
+    const { end } = from(method, level, [[0, 1200]], 1200);
     const [x, y, vx, vy] = [end.at.x, end.at.y, end.velocity.x, end.velocity.y].map(exactly);
     const dx = x - 100n * ONE;
     const momentum = product(dx, vy) - product(y, vx);
@@ -83,7 +115,7 @@ describe('the reference with 32 digits', () => {
       astronaut: { x: 50, vy: 3 },
       repulsors: [{ x: 0, y: 0, radius: 50 }],
     });
-    const { end, slides } = from(level, [[0, 600]], 600);
+    const { end, slides } = from(method, level, [[0, 600]], 600);
     expect([...slides]).toEqual(['field']);
     expect(toNumber(end.at.x)).toBeCloseTo(50 * Math.cos(0.6), 13);
     expect(toNumber(end.at.y)).toBeCloseTo(50 * Math.sin(0.6), 13);
@@ -99,20 +131,59 @@ describe('the reference with 32 digits', () => {
         { x: 20, y: 0, radius: 30 },
       ],
     });
-    expect(() => from(level, [[0, 60]], 60)).toThrow(NotCovered);
+    expect(() => from(method, level, [[0, 60]], 60)).toThrow(NotCovered);
   });
 });
 
-const suite = 'the reference with 32 digits, against references made elsewhere';
+/** Of each shipped level its first run; in the deep set all of them. */
+const RUNS = pack.flatMap(({ slug, level }) =>
+  level.runs.slice(0, isDeep ? undefined : 1).map(({ name, holds }) => [`${slug}, ${name}`, level, holds] as const),
+);
+
+describe('both references', () => {
+  it.each(RUNS)('agree to 24 digits on %s', (_, level, holds) => {
+    const [a, b] = METHODS.map(([, method]) => from(method, level, holds, 3600));
+    expect([a.outcome, a.with, a.story]).toEqual([b.outcome, b.with, b.story]);
+    expect(apart(a, b)).toBeLessThan(1e-22);
+    expect(Math.abs(a.end.time.hi - b.end.time.hi + (a.end.time.lo - b.end.time.lo))).toBeLessThan(1e-24);
+  });
+
+  const SEEDS = Math.round((isDeep ? 60 : 6) * propertySettings(process.env).runs);
+
+  it('agree where all effects and rules meet', () => {
+    let compared = 0;
+    for (let seed = 0; seed < SEEDS; seed++) {
+      const { level, holds, maxTime } = mixedScene(seed);
+      const [a, b] = METHODS.map(([, method]) => {
+        try {
+          return from(method, level, holds, Math.round(60 * maxTime));
+        } catch (error) {
+          if (error instanceof NotCovered) return null;
+          throw error;
+        }
+      });
+      if (a === null || b === null) continue;
+      compared++;
+      expect([seed, a.outcome, a.with]).toEqual([seed, b.outcome, b.with]);
+      expect(apart(a, b)).toBeLessThan(1e-18);
+    }
+    expect(compared).toBeGreaterThan(0.9 * SEEDS);
+  });
+});
+
+const suite = 'the references with 32 digits, against references made elsewhere';
 
 if (!hasContinuousReferences || !hasHardReferences) declareMissing(suite, NO_REFERENCES);
 else {
-  describe(suite, () => {
+  describe.each(METHODS)(`${suite}: %s`, (_, method) => {
     // each hard case, and a sample of the others
     const cases = [...hardReferences(), ...continuousReferences().filter((_, i) => i % 9 === 0)];
 
-    it.each(cases)('$id: the same to the last digit of a double', ({ level, reference }) => {
-      const played = from(level, reference.holds, 3600);
+    // what brackets events is ten times as slow
+    const own = isDeep || method === taylor ? cases : cases.filter((_, i) => i % 5 === 0);
+
+    it.each(own)('$id: the same to the last digit of a double', ({ level, reference }) => {
+      const played = from(method, level, reference.holds, 3600);
       expect([played.outcome, played.with]).toEqual([reference.outcome, reference.with]);
       expect(played.minerals.map(({ index }) => index)).toEqual(reference.minerals.map(({ index }) => index));
       const { at, velocity, time } = played.end;

@@ -1,6 +1,6 @@
 import { compile, type Run, type Scene, STATE_SIZE, simulate, WorkBudget } from '../../engine/index.ts';
+import { NotCovered, type Played, play, type Sample, taylor } from '../../engine/work-precision/reference/index.ts';
 import type { RandomScene } from '../scenes/random-scene.ts';
-import { NotCovered, type Played, play, type Sample } from './reference-play/index.ts';
 
 /** What `precise` promises, times how a change of the start grows: px, px/s and s. */
 const PROMISE = 1e-9;
@@ -20,6 +20,9 @@ const NUDGE = 1e-9;
 
 /** Ticks between two places that are compared. */
 const EVERY = 10;
+
+/** Stretches of motion after which the reference gives up. */
+const MOST_STRETCHES = 20_000;
 
 /** Pieces of motion that a second of play may take. */
 const MOST_PIECES = 20_000;
@@ -53,7 +56,8 @@ const endingOf = ({ outcome, with: touched }: Pick<Run, 'outcome' | 'with'> | Pl
 /** Holds the engine against the reference: where she is all along, how and when the run ends, what she collects. */
 export function judgeScene({ level, holds, maxTime }: RandomScene): Judgement {
   const maxTicks = Math.round(maxTime * 60);
-  const playFrom = (nudge: readonly [number, number, number, number]) => play(level, holds, { maxTicks, every: EVERY, nudge });
+  const playFrom = (nudge: readonly [number, number, number, number]) =>
+    play(level, holds, { method: taylor, maxTicks, every: EVERY, nudge, mostStretches: MOST_STRETCHES });
   let truth: Played;
   let nudged: Played[];
   try {

@@ -28,7 +28,7 @@ const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measu
   contact: accuracy.contact,
   error,
   cost: cost.minimum,
-  medianCost: cost.median,
+  costSpread: [cost.minimum, cost.high] as [number, number],
   outcome,
   time,
   sameVerdict,
@@ -36,21 +36,25 @@ const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measu
 
 /** The results of `accuracy` as JSON: errors in px, costs in microseconds per simulated second, times in s. */
 export function accuracyJson({ level, terms, holds, measured, cheapest }: AccuracyReport): string {
-  const { tolerance, outcome, time, floor } = measured.reference;
+  const { method, tolerance, outcome, time, knownTo, doubt } = measured.reference;
   const report: AccuracyJson = {
     version: 1,
     level,
     terms,
     holds: holds.map(([press, release]) => [press, release]),
-    reference: { tolerance, outcome, time, floor },
+    reference: { method, tolerance, outcome, time, knownTo, doubt },
     methods: measured.methods.map(methodJson),
-    cheapest: { below: GOOD_ENOUGH, name: cheapest?.accuracy.name ?? null },
+    unmeasured: measured.unmeasured.map(({ accuracy, time }) => ({ name: accuracy.name, time })),
+    cheapest:
+      cheapest === null
+        ? null
+        : { name: cheapest.accuracy.name, below: GOOD_ENOUGH, error: cheapest.error, cost: cheapest.cost.minimum },
   };
   return `${JSON.stringify(report)}\n`;
 }
 
-const COLUMNS = ['setting', 'error, px', 'cost, us/s', 'end', 'frame tests: cost', 'end'];
-const RIGHT = [1, 2, 4];
+const COLUMNS = ['setting', 'error, px', 'cost, us/s', 'runs/s', 'end', 'frame tests: cost', 'end'];
+const RIGHT = [1, 2, 3, 5];
 
 /** A length, a time or a cost with two significant digits: 12, 0.034, 5.6e-7. */
 export function brief(value: number): string {
@@ -59,14 +63,30 @@ export function brief(value: number): string {
   return value >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(2)));
 }
 
+/** An error, which means no more than how exactly the reference is known; in brackets where that is not known. */
+function errorIn(error: number, knownTo: number | null): string {
+  if (knownTo === null) return `(${brief(error)})`;
+  return error < knownTo ? `< ${brief(knownTo)}` : brief(error);
+}
+
+/** How many times a second of one core plays the run. */
+const runsASecond = ({ cost, time }: Measured): string =>
+  Math.round(1e6 / (cost.minimum * Math.max(time, 1 / 60))).toLocaleString('en-US');
+
 /** The results of `accuracy` for people: all settings, the named ones, and a summary. */
 export function accuracyPretty(report: AccuracyReport, colors: Colors, width: number | null = null): string {
   const { level, run, measured, cheapest, asked } = report;
   const { reference, methods } = measured;
   const how = `${reference.outcome} at ${reference.time.toFixed(6)} s`;
   let text = `${colors.bold(visibleLine(level))}, ${visibleLine(run)}: ${how}\n`;
-  text += `An error is the largest distance, at ticks before the end, from a run at tolerance ${reference.tolerance.toExponential()} px. That run is itself `;
-  text += `known to ${brief(reference.floor)} px,\nthe limit set by rounding of doubles. A cost is in microseconds of computing per simulated second.\n\n`;
+  text += `An error is the largest distance, at ticks before the end, from a reference: ${reference.method}.\n`;
+  text +=
+    reference.knownTo === null
+      ? `${colors.red('Careful')}: ${reference.doubt}. Errors in brackets are no more than differences from that run.\n`
+      : `It is known to ${brief(reference.knownTo)} px: so far is a second reference, which integrates and locates events in another way.\n`;
+  text += 'A cost is in microseconds of computing per simulated second, the least of many measurements;\n';
+  text +=
+    'runs/s is how many times a second of one core plays this run. A game at 60 Hz needs cost / 10,000 % of each frame.\n\n';
 
   const end = (m: Measured): string => {
     if (!m.sameVerdict) return `! ${m.outcome} at ${m.time.toFixed(3)} s`;
@@ -87,7 +107,7 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors, width: nu
     before = accuracy.integrator;
     const frame = accuracy.contact === 'swept' ? methods.find((other) => isFrameOf(other.accuracy, accuracy)) : undefined;
     const pair = frame === undefined ? [] : [brief(frame.cost.minimum), end(frame)];
-    rows.push([nameIn(accuracy), brief(m.error), brief(m.cost.minimum), end(m), ...pair]);
+    rows.push([nameIn(accuracy), errorIn(m.error, reference.knownTo), brief(m.cost.minimum), runsASecond(m), end(m), ...pair]);
     colored.push(m === cheapest ? colors.green : m.sameVerdict ? (line) => line : colors.red);
   }
   text += alignColumns(rows, { right: RIGHT, head: COLUMNS, lead: 0, width })
@@ -97,7 +117,10 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors, width: nu
   text += `\n${conclusion(report)}`;
   if (asked !== null) {
     const m = methods.find(({ accuracy }) => accuracy.name === asked.name);
-    if (m !== undefined) text += `${asked.name}: error ${brief(m.error)} px, ${brief(m.cost.minimum)} us/s, ${end(m)}\n`;
+    if (m !== undefined) {
+      const { minimum, high } = m.cost;
+      text += `${asked.name}: error ${errorIn(m.error, reference.knownTo)} px, ${brief(minimum)} us/s (a quarter of the measurements above ${brief(high)}), ${end(m)}\n`;
+    }
   }
   return text;
 }
@@ -115,9 +138,14 @@ function nameIn({ name, integrator, rate, tolerance }: Accuracy): string {
   return integrator === 'arcade' ? name : `${integrator} ${size} = ${name}`;
 }
 
-function conclusion({ measured: { methods, reference }, cheapest }: AccuracyReport): string {
+function conclusion({ terms, measured: { methods, reference, unmeasured }, cheapest }: AccuracyReport): string {
+  const over = unmeasured.map(({ accuracy, time }) => `${accuracy.name} (up to ${time.toFixed(2)} s)`);
+  const limited =
+    over.length === 0 ? '' : `Over the work limit of ${terms.maxWork} pieces of motion, so not measured: ${over.join(', ')}.\n`;
+  if (methods.length === 0) return limited;
   const failed = methods.filter((m) => !m.sameVerdict);
-  let text =
+  let text = limited;
+  text +=
     failed.length === 0
       ? 'The outcome is the same at every setting.\n'
       : `${failed.length} of ${methods.length} settings have another outcome than ${reference.outcome}: ${inGroups(failed, methods)}.\n`;

@@ -12,7 +12,7 @@ import type { Feature } from '../feature.ts';
 import { OtherAccuracy } from './OtherAccuracy.tsx';
 import './accuracy.css';
 import { drawSettings, type MeasuredSettings, useMeasured } from './measured-settings.ts';
-import { NAMES, type NamedResult, useNamedResults } from './named-results.ts';
+import { NAMES, useNamedResults } from './named-results.ts';
 
 /** At which accuracy the level is shown, and what each costs and changes. */
 export const accuracy: Feature = {
@@ -32,7 +32,7 @@ export const accuracy: Feature = {
 function AccuracyPanel() {
   const terms = usePageTerms();
   const current = accuracyNameOf(terms.shown);
-  const { results, costs, isFresh } = useNamedResults();
+  const { settings, knownTo, doubt, isFresh } = useNamedResults();
   const { phase, message, measured, start, cancel } = useMeasured();
   const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
   const holds = useProof((proof) => proof.run.holds.join());
@@ -82,18 +82,20 @@ function AccuracyPanel() {
             <Choice
               key={name}
               name={name}
-              result={results.find((result) => result.name === name)}
-              cost={costs?.get(name)}
+              result={settings.find((setting) => setting.name === name)}
+              knownTo={knownTo}
               isCurrent={name === current}
               isOfFolder={name === terms.folder.accuracy.name}
             />
           ))}
         </div>
         <p className="part__note">
-          Off by: the largest distance to precise at any tick. µs/s: time per simulated second, timed in this page. The setting in
-          use applies to this level: to its verdict, the playtest and the solver. The list, the pack and publishing say what gq
-          check says here.
+          Off by: the largest distance, at any tick, to a reference with 32 digits of another method
+          {knownTo === null ? '' : `, which is known to ${pixels(knownTo)}`}. µs/s: time per simulated second, timed in this
+          browser. The setting in use applies to this level: to its verdict, the playtest and the solver. The list, the pack and
+          publishing say what gq check says here.
         </p>
+        {doubt !== null && <p className="part__note tone--warn">The reference is in doubt: {doubt}.</p>}
       </Section>
     </div>
   );
@@ -108,15 +110,16 @@ const ABOUT: Readonly<Record<AccuracyName, string>> = {
 
 interface ChoiceProps {
   readonly name: AccuracyName;
-  readonly result: NamedResult | undefined;
-  /** µs per simulated second */
-  readonly cost: number | undefined;
+  readonly result: ReturnType<typeof useNamedResults>['settings'][number] | undefined;
+  /** How exactly the reference is known, px. */
+  readonly knownTo: number | null;
   readonly isCurrent: boolean;
   /** Whether `gq check` judges the folder at it. */
   readonly isOfFolder: boolean;
 }
 
-function Choice({ name, result, cost, isCurrent, isOfFolder }: ChoiceProps) {
+function Choice({ name, result, knownTo, isCurrent, isOfFolder }: ChoiceProps) {
+  const cost = result?.cost;
   const { settings } = useEditor();
   const range = useProof(({ level }) => level.range);
   return (
@@ -144,13 +147,11 @@ function Choice({ name, result, cost, isCurrent, isOfFolder }: ChoiceProps) {
           ) : (
             <X size={13} className="tone--bad" aria-label="different verdict:" />
           )}
-          <span>{outcomeAsPredicate(result.end, range)}</span>
+          <span>{outcomeAsPredicate(result, range)}</span>
           <span className="accuracy__off">
-            {name === 'precise'
-              ? 'the reference'
-              : result.difference === 0
-                ? 'no difference'
-                : `off by ${pixels(result.difference)}`}
+            {knownTo !== null && result.error < knownTo
+              ? `off by less than ${pixels(knownTo)}`
+              : `off by ${pixels(result.error)}`}
           </span>
         </span>
       )}

@@ -11,6 +11,8 @@ import { jobs, type Setting } from '../../workers/index.ts';
 /** The measured cost of all settings for one level and run. */
 export interface MeasuredSettings {
   readonly settings: readonly Setting[];
+  /** How exactly the reference is known, px; null: no second one confirms it. */
+  readonly knownTo: number | null;
   readonly level: string;
   readonly run: string | null;
   readonly played: PlayedFile;
@@ -39,8 +41,8 @@ export function useMeasured(): Measuring {
   const start = useCallback(() => {
     const { level, terms, run, file } = proof.proof();
     const about = { level: level.name, run: run.name, played: { file, level }, holds: run.holds.join() };
-    accuracy.ask({ level: withoutRuns(level), terms, holds: run.holds }, ({ answer }) => {
-      if (answer !== null) setMeasured({ ...about, settings: answer.settings });
+    accuracy.ask({ level: withoutRuns(level), terms, holds: run.holds, methods: 'all' }, ({ answer }) => {
+      if (answer !== null) setMeasured({ ...about, settings: answer.settings, knownTo: answer.knownTo });
     });
   }, [accuracy, proof]);
   const is = phase === 'asking' ? 'measuring' : phase === 'failed' ? 'failed' : 'idle';

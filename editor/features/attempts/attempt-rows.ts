@@ -94,11 +94,11 @@ function ofPlay(opened: OpenedPlay, range: number): Entry {
   };
 }
 
-function replayedInWords({ outcome, cause, time, tick }: NonNullable<OpenedPlay['replayed']>, range: number): string {
+function replayedInWords({ outcome, cause, time }: NonNullable<OpenedPlay['replayed']>, range: number): string {
   const when = `at ${time.toFixed(2)} s`;
   if (outcome === 'left') return `was left ${when}`;
   if (outcome === 'collided' && cause !== null) return `${causeInWords(cause)} ${when}`;
-  return outcomeAsPredicate({ outcome, with: null, time: outcome === 'timeout' ? Number(time.toFixed(2)) : time, tick }, range);
+  return outcomeAsPredicate({ outcome, with: null, time: outcome === 'timeout' ? Number(time.toFixed(2)) : time }, range);
 }
 
 /** The replay of a row. @param now the hash of the level as it is now */

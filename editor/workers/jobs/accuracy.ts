@@ -1,42 +1,62 @@
-import type { Outcome } from '../../../engine/index.ts';
-import { measureWorkPrecision } from '../../../engine/work-precision/index.ts';
+import { ACCURACIES } from '../../../engine/index.ts';
+import { compareAll, costsOf, type Deviation, METHODS, type Reference } from '../../../engine/work-precision/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { job, type Played, type Work } from '../job.ts';
 
-/** One setting in a work-precision diagram. */
-export interface Setting {
+/** How far a setting is from the reference. */
+export interface SettingError extends Pick<Deviation, 'error' | 'outcome' | 'with' | 'time' | 'sameVerdict'> {
   readonly name: string;
-  /** px */
-  readonly error: number;
-  /** microseconds per simulated second */
-  readonly cost: number;
-  readonly outcome: Outcome;
-  readonly sameVerdict: boolean;
 }
 
-/** Errors and costs of all settings for this level and run. */
-export const accuracy = job<Played & { readonly holds: readonly Hold[] }, { readonly settings: readonly Setting[] }>({
+/** One setting in a work-precision diagram. */
+export interface Setting extends SettingError {
+  /** microseconds per simulated second */
+  readonly cost: number;
+}
+
+/** How settings differ from a reference. */
+export interface ComparedSettings<S> extends Pick<Reference, 'knownTo' | 'doubt'> {
+  readonly settings: readonly S[];
+}
+
+export interface SettingsAsked extends Played {
+  readonly holds: readonly Hold[];
+  readonly methods: 'named' | 'all';
+}
+
+/** Errors, and then also costs, of the named or of all settings for this level and run. */
+export const accuracy = job<SettingsAsked, ComparedSettings<Setting>, ComparedSettings<SettingError>>({
   name: 'accuracy',
   lane: 'long',
   most: 60_000,
 });
 
 /** ms for the timing */
-const BUDGET = 1500;
+const BUDGET = { named: 800, all: 3000 };
 
-/** Measures errors and costs of all settings for one level and run; of the terms, only the time limit matters to it. */
 export const accuracyWork: Work<typeof accuracy> = {
   of: accuracy,
-  *steps({ level, terms: { maxTime }, holds }, now) {
+  *steps({ level, terms: { maxTime, maxWork }, holds, methods }, now) {
     yield null;
-    const measured = measureWorkPrecision(level, holds, { maxTime, now, budget: BUDGET });
-    const settings = measured.methods.map(({ accuracy: { name }, error, cost, outcome, sameVerdict }) => ({
+    const options = {
+      maxTime,
+      maxWork,
+      now,
+      budget: BUDGET[methods],
+      methods: methods === 'named' ? Object.values(ACCURACIES) : METHODS,
+    };
+    const compared = compareAll(level, holds, options);
+    const { knownTo, doubt } = compared.reference;
+    const settings = compared.methods.map(({ accuracy: { name }, error, outcome, with: touched, time, sameVerdict }) => ({
       name,
       error,
-      cost: cost.minimum,
       outcome,
+      with: touched,
+      time,
       sameVerdict,
     }));
-    return { settings };
+    yield { knownTo, doubt, settings };
+    const costs = costsOf(level, holds, compared, options);
+    return { knownTo, doubt, settings: settings.map((setting, i) => ({ ...setting, cost: costs[i].minimum })) };
   },
 };

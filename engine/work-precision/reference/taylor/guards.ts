@@ -4,51 +4,21 @@ import {
   type Dd,
   dd,
   divide,
-  length,
   multiply,
   negate,
+  roughLength,
   subtract,
   times,
   toNumber,
   type Vector,
   ZERO,
-} from './double-double.ts';
+} from '../double-double.ts';
+import { CLOSE, EXACT, type Happening, type Kind, type Margins } from '../stretch.ts';
+import { placeOf, secondMouth, type World } from '../world.ts';
 import type { Flow } from './flow.ts';
 import { type Path, standing } from './path.ts';
 import { crossings, firstBelow, opened } from './roots.ts';
 import { about, eachOf, product, type Series, valueAt } from './series.ts';
-import { placeOf, secondMouth, type World } from './world.ts';
-
-/** What may happen; those that come first at the same instant stand first. */
-export const KINDS = [
-  ...(['mineral', 'nova', 'asteroid', 'alien', 'blackHole', 'range', 'jump'] as const),
-  ...(['mouth', 'centre', 'target', 'field', 'wind', 'sight', 'explosion', 'limit', 'slip'] as const),
-];
-export type Kind = (typeof KINDS)[number];
-
-export interface Happening {
-  /** The value of the flow's variable. */
-  readonly at: Dd;
-  readonly kind: Kind;
-  /** Of the object in its list; of a mouth twice the wormhole's, plus 1 for its second one; of an axis 0 or 1. */
-  readonly index: number;
-  /** The other alien of an explosion. */
-  readonly other: number;
-}
-
-/** How narrowly something did not happen. */
-export interface Margins {
-  /** The smallest that is not 0, px (of a speed px/s). */
-  narrowest: number;
-  /** How often something was decided by exactly 0. */
-  exact: number;
-}
-
-/** Happenings that are as close as this are told, so that the caller sees that their order is narrow, s. */
-const CLOSE = 2e-9;
-
-/** A margin below this is 0, px. */
-const EXACT = 1e-20;
 
 /** Finds what happens in a stretch. */
 export class Guards {
@@ -122,7 +92,7 @@ export class Guards {
   #travel(path: Path): number {
     let most = this.#travels.get(path);
     if (most === undefined) {
-      most = Math.hypot(sumAfterFirst(path.x, this.#whole), sumAfterFirst(path.y, this.#whole)) * (1 + 1e-12) + 1e-9;
+      most = roughLength(sumAfterFirst(path.x, this.#whole), sumAfterFirst(path.y, this.#whole)) * (1 + 1e-12) + 1e-9;
       this.#travels.set(path, most);
     }
     return most;
@@ -168,7 +138,7 @@ export class Guards {
   /** Her centre crosses a circle. */
   #rim(kind: Kind, index: number, centre: Path, radius: number, isInside: boolean): void {
     const { her } = this.#flow;
-    const d = Math.hypot(her.x.hi[0] - centre.x.hi[0], her.y.hi[0] - centre.y.hi[0]);
+    const d = roughLength(her.x.hi[0] - centre.x.hi[0], her.y.hi[0] - centre.y.hi[0]);
     if (Math.abs(d - radius) > this.#travel(her) + this.#travel(centre) + 1e-12 * d) return;
     const gap = squaredDistance(her, centre);
     gap.set(0, subtract(gap.get(0), times(dd(radius), radius)));
@@ -182,7 +152,7 @@ export class Guards {
       for (let j = i + 1; j < aliens.length; j++) {
         if (aliens[i].gone || aliens[j].gone) continue;
         const reach = level.aliens[i].radius + level.aliens[j].radius;
-        const d = Math.hypot(paths[i].x.hi[0] - paths[j].x.hi[0], paths[i].y.hi[0] - paths[j].y.hi[0]);
+        const d = roughLength(paths[i].x.hi[0] - paths[j].x.hi[0], paths[i].y.hi[0] - paths[j].y.hi[0]);
         if (d - reach > this.#travel(paths[i]) + this.#travel(paths[j])) continue;
         const gap = squaredDistance(paths[i], paths[j]);
         const sum = add(dd(level.aliens[i].radius), dd(level.aliens[j].radius));
@@ -197,13 +167,13 @@ export class Guards {
     const { held, target } = this.#world;
     if (!held || target < 0) return;
     const { her, asteroids } = this.#flow;
-    const distance = (path: Path) => Math.hypot(her.x.hi[0] - path.x.hi[0], her.y.hi[0] - path.y.hi[0]);
+    const distance = (path: Path) => roughLength(her.x.hi[0] - path.x.hi[0], her.y.hi[0] - path.y.hi[0]);
     const own = distance(asteroids[target]);
     const most = this.#travel(her) * 2 + this.#travel(asteroids[target]);
     const to = squaredDistance(her, asteroids[target]);
     asteroids.forEach((path, j) => {
       if (j === target || distance(path) - own > most + this.#travel(path)) return;
-      const apart = Math.hypot(path.x.hi[0] - asteroids[target].x.hi[0], path.y.hi[0] - asteroids[target].y.hi[0]);
+      const apart = roughLength(path.x.hi[0] - asteroids[target].x.hi[0], path.y.hi[0] - asteroids[target].y.hi[0]);
       this.#below('target', j, eachOf(squaredDistance(her, path), to, subtract), own * own, Math.max(2 * apart, 1e-9));
     });
   }
@@ -212,8 +182,8 @@ export class Guards {
   #contact(kind: Kind, index: number, centre: Path, radius: number): void {
     const { her, cos, sin } = this.#flow;
     const { boxWidth, boxHeight } = this.#world.rules;
-    const d = Math.hypot(her.x.hi[0] - centre.x.hi[0], her.y.hi[0] - centre.y.hi[0]);
-    const reach = Math.hypot(boxWidth, boxHeight) / 2 + radius;
+    const d = roughLength(her.x.hi[0] - centre.x.hi[0], her.y.hi[0] - centre.y.hi[0]);
+    const reach = roughLength(boxWidth, boxHeight) / 2 + radius;
     if (d - reach > this.#travel(her) + this.#travel(centre) + 1e-12 * d) return;
     const dx = eachOf(centre.x, her.x, subtract);
     const dy = eachOf(centre.y, her.y, subtract);
@@ -277,18 +247,3 @@ function sumAfterFirst({ hi }: Series, s: number): number {
 /** Where a path is at a value of the variable, and how fast. */
 export const placeAt = (path: Path, s: Dd): Vector => ({ x: valueAt(path.x, s), y: valueAt(path.y, s) });
 export const velocityAt = (path: Path, s: Dd): Vector => ({ x: valueAt(path.vx, s), y: valueAt(path.vy, s) });
-
-/** The gap between her box, as it stands, and a circle, px; below 0 if they overlap, and 0 if they touch exactly. */
-export function gapTo(world: World, centre: Vector, radius: number): number {
-  const { boxWidth, boxHeight } = world.rules;
-  const dx = subtract(centre.x, world.her.at.x);
-  const dy = subtract(centre.y, world.her.at.y);
-  const x = add(multiply(dx, world.box.x), multiply(dy, world.box.y));
-  const y = subtract(multiply(dy, world.box.x), multiply(dx, world.box.y));
-  const beyond = (value: Dd, half: number): Dd => {
-    const over = add(value.hi < 0 ? negate(value) : value, dd(-half));
-    return over.hi > 0 ? over : ZERO;
-  };
-  const gap = toNumber(subtract(length({ x: beyond(x, boxWidth / 2), y: beyond(y, boxHeight / 2) }), dd(radius)));
-  return Math.abs(gap) < 1e-24 * radius ? 0 : gap;
-}

@@ -1,5 +1,18 @@
-import { type Level, rulesOf } from '../../../schema/index.ts';
-import { type Dd, dd, dot, minus, NOWHERE, subtract, times, twoSum, type Vector, vector, ZERO } from './double-double.ts';
+import { type Level, rulesOf } from '../../../schema/basics/index.ts';
+import {
+  type Dd,
+  dd,
+  dot,
+  minus,
+  NOWHERE,
+  roughLength,
+  subtract,
+  times,
+  twoSum,
+  type Vector,
+  vector,
+  ZERO,
+} from './double-double.ts';
 
 /** Something that moves: a place, px, and a velocity, px/s. */
 export interface Mover {
@@ -107,7 +120,7 @@ export function nearest(world: World): number {
     const gap = subtract(d2, least).hi;
     const same = Math.abs(gap) <= 1e-24 * (d2.hi + least.hi);
     const slower = subtract(closing, approach).hi;
-    const speed = Math.hypot(relative.x.hi, relative.y.hi) * Math.sqrt(d2.hi);
+    const speed = roughLength(relative.x.hi, relative.y.hi) * Math.sqrt(d2.hi);
     if (best < 0 || (same ? slower < -1e-22 * speed : gap < 0)) {
       best = i;
       least = d2;

@@ -1,9 +1,9 @@
-import { add, type Dd, multiply, ZERO } from './double-double.ts';
+import { add, type Dd, multiply, ZERO } from '../double-double.ts';
 
 /** The degree of all series. With 32 digits the best degree is about as high. */
 export const DEGREE = 30;
 
-const SPLITTER = 2 ** 27 + 1;
+const SPLITTER = 134_217_729; // 2^27 + 1
 
 // begun with a fraction, so that V8 keeps it, and its copies, as doubles
 const ZEROS: readonly number[] = new Array(DEGREE + 1).fill(0.5).map(() => 0.5);

@@ -12,10 +12,10 @@ import {
   times,
   type Vector,
   ZERO,
-} from './double-double.ts';
-import type { Along } from './lines.ts';
+} from '../double-double.ts';
+import type { Along } from '../forces.ts';
+import type { Mover } from '../world.ts';
 import { DEGREE, productAt, Series } from './series.ts';
-import type { Mover } from './world.ts';
 
 /** Places and velocities as series of the stretch's variable. */
 export interface Path {

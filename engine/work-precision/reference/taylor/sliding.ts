@@ -1,7 +1,7 @@
-import { add, dd, divide, dot, minus, multiply, plus, scaled, subtract, type Vector } from './double-double.ts';
+import { add, dd, divide, minus, plus, scaled, subtract, type Vector } from '../double-double.ts';
+import { placeOf } from '../world.ts';
 import type { Path } from './path.ts';
 import { productAt, Series } from './series.ts';
-import { placeOf } from './world.ts';
 
 /**
  * Motion along a rim that is pushed at from both sides: by the convex combination of the forces inside and outside that keeps
@@ -54,7 +54,3 @@ function setVector(series: VectorSeries, k: number, { x, y }: Vector): void {
 }
 
 const dotAt = (a: VectorSeries, b: VectorSeries, k: number) => add(productAt(a.x, b.x, k), productAt(a.y, b.y, k));
-
-/** How fast she moves away from the centre of a circle on whose rim she is, px/s. */
-export const speedAcross = (at: Vector, velocity: Vector, centre: Vector, radius: number): number =>
-  multiply(dot(minus(at, centre), velocity), divide(dd(1), dd(radius))).hi;

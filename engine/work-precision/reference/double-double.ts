@@ -8,7 +8,7 @@ export interface Dd {
 }
 
 /** Splits a double into two halves of 26 bits. */
-const SPLITTER = 2 ** 27 + 1;
+const SPLITTER = 134_217_729; // 2^27 + 1
 
 export const ZERO: Dd = { hi: 0, lo: 0 };
 export const ONE: Dd = { hi: 1, lo: 0 };
@@ -98,8 +98,11 @@ export const dot = (a: Vector, b: Vector): Dd => add(multiply(a.x, b.x), multipl
 export const cross = (a: Vector, b: Vector): Dd => subtract(multiply(a.x, b.y), multiply(a.y, b.x));
 export const length = (a: Vector): Dd => squareRoot(dot(a, a));
 
+/** The length of a vector in doubles. */
+export const roughLength = (x: number, y: number): number => Math.sqrt(x * x + y * y);
+
 /** Whether a vector is shorter than a length. */
-export const isShort = (a: Vector, most: number): boolean => Math.hypot(a.x.hi, a.y.hi) < most;
+export const isShort = (a: Vector, most: number): boolean => roughLength(a.x.hi, a.y.hi) < most;
 
 /** The direction of a vector that is not 0. */
 export const direction = (a: Vector): Vector => scaled(a, divide(ONE, length(a)));

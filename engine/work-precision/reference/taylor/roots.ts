@@ -1,12 +1,12 @@
-import { compare, type Dd, dd, divide, subtract, toNumber } from './double-double.ts';
-import { NotCovered } from './not-covered.ts';
+import { compare, type Dd, dd, divide, subtract, toNumber } from '../double-double.ts';
+import { NotCovered } from '../stretch.ts';
 import { DEGREE, degreeOf, derivative, Series, valueAt } from './series.ts';
 
 /** A coefficient below this share of a guard's size is 0: 24 of 32 digits agree, and only an exact tie does that. */
 const NOTHING = 1e-24;
 
 /** Intervals shorter than this share of the whole are not divided any more. */
-const SHORTEST = 2 ** -48;
+const SHORTEST = 1 / 281_474_976_710_656; // 2^-48
 
 /** More intervals than this are divided only where a series is almost 0 throughout. */
 const MOST_INTERVALS = 10_000;
@@ -88,10 +88,12 @@ function* monotonePieces(series: Series, slope: Series, from: Dd, end: Dd, posit
   const first = toNumber(from);
   let third = 0;
   let rounding = 0;
-  for (let k = 0; k <= degree; k++) {
+  for (let k = 0, power = 1, lower = 1; k <= degree; k++, power *= last) {
     const size = Math.abs(series.hi[k]);
-    rounding += size * last ** k;
-    if (k >= 3) third += k * (k - 1) * (k - 2) * size * last ** (k - 3);
+    rounding += size * power;
+    if (k < 3) continue;
+    third += k * (k - 1) * (k - 2) * size * lower;
+    lower *= last;
   }
   const start = series.hi[0];
   // too far from 0 to become it

@@ -15,9 +15,8 @@ import {
   type Vector,
   ZERO,
 } from './double-double.ts';
-import { gapTo, type Happening, KINDS, type Margins } from './guards.ts';
-import { NotCovered } from './not-covered.ts';
-import { speedAcross } from './sliding.ts';
+import { speedAcross } from './forces.ts';
+import { gapTo, type Happening, KINDS, type Margins, NotCovered } from './stretch.ts';
 import { isIn, NO_LENGTH, nearest, placeOf, secondMouth, type World } from './world.ts';
 
 /** How a run ends. */

@@ -1,20 +1,25 @@
-import type { Hold, Level } from '../../../schema/index.ts';
-import { add, compare, type Dd, dd, divide, subtract, times, toNumber, type Vector } from './double-double.ts';
-import { expand, type Flow } from './flow.ts';
-import { Guards, gapTo, type Kind, type Margins, placeAt, velocityAt } from './guards.ts';
+import type { Hold, Level } from '../../../schema/basics/index.ts';
+import {
+  add,
+  compare,
+  type Dd,
+  dd,
+  divide,
+  minus,
+  roughLength,
+  subtract,
+  times,
+  toNumber,
+  type Vector,
+} from './double-double.ts';
 import { type Ending, Instants } from './instants.ts';
-import { NotCovered } from './not-covered.ts';
-import { valueAt } from './series.ts';
+import { type Body, gapTo, type Kind, type Margins, type Method, NotCovered, type Stretch } from './stretch.ts';
 import { type Nudge, placeOf, startOf, type World } from './world.ts';
 
 /** Her state at a moment, with 32 digits. */
-export interface Sample {
+export interface Sample extends Body {
   /** s from the start. */
   readonly time: Dd;
-  readonly at: Vector;
-  readonly velocity: Vector;
-  /** The direction of the x axis of her box. */
-  readonly box: Vector;
 }
 
 /** How a run goes in truth. */
@@ -39,17 +44,20 @@ export interface Played extends Ending {
 }
 
 export interface PlayOptions {
+  /** How motion is computed and what happens is located. */
+  readonly method: Method;
   /** The run is a timeout then, ticks. */
   readonly maxTicks: number;
   /** Interval between samples, ticks. */
   readonly every: number;
   readonly nudge: Nudge;
+  /** Stretches of motion after which the reference gives up. */
+  readonly mostStretches: number;
 }
 
-/** As many happenings at one instant or in one run, or as many stretches, mean that the reference should not go on. */
+/** As many happenings at one instant, or in one run, mean that the reference should not go on. */
 const MOST_AT_ONCE = 30;
 const MOST_HAPPENINGS = 800;
-const MOST_STRETCHES = 20_000;
 
 /** Happenings as close as this are at the same instant, s per second of time. */
 const SAME_INSTANT = 1e-23;
@@ -66,15 +74,19 @@ class Game {
   readonly #world: World;
   readonly #instants: Instants;
   readonly #changes: readonly number[];
+  readonly #method: Method;
   readonly #maxTicks: number;
   readonly #every: number;
+  readonly #mostStretches: number;
   readonly #samples: Sample[] = [];
   #narrowestOrder = Number.POSITIVE_INFINITY;
   #happenings = 0;
   #clearance = Number.POSITIVE_INFINITY;
   #nearestCentre = Number.POSITIVE_INFINITY;
 
-  constructor(level: Level, holds: readonly Hold[], { maxTicks, every, nudge }: PlayOptions) {
+  constructor(level: Level, holds: readonly Hold[], { method, maxTicks, every, nudge, mostStretches }: PlayOptions) {
+    this.#mostStretches = mostStretches;
+    this.#method = method;
     this.#world = startOf(level, nudge);
     this.#instants = new Instants(this.#world);
     this.#changes = changesOf(holds);
@@ -96,7 +108,7 @@ class Game {
         atOnce = moved ? 0 : atOnce + 1;
         count++;
         if (atOnce > MOST_AT_ONCE) throw new NotCovered('too much happens at one instant');
-        if (count > MOST_STRETCHES || this.#happenings > MOST_HAPPENINGS) throw new NotCovered('too much happens');
+        if (count > this.#mostStretches || this.#happenings > MOST_HAPPENINGS) throw new NotCovered('too much happens');
         continue;
       }
       if (tick >= this.#maxTicks) break;
@@ -128,27 +140,27 @@ class Game {
   /** Moves on until something happens, or the series ends, or a time is reached. Returns whether time has passed. */
   #stretch(boundary: Dd): boolean {
     const world = this.#world;
-    const flow = expand(world);
-    this.#nearestCentre = Math.min(this.#nearestCentre, flow.besideCentre);
+    const stretch = this.#method(world);
+    this.#nearestCentre = Math.min(this.#nearestCentre, stretch.besideCentre);
     this.#measureClearance();
-    const left = divide(subtract(boundary, world.time), dd(flow.unit));
-    const isWhole = toNumber(left) <= flow.reach;
-    const end = isWhole ? left : dd(flow.reach);
-    const { found } = new Guards(world, flow, end, this.#instants.margins);
+    const left = divide(subtract(boundary, world.time), dd(stretch.unit));
+    const isWhole = toNumber(left) <= stretch.reach;
+    const end = isWhole ? left : dd(stretch.reach);
+    const found = stretch.happenings(end, this.#instants.margins);
     if (!found.every(({ at }) => Number.isFinite(at.hi))) throw new NotCovered('not a number');
     if (found.length === 0) {
-      this.#moveTo(flow, end, isWhole ? boundary : null);
+      this.#moveTo(stretch, end, isWhole ? boundary : null);
       return true;
     }
     found.sort((a, b) => compare(a.at, b.at));
     const [first] = found;
-    const within = (SAME_INSTANT * (1 + toNumber(world.time))) / flow.unit;
+    const within = (SAME_INSTANT * (1 + toNumber(world.time))) / stretch.unit;
     const same = found.filter(({ at }) => toNumber(subtract(at, first.at)) <= within);
     const later = found.find((one) => !same.includes(one));
     if (later !== undefined && [...same, later].some(({ kind }) => kind === 'jump' || ENDS.includes(kind))) {
-      this.#narrowestOrder = Math.min(this.#narrowestOrder, toNumber(subtract(later.at, first.at)) * flow.unit);
+      this.#narrowestOrder = Math.min(this.#narrowestOrder, toNumber(subtract(later.at, first.at)) * stretch.unit);
     }
-    this.#moveTo(flow, first.at, null);
+    this.#moveTo(stretch, first.at, null);
     this.#happenings++;
     this.#instants.happen(same, first.at.hi > 0);
     return first.at.hi > 0;
@@ -170,33 +182,17 @@ class Game {
     });
   }
 
-  #moveTo(flow: Flow, s: Dd, time: Dd | null): void {
+  #moveTo(stretch: Stretch, s: Dd, time: Dd | null): void {
     const world = this.#world;
-    const until = time ?? add(world.time, times(s, flow.unit));
+    const until = time ?? add(world.time, times(s, stretch.unit));
     for (;;) {
       const sampled = divide(dd(this.#samples.length * this.#every), dd(60));
-      if (compare(sampled, until) >= 0) break;
-      const at = divide(subtract(sampled, world.time), dd(flow.unit));
-      this.#samples.push({
-        time: sampled,
-        at: placeAt(flow.her, at),
-        velocity: velocityAt(flow.her, at),
-        box: { x: valueAt(flow.cos, at), y: valueAt(flow.sin, at) },
-      });
+      // what happens at this very moment comes first, whatever the last digits say
+      if (toNumber(subtract(sampled, until)) > -SAME_INSTANT) break;
+      const at = divide(subtract(sampled, world.time), dd(stretch.unit));
+      this.#samples.push({ time: sampled, ...stretch.bodyAt(at) });
     }
-    world.her.at = placeAt(flow.her, s);
-    world.her.velocity = velocityAt(flow.her, s);
-    world.box = { x: valueAt(flow.cos, s), y: valueAt(flow.sin, s) };
-    world.asteroids.forEach((body, i) => {
-      if (flow.asteroids[i].stands) return;
-      body.at = placeAt(flow.asteroids[i], s);
-      body.velocity = velocityAt(flow.asteroids[i], s);
-    });
-    world.aliens.forEach((body, i) => {
-      if (flow.aliens[i].stands) return;
-      body.at = placeAt(flow.aliens[i], s);
-      body.velocity = velocityAt(flow.aliens[i], s);
-    });
+    stretch.moveTo(s);
     world.time = until;
   }
 }
@@ -211,4 +207,14 @@ function changesOf(holds: readonly Hold[]): number[] {
     else joined.push([press, release]);
   }
   return joined.flat();
+}
+
+/** The largest distance between two references at ticks before the earlier of their ends, px. */
+export function apart(a: Played, b: Played): number {
+  let largest = 0;
+  for (let i = 0; i < Math.min(a.samples.length, b.samples.length); i++) {
+    const u = minus(a.samples[i].at, b.samples[i].at);
+    largest = Math.max(largest, roughLength(u.x.hi, u.y.hi));
+  }
+  return largest;
 }
