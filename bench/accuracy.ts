@@ -220,7 +220,6 @@ export const bench = define({
     const doubts = scripts.flatMap(({ level, run, reference: { doubt } }) =>
       doubt === null ? [] : [`${level.name}, ${run}: ${doubt}`],
     );
-    if (known.length === 0) throw new Error(`expected a run that two references agree on, found none: ${doubts.join('; ')}`);
     const knownTo = Math.max(...known);
     const levels = new Set(scripts.map(({ level }) => level.name)).size;
     const typical = quantile(known, 0.5);

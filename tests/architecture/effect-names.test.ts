@@ -39,7 +39,8 @@ const mayName = (kind: string): string[] => [
 ];
 
 /** A way to prove that follows an effect, or keeps out of it, and its check: they understand it by name, or refuse it. */
-const PROOFS = /^solver\/(prove|verify)\//;
+// a witness of the game knows all of it: proofs, their checker, and the references with 32 digits
+const PROOFS = /^(solver\/(prove|verify)|engine\/work-precision\/reference)\//;
 
 // The kinds that the original game does not have: each was added after the tables were there.
 describe.each(LISTED_KINDS.filter((kind) => KINDS[kind].original === null))('%s', (kind) => {
