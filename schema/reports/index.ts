@@ -12,6 +12,7 @@ import { diffReportSchema } from './diff.ts';
 import {
   accuracyReportSchema,
   buildReportSchema,
+  cheapestReportSchema,
   explainReportSchema,
   exportReportSchema,
   fixReportSchema,
@@ -38,7 +39,7 @@ export const REPORT_SCHEMAS = {
   difficulty: difficultyReportSchema,
   tune: tuneReportSchema,
   generate: generateReportSchema,
-  accuracy: accuracyReportSchema,
+  accuracy: z.union([accuracyReportSchema, cheapestReportSchema]),
   inspect: inspectReportSchema,
   explain: explainReportSchema,
   fmt: fmtReportSchema,

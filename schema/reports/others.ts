@@ -80,6 +80,41 @@ export const accuracyReportSchema = z.strictObject({
 /** What `gq accuracy` prints as JSON. */
 export type AccuracyReport = z.infer<typeof accuracyReportSchema>;
 
+const ofRun = { file: z.string(), run: z.string().describe("The run's name.") };
+
+/** The zod schema of what `gq accuracy --cheapest` prints as JSON. */
+export const cheapestReportSchema = z.strictObject({
+  version,
+  terms: termsReportSchema,
+  runs: count.describe('How many runs had to stay as they are.'),
+  tried: z
+    .array(
+      z.strictObject({
+        name: z.string(),
+        cost: microseconds,
+        costSpread: z.tuple([microseconds, microseconds]),
+        broken: z
+          .strictObject({ ...ofRun, what: z.string() })
+          .nullable()
+          .describe('The first run that is not kept, and what is different; null: all are kept.'),
+        error: z
+          .strictObject({ ...ofRun, px })
+          .nullable()
+          .describe('The largest error of any run.'),
+        tightest: z
+          .strictObject({ ...ofRun, share: z.number().min(0) })
+          .nullable()
+          .describe("The largest share of a run's clearance that its error takes; null where nothing deadly is near any run."),
+      }),
+    )
+    .describe('From the cheapest setting on, up to the first that keeps all runs.'),
+  cheapest: z.string().nullable().describe('The first setting that keeps all runs; null: none does.'),
+  doubts: z.array(z.strictObject({ ...ofRun, doubt: z.string() })).describe('Runs whose reference no second one confirms.'),
+});
+
+/** What `gq accuracy --cheapest` prints as JSON. */
+export type CheapestReport = z.infer<typeof cheapestReportSchema>;
+
 const code = z.strictObject({
   code: z.string(),
   severity: z.enum(['error', 'warning']),

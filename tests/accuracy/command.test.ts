@@ -6,19 +6,7 @@ import { accuracyPretty } from '../../cli/commands/accuracy/report.ts';
 import { PLAIN } from '../../cli/terminal/terminal.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../engine/work-precision/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
-import { SWING, SWING_FILE } from './scenes.ts';
-
-// halfway between two frames the hind corner of her box brushes a speck: a test at frames jumps over that
-const SPECK = {
-  version: 1,
-  name: 'Past a speck',
-  astronaut: { x: 0, y: 0, vx: 990, vy: 500 },
-  blackHole: { x: 1980, y: 1000 },
-  range: 5000,
-  asteroids: [{ x: 0, y: 900, radius: 16 }],
-  novae: [{ x: 97.04, y: 70.59, radius: 0.5 }],
-  runs: [{ name: 'drift', holds: [] }],
-};
+import { SPECK, SWING, SWING_FILE } from './scenes.ts';
 
 const files = makeFiles({
   'swing.level.json': JSON.stringify(SWING_FILE),
@@ -108,6 +96,9 @@ describe('gq accuracy', () => {
   });
 
   it.each([
+    ['--cheapest --svg out.svg', /--svg is for the report of one level/],
+    ['--cheapest --accuracy fast', /--cheapest tries every accuracy itself/],
+    ['speck.level.json', /expected one level, found 2: give one, or --cheapest for many/],
     ['--svg out.png', /--svg out\.png: expected a name that ends in \.svg/],
     ['--run nothing', /no run is named "nothing"/],
     ['--rate 120', /--rate .*expected --integrator/],

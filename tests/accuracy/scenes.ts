@@ -11,3 +11,15 @@ export const SWING_FILE: LevelFile = {
 };
 
 export const SWING = resolveLevel(SWING_FILE);
+
+// halfway between two frames the hind corner of her box brushes a speck: a test at frames jumps over that
+export const SPECK: LevelFile = {
+  version: 1,
+  name: 'Past a speck',
+  astronaut: { x: 0, y: 0, vx: 990, vy: 500 },
+  blackHole: { x: 1980, y: 1000 },
+  range: 5000,
+  asteroids: [{ x: 0, y: 900, radius: 16 }],
+  novae: [{ x: 97.04, y: 70.59, radius: 0.5 }],
+  runs: [{ name: 'drift', holds: [] }],
+};

@@ -36,6 +36,7 @@ const COMMANDS: readonly [name: ReportName, args: string][] = [
   ['tune', 'tune good.level.json --set pull=1.1x'],
   ['generate', 'generate --out made --seed 2 --difficulty easy --size medium --ingredients none'],
   ['accuracy', 'accuracy good.level.json --max-time 0.1'],
+  ['accuracy', 'accuracy good.level.json --cheapest'],
   ['inspect', `inspect ${swing}`],
   ['explain', 'explain'],
   ['explain', 'explain unknown-key'],

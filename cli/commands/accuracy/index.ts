@@ -1,5 +1,6 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
+import { findCheapestSetting, type KeptRun } from '../../../check/index.ts';
 import { termsReport } from '../../../check/words/index.ts';
 import { ACCURACIES } from '../../../engine/index.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../../engine/work-precision/index.ts';
@@ -7,6 +8,7 @@ import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accurac
 import type { Hold } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
+import { findConfigured, unreadableFolders } from '../../find/index.ts';
 import { expectOutput, levelsRead, writeWhole } from '../../io/index.ts';
 import { openLevel } from '../../levels/index.ts';
 import {
@@ -19,6 +21,7 @@ import {
 } from '../../options/index.ts';
 import { chooseRun, parseHolds } from '../../runs/index.ts';
 import { colorsFor, Failure, visibleLine, widthOf } from '../../terminal/index.ts';
+import { cheapestJson, cheapestPretty } from './cheapest-report.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
 
 /** ms for the timing */
@@ -28,6 +31,7 @@ interface Options extends ConfigOptions, TermsOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
   readonly svg?: string;
+  readonly cheapest?: true;
   readonly theme: Ground;
   readonly format: 'pretty' | 'json';
 }
@@ -40,20 +44,25 @@ Measures every named accuracy, euler, verlet and rk4 at 15 to 960 Hz, and taylor
 and with contacts tested once a frame. With --integrator it also measures that custom setting. Timing takes about ${BUDGET / 1000} s; a cost
 is the least of several measurements.
 
-Exit code: 0; 1 when the level is invalid; 2 when it could not be read or the diagram could not be written.
+With --cheapest, settings are tried from the cheapest on, until one keeps every run of all levels: the outcome of the reference,
+and the minerals and the slack of each press and release that the run has at precise.
+
+Exit code: 0; 1 when a level is invalid, or no setting keeps all runs; 2 when it could not be read or the diagram could not be written.
 
 Examples:
   $ gq accuracy levels/01-first-pull.level.json
   $ gq accuracy levels/02-first-swing.level.json --run all-minerals --svg accuracy.svg
   $ gq accuracy levels/01-first-pull.level.json --integrator verlet --rate 90
+  $ gq accuracy levels --cheapest
   $ gq accuracy levels/01-first-pull.level.json --format json | jq '.methods[] | select(.sameVerdict | not) | .name'`,
 };
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(addTermsOptions(command))
-    .argument('<level>', 'a level file')
+    .argument('[path...]', 'a level file; with --cheapest, the same as of gq check')
     .option('--run <name>', 'the run to play (default: the first)')
     .option('--holds <holds>', 'play these holds instead, in ticks: 12-96,130-188; none: she drifts', parseHolds)
+    .option('--cheapest', 'find the cheapest setting at which every run of all levels keeps outcome, minerals and slack')
     .option('--svg <file>', 'write a work-precision diagram to FILE.svg')
     .addOption(
       new Option('--theme <theme>', 'colours of the diagram; auto follows the viewer')
@@ -61,10 +70,45 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
         .default('auto'),
     )
     .addOption(formatOption('pretty', 'json'))
-    .action(async (file: string, options: Options) => finish(await measure(file, options, command)));
+    .action(async (paths: string[], options: Options) =>
+      finish(await (options.cheapest ? findCheapest(paths, options, command) : measure(paths, options, command))),
+    );
 }
 
-async function measure(file: string, options: Options, command: Command): Promise<CommandResult> {
+async function findCheapest(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
+  for (const option of ['run', 'holds', 'svg'] as const)
+    if (options[option] !== undefined)
+      throw new Failure(`--${option} is for the report of one level: leave it or --cheapest out`);
+  refuseUnused(command, [{ option: '--theme', isUsed: false, needs: '--svg' }]);
+  if (customAccuracy(options) !== null || options.accuracy !== undefined)
+    throw new Failure('--cheapest tries every accuracy itself: leave --accuracy, --integrator and its parts out');
+  const configuration = await readConfiguration(options);
+  const terms = termsFrom(options, configuration);
+  const { files, unreadable } = await findConfigured(paths, configuration);
+  if (unreadable.length > 0) throw unreadableFolders(unreadable);
+  const opened = files.map((file) => ({ file, read: openLevel(file, terms) }));
+  const failed = opened.flatMap(({ read }) => ('level' in read ? [] : [read.messages]));
+  if (failed.length > 0) return { messages: failed.join(''), exitCode: 1 };
+  const runs = opened.flatMap(({ file, read }) =>
+    'level' in read ? read.level.runs.map(({ name, holds }): KeptRun => ({ file, name, level: read.level, holds })) : [],
+  );
+  if (runs.length === 0) throw new Failure('no level has a run that a setting could keep: expected at least one');
+  const found = findCheapestSetting(runs, { terms, methods: METHODS, now: () => performance.now(), budget: BUDGET });
+  const report = { found, terms: termsReport({ terms, level: terms }), runs: runs.length };
+  return {
+    output:
+      options.format === 'json'
+        ? cheapestJson(report)
+        : cheapestPretty(report, colorsFor(process.stdout), widthOf(process.stdout)),
+    exitCode: found.cheapest === null ? 1 : 0,
+  };
+}
+
+async function measure([file, ...others]: readonly string[], options: Options, command: Command): Promise<CommandResult> {
+  if (file === undefined || others.length > 0)
+    throw new Failure(
+      `expected one level, found ${file === undefined ? 'none' : others.length + 1}: give one, or --cheapest for many`,
+    );
   const { svg, format } = options;
   if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
   refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined, needs: '--svg' }]);

@@ -1,0 +1,70 @@
+import type { CheapestSetting, KeptRun, TriedSetting } from '../../../check/index.ts';
+import { plural } from '../../../check/words/index.ts';
+import { ACCURACIES } from '../../../engine/index.ts';
+import type { CheapestReport as CheapestJson, TermsReport } from '../../../schema/index.ts';
+import { alignColumns } from '../../report-parts/index.ts';
+import { type Colors, visibleLine } from '../../terminal/index.ts';
+import { brief } from './report.ts';
+
+/** The results of `accuracy --cheapest`. */
+interface CheapestReport {
+  readonly found: CheapestSetting;
+  readonly terms: TermsReport;
+  readonly runs: number;
+}
+
+const runJson = ({ file, name }: KeptRun) => ({ file, run: name });
+
+export function cheapestJson({ found: { tried, cheapest, doubts }, terms, runs }: CheapestReport): string {
+  const report: CheapestJson = {
+    version: 1,
+    terms,
+    runs,
+    tried: tried.map(({ accuracy, cost, broken, error, tightest }) => ({
+      name: accuracy.name,
+      cost: cost.minimum,
+      costSpread: [cost.minimum, cost.high],
+      broken: broken && { ...runJson(broken.run), what: broken.what },
+      error: error && { ...runJson(error.run), px: error.px },
+      tightest: tightest && { ...runJson(tightest.run), share: tightest.share },
+    })),
+    cheapest: cheapest?.accuracy.name ?? null,
+    doubts: doubts.map(({ run, doubt }) => ({ ...runJson(run), doubt })),
+  };
+  return `${JSON.stringify(report)}\n`;
+}
+
+const nameOf = ({ level, name }: KeptRun): string => visibleLine(`${level.name}, "${name}"`);
+
+export function cheapestPretty({ found, runs }: CheapestReport, colors: Colors, width: number | null): string {
+  const { tried, cheapest, doubts } = found;
+  const rows = tried.map(({ accuracy, cost, broken }) => [
+    accuracy.name,
+    brief(cost.minimum),
+    broken === null ? `keeps ${runs === 1 ? 'the run' : `all ${runs} runs`}` : `${nameOf(broken.run)}: ${broken.what}`,
+  ]);
+  const lines = alignColumns(rows, {
+    right: [1],
+    head: ['setting', 'cost, us/s', 'outcome, minerals and slack'],
+    lead: 0,
+    width,
+  });
+  let text = lines.map((line, i) => `${i > 0 && tried[i - 1]?.broken === null ? colors.green(line) : line}\n`).join('');
+  text += `\n${conclusion(cheapest, tried, runs)}`;
+  for (const { run, doubt } of doubts) text += `${colors.red('Careful')}: ${nameOf(run)}: ${doubt}.\n`;
+  return text;
+}
+
+function conclusion(cheapest: TriedSetting | null, tried: readonly TriedSetting[], runs: number): string {
+  if (cheapest === null) {
+    const precise = tried.find(({ accuracy }) => accuracy.name === ACCURACIES.precise.name);
+    const why = precise?.broken == null ? '' : ` Even at precise, ${nameOf(precise.broken.run)} ${precise.broken.what}.`;
+    return `No setting keeps ${plural(runs, 'run')}.${why}\n`;
+  }
+  const { accuracy, cost, error, tightest } = cheapest;
+  let text = `Cheapest: ${accuracy.name}, ${brief(cost.minimum)} us a simulated second`;
+  if (error !== null) text += `; off by at most ${brief(error.px)} px (${nameOf(error.run)})`;
+  if (tightest !== null)
+    text += `,\nwhich is at most ${brief(100 * tightest.share)} % of the clearance of a run (${nameOf(tightest.run)})`;
+  return `${text}.\n`;
+}
