@@ -1,4 +1,4 @@
-import { type Outcome, TICK } from '../../engine/index.ts';
+import { type Outcome, type RunEvent, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
 import { plural } from '../words/index.ts';
 import { compareHolds, firstDifference } from './compare-holds.ts';
@@ -149,6 +149,24 @@ export function partingsOf(distances: ArrayLike<number>): Partings {
   return { parts, meets: near === null ? meets : [...meets, near] };
 }
 
+/** The first events in which two runs differ; undefined where one of them has no more. */
+export interface FirstDifferent {
+  readonly one: RunEvent | undefined;
+  readonly other: RunEvent | undefined;
+}
+
+/** What happens to what, apart from when. */
+const happening = ({ time: _, ...what }: RunEvent): string => JSON.stringify(what);
+
+/** Finds the contact, or the switch of a target, by which two runs of the same holds begin to go different ways; null: none. */
+export function firstDifferentEvent(one: readonly RunEvent[], other: readonly RunEvent[]): FirstDifferent | null {
+  const [a, b] = [one, other].map((events) => events.filter(({ type }) => type !== 'press' && type !== 'release'));
+  const at = Array.from({ length: Math.max(a.length, b.length) }, (_, i) => i).find(
+    (i) => i >= a.length || i >= b.length || happening(a[i]) !== happening(b[i]),
+  );
+  return at === undefined ? null : { one: a[at], other: b[at] };
+}
+
 /** `3 ticks later`, `as early` */
 const shiftInWords = (ticks: number): string =>
   ticks === 0 ? 'at the same tick' : `${plural(Math.abs(ticks), 'tick')} ${ticks > 0 ? 'later' : 'earlier'}`;
@@ -168,14 +186,18 @@ const MOST = 3;
 
 /** Where two runs part and meet, in sentences. @param partings null: not known yet */
 export function partingsInWords({ from }: Pick<RunsDifference, 'from'>, partings: Partings | null): string {
-  if (from === null) return 'Both press and release at the same ticks.';
-  const scripts = `Their holds differ from ${at(from)} on.`;
-  if (partings === null) return scripts;
-  const { parts, meets } = partings;
-  if (parts === null) return `${scripts} They are never more than 1 px apart while both last.`;
+  if (from !== null) return `Their holds differ from ${at(from)} on.${partings === null ? '' : ` ${waysInWords(partings)}`}`;
+  const same = 'Both press and release at the same ticks.';
+  // at one accuracy, they go the same way, too
+  return partings === null || partings.parts === null ? same : `${same} ${waysInWords(partings)}`;
+}
+
+/** Where the ways of two runs part and meet, in a sentence. */
+export function waysInWords({ parts, meets }: Partings): string {
+  if (parts === null) return 'They are never more than 1 px apart while both last.';
   const ways = `They are more than 1 px apart from ${at(parts)} on`;
-  if (meets.length === 0) return `${scripts} ${ways}, and do not meet again.`;
+  if (meets.length === 0) return `${ways}, and do not meet again.`;
   const named = meets.slice(0, MOST).map(({ tick, distance }) => `${distance.toFixed(1)} px at ${at(tick)}`);
   const more = meets.length > MOST ? ` and ${meets.length - MOST} times more` : '';
-  return `${scripts} ${ways}, and come near each other again: ${named.join(', ')}${more}.`;
+  return `${ways}, and come near each other again: ${named.join(', ')}${more}.`;
 }

@@ -7,6 +7,8 @@ export {
   type Comparison,
   compareRuns,
   distancesOf,
+  type FirstDifferent,
+  firstDifferentEvent,
   type HoldPair,
   type Partings,
   pairInWords,
@@ -14,4 +16,5 @@ export {
   partingsOf,
   type RunsDifference,
   TOGETHER,
+  waysInWords,
 } from './compare-runs.ts';

@@ -3,6 +3,7 @@ export { accuracyInWords, closestInWords, effortInWords, holdsInWords, plural, t
 export {
   bodyInWords,
   countMinerals,
+  eventInWords,
   outcomeAsPredicate,
   outcomeInWords,
   type RunEnd,

@@ -1,5 +1,5 @@
-import type { Outcome, Run, Touched } from '../../engine/index.ts';
-import { touchedName } from '../../schema/basics/index.ts';
+import { effectEventInWords, type Outcome, type Run, type RunEvent, type Touched } from '../../engine/index.ts';
+import { objectName, touchedName } from '../../schema/basics/index.ts';
 import type { Verdict } from '../../schema/index.ts';
 
 /** How a run ended. */
@@ -83,3 +83,31 @@ export const VERDICT_MEANS: Readonly<Record<Exclude<Verdict, 'completable'>, str
   invalid: 'the file is not a valid level',
   crashed: 'gq itself failed on it',
 };
+
+/** What happens in a run, in words: `target: asteroid 2`. */
+export function eventInWords(event: RunEvent): string {
+  switch (event.type) {
+    case 'press':
+    case 'release':
+      return event.type;
+    case 'target':
+      return `target: ${objectName('asteroid', event.index)}`;
+    case 'mineral':
+      return `${objectName('mineral', event.index)} collected`;
+    case 'enter':
+    case 'leave':
+      return `${event.type}s the field of ${objectName('repulsor', event.index)}`;
+    case 'effect':
+      return effectEventInWords(event);
+    case 'wake':
+      return `${objectName('alien', event.index)} wakes`;
+    case 'sleep':
+      return `${objectName('alien', event.index)} falls asleep`;
+    case 'explosion':
+      return `${event.aliens.map((index) => objectName('alien', index)).join(' and ')} explode`;
+    case 'completed':
+    case 'collided':
+    case 'lost':
+      return event.with === null ? event.type : `${event.type}: touches ${bodyInWords(event.with)}`;
+  }
+}

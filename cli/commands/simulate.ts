@@ -1,8 +1,8 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
-import { bodyInWords, countMinerals, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
-import { compile, effectEventInWords, type Run, type RunEvent } from '../../engine/index.ts';
-import { type Hold, type Level, objectName, type RunReport, type SimulateReport } from '../../schema/index.ts';
+import { bodyInWords, countMinerals, eventInWords, holdsInWords, outcomeInWords } from '../../check/words/index.ts';
+import { compile, type Run } from '../../engine/index.ts';
+import type { Hold, Level, RunReport, SimulateReport } from '../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../config/index.ts';
 import { openLevel, reportRun, withinWorkOf } from '../levels/index.ts';
@@ -99,31 +99,4 @@ function simulatePretty(level: Level, runName: string, run: Run, report: RunRepo
     }
   }
   return `${lines.join('\n')}\n`;
-}
-
-function eventInWords(event: RunEvent): string {
-  switch (event.type) {
-    case 'press':
-    case 'release':
-      return event.type;
-    case 'target':
-      return `target: ${objectName('asteroid', event.index)}`;
-    case 'mineral':
-      return `${objectName('mineral', event.index)} collected`;
-    case 'enter':
-    case 'leave':
-      return `${event.type}s the field of ${objectName('repulsor', event.index)}`;
-    case 'effect':
-      return effectEventInWords(event);
-    case 'wake':
-      return `${objectName('alien', event.index)} wakes`;
-    case 'sleep':
-      return `${objectName('alien', event.index)} falls asleep`;
-    case 'explosion':
-      return `${event.aliens.map((index) => objectName('alien', index)).join(' and ')} explode`;
-    case 'completed':
-    case 'collided':
-    case 'lost':
-      return event.with === null ? event.type : `${event.type}: touches ${bodyInWords(event.with)}`;
-  }
 }

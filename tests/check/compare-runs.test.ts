@@ -6,6 +6,7 @@ import {
   type ComparableRun,
   compareRuns,
   distancesOf,
+  firstDifferentEvent,
   pairInWords,
   partingsInWords,
   partingsOf,
@@ -148,8 +149,24 @@ describe('where two runs part and meet', () => {
     expect(partingsInWords({ from: 0 }, near)).toBe(
       'Their holds differ from tick 0 (0.00 s) on. They are more than 1 px apart from tick 1 (0.02 s) on, and come near each other again: 3.0 px at tick 3 (0.05 s), 5.0 px at tick 5 (0.08 s).',
     );
-    expect(partingsInWords({ from: null }, near)).toBe('Both press and release at the same ticks.');
+    expect(partingsInWords({ from: null }, partingsOf([0, 0]))).toBe('Both press and release at the same ticks.');
+    expect(partingsInWords({ from: null }, near)).toMatch(
+      /^Both press and release at the same ticks\. They are more than 1 px apart from tick 1 \(0\.02 s\) on, and come near/,
+    );
     expect(partingsInWords({ from: 60 }, partingsOf([0, 0]))).toContain('never more than 1 px apart');
     expect(partingsInWords({ from: 60 }, null)).toBe('Their holds differ from tick 60 (1.00 s) on.');
+  });
+});
+
+describe('what decides between two runs of the same holds', () => {
+  const target = (time: number, index: number) => ({ time, type: 'target', index }) as const;
+  const mineral = (time: number, index: number) => ({ time, type: 'mineral', index }) as const;
+
+  it('is the first contact or switch that only one of them has, whenever it is', () => {
+    const press = { time: 0, type: 'press' } as const;
+    const one = [press, target(0, 0), mineral(1, 2), target(2, 1)];
+    expect(firstDifferentEvent(one, [target(0, 0), mineral(1.01, 2), target(2.2, 1)])).toBeNull();
+    expect(firstDifferentEvent(one, [target(0, 0), target(2, 1)])).toEqual({ one: mineral(1, 2), other: target(2, 1) });
+    expect(firstDifferentEvent(one, [target(0, 0), mineral(1, 2)])).toEqual({ one: target(2, 1), other: undefined });
   });
 });

@@ -303,6 +303,16 @@ inChromium('panels in Chromium', ({ on }) => {
       await page.keyboard.press('Escape');
       await page.getByRole('dialog').waitFor({ state: 'hidden' });
       expect(await rock.getAttribute('aria-selected')).toBe('true');
+      // all accuracies at once, and a slider from the coarsest to the finest
+      await tab(page, 'Accuracy');
+      await page.getByRole('button', { name: 'All at once' }).click();
+      await page.getByRole('list', { name: 'Compared runs' }).getByRole('listitem').nth(2).waitFor();
+      const told = page.getByRole('status', { name: 'What this accuracy changes' });
+      await told.getByText(/^arcade reaches the black hole at .* precise, in use, reaches the black hole/).waitFor();
+      await page.getByRole('slider', { name: 'Accuracy to compare with' }).press('ArrowRight');
+      await told.getByText(/^fast .* They are never more than 1 px apart while both last\./).waitFor();
+      await page.getByRole('button', { name: 'All at once' }).click();
+      await page.getByRole('list', { name: 'Compared runs' }).waitFor({ state: 'hidden' });
       await tab(page, 'Effects');
       await page.getByRole('list', { name: 'Simulated effects' }).waitFor();
       await page.getByRole('list', { name: 'Effects that are not simulated' }).getByRole('listitem').first().waitFor();

@@ -19,13 +19,14 @@ import {
   type Source,
   sourceHolds,
   sourceKey,
+  toggleAccuracies,
   toggleCompared,
   watchCompared,
 } from '../../editor/features/compare/compared.ts';
 import { poseOf, raceOf } from '../../editor/features/compare/racers.ts';
 import type { JobEnd, Requests, Results, Workers } from '../../editor/workers/index.ts';
 import { JOBS } from '../../editor/workers/runner.ts';
-import { compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
+import { ACCURACIES, compile, createSimulation, DEFAULT_TERMS, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type LevelFile, resolveLevel } from '../../schema/index.ts';
 import { TurnedClock } from './stage.ts';
 
@@ -250,12 +251,72 @@ describe('compared runs', () => {
   });
 });
 
+describe('accuracies beside the shown run', () => {
+  const keys = ({ store }: Stage) => store.getState().runs.map(({ source }) => sourceKey(source));
+
+  it('are all that are not in use, in place of what was compared, and each is simulated at its own', async () => {
+    const all = stage();
+    toggleCompared(all.store, run('late'));
+    toggleAccuracies(all.store, 'precise');
+    expect(keys(all)).toEqual(['accuracy arcade', 'accuracy fast', 'accuracy standard']);
+    await answerAll(all);
+    const level = resolveLevel(FILE);
+    for (const name of ['arcade', 'fast', 'standard'] as const) {
+      const { outcome, time } = simulate(compile(level, name), [[0, 600]]);
+      const { found } = all.store.getState().trajectories.get(`accuracy ${name}`)!;
+      expect(found?.end).toMatchObject({ outcome, time });
+      expect(freshIn(all, { kind: 'accuracy', name })).toBe(true);
+    }
+    toggleAccuracies(all.store, 'precise');
+    expect(keys(all)).toEqual([]);
+  });
+
+  it('follow the shown run, and the one that comes into use changes places with the one that was', async () => {
+    const all = stage();
+    toggleAccuracies(all.store, 'precise');
+    await answerAll(all);
+    all.proof.showRun('late');
+    expect(freshIn(all, { kind: 'accuracy', name: 'fast' })).toBe(false);
+    await answerAll(all);
+    expect(all.jobs.at(-1)?.request.holds).toEqual([[30, 600]]);
+    expect(keys(all)).toEqual(['accuracy arcade', 'accuracy fast', 'accuracy standard']);
+    all.proof.setTerms({ ...DEFAULT_TERMS, accuracy: ACCURACIES.fast });
+    expect(keys(all)).toEqual(['accuracy arcade', 'accuracy precise', 'accuracy standard']);
+  });
+
+  it('glow where they part from the shown run by a pixel, and only there', async () => {
+    // past the asteroid instead of through its centre
+    const file: LevelFile = { ...FILE, astronaut: { x: 200, y: 250 } };
+    const all = stage(file);
+    toggleAccuracies(all.store, 'precise');
+    toggleCompared(all.store, run('short'));
+    await answerAll(all);
+    const session = createSession(CANVAS_LAYERS);
+    const settings = { getState: () => ({ runInPlay: false }) } as never;
+    const { racers } = raceOf({ session, settings }, all.level)();
+    const parts = new Map(racers.map((racer) => [racer.name, racer.parts]));
+    const [exact, frames] = (['precise', 'arcade'] as const).map((name) => {
+      const { trajectory } = simulate(compile(resolveLevel(file), name), [[0, 600]]);
+      const state = new Float64Array(STATE_SIZE);
+      return (tick: number) => {
+        trajectory.at(tick / 60, state);
+        return [state[0], state[1]] as const;
+      };
+    });
+    const at = parts.get('arcade') ?? -1;
+    const apart = (tick: number) => Math.hypot(exact(tick)[0] - frames(tick)[0], exact(tick)[1] - frames(tick)[1]);
+    expect(apart(at)).toBeGreaterThan(1 - 1e-3);
+    expect(apart(at - 1)).toBeLessThan(1 + 1e-3);
+    expect([parts.get('fast'), parts.get('standard'), parts.get('short')]).toEqual([null, null, null]);
+  });
+});
+
 describe('racers', () => {
   it('are where the engine says at every tick, and between two ticks on the line between them', () => {
     const level = resolveLevel(FILE);
     const holds = [[30, 600]] as const;
     const { points, turns, end } = played({ level, terms: DEFAULT_TERMS, holds });
-    const racer = { slot: 0, name: 'late', points, turns, end: 60 * end.time, completes: true, isStale: false };
+    const racer = { slot: 0, name: 'late', points, turns, end: 60 * end.time, completes: true, isStale: false, parts: null };
     const simulation = createSimulation(compile(level, 'precise'));
     const state = new Float64Array(STATE_SIZE);
     for (let tick = 0; tick < Math.floor(racer.end); tick++) {

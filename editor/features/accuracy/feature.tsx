@@ -1,5 +1,5 @@
 import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
-import { useMemo, useState } from 'react';
+import { type ComponentType, useMemo, useState } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
 import { useEditor, usePageTerms, usePageTheme, useProof } from '../../core/context/index.ts';
@@ -29,7 +29,7 @@ export const accuracy: Feature = {
 };
 
 /** The results and costs of the named settings for this level and run; selects the one in use. */
-function AccuracyPanel() {
+function AccuracyPanel({ sections }: { readonly sections: readonly ComponentType[] }) {
   const terms = usePageTerms();
   const current = accuracyNameOf(terms.shown);
   const { settings, knownTo, doubt, isFresh } = useNamedResults();
@@ -97,6 +97,10 @@ function AccuracyPanel() {
         </p>
         {doubt !== null && <p className="part__note tone--warn">The reference is in doubt: {doubt}.</p>}
       </Section>
+      {sections.map((Part, i) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+        <Part key={i} />
+      ))}
     </div>
   );
 }

@@ -4,6 +4,8 @@ import {
   type ComparableRun,
   compareRuns,
   distancesOf,
+  type FirstDifferent,
+  firstDifferentEvent,
   type Partings,
   partingsOf,
   type RunsDifference,
@@ -67,6 +69,8 @@ export function useComparedRows(): readonly ComparedRow[] {
   // both are read through the level below
   useDocument(({ file }) => file.runs);
   useStore(level.attempts.store);
+  // the holds of the shown run are those of every accuracy
+  useProof(({ run }) => run.holds.join());
   const freshOf = (now: LiveProof): string =>
     comparing.runs
       .filter(({ source }) => isFresh(comparing.trajectories.get(sourceKey(source)), now, sourceHolds(level, source) ?? []))
@@ -102,6 +106,7 @@ export function compareOrTell({ notices }: Pick<Editor, 'notices'>, level: OpenL
     notices.show('info', `${source.name} is the shown run: compare it with another one.`, { topic: 'compare' });
     return;
   }
+  if (source.kind === 'accuracy' && source.name === level.proof.proof().terms.accuracy.name) return;
   if (toggleCompared(comparedOf(level), source)) {
     notices.clear('compare');
     return;
@@ -114,6 +119,11 @@ export function compareOrTell({ notices }: Pick<Editor, 'notices'>, level: OpenL
 export function showCompared(editor: Editor, level: OpenLevel, source: Source): void {
   if (source.kind === 'run') {
     editor.session.setState({ run: source.name });
+    return;
+  }
+  if (source.kind === 'accuracy') {
+    const { folder } = editor.terms.getState();
+    editor.settings.setState({ otherAccuracy: source.name === folder.accuracy.name ? null : source.name });
     return;
   }
   const attempt = level.attempts.store.getState().find(({ number }) => number === source.number);
@@ -133,6 +143,8 @@ interface ShownDifference {
   /** px at every tick, as long as both last */
   readonly distances: Float64Array;
   readonly partings: Partings;
+  /** The contact or switch by which they begin to go different ways; null: none. */
+  readonly decided: FirstDifferent | null;
   /** Whether it is that of an earlier state of the level. */
   readonly isStale: boolean;
 }
@@ -147,7 +159,8 @@ const shownOf = (proof: LiveProof) => {
   if (run.name === null || full === null || !isWhole(proof)) return null;
   const { name, holds, outcome, time, minerals } = run;
   const clearance = full.clearance?.distance ?? null;
-  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, points: pathOf(run.way) };
+  const { events } = full;
+  return { scene, name, holds, outcome, time, minerals: minerals.length, clearance, events, points: pathOf(run.way) };
 };
 
 const NOTHING = () => null;
@@ -181,7 +194,8 @@ export function useDifference(measures = false): ShownDifference | null {
     // the last entry of each is at its end, which is no tick
     const distances = distancesOf(shown.points.subarray(0, -2), points.subarray(0, -2));
     const difference = compareRuns({ ...shown, slack: ownSlack }, other);
-    return { key, shown: shown.name, difference, distances, partings: partingsOf(distances) };
+    const decided = firstDifferentEvent(shown.events, found.events);
+    return { key, shown: shown.name, difference, distances, partings: partingsOf(distances), decided };
   }, [shown, found, key, areOfOne, ownSlack, theirSlack]);
   const last = useRef(made);
   if (made !== null) last.current = made;

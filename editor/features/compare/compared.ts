@@ -1,17 +1,21 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import { joinHolds, type Scene } from '../../../engine/index.ts';
+import { ACCURACIES, type AccuracyName, joinHolds, type Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { type Desk, question } from '../../core/ask/index.ts';
 import type { OpenLevel } from '../../core/context/index.ts';
 import { ofDocument } from '../../core/kept/index.ts';
 import { type LiveProof, withoutRuns } from '../../core/proof/index.ts';
-import { jobs, type Results } from '../../workers/index.ts';
+import { termsAt } from '../../core/terms/index.ts';
+import { accuracyNameOf, jobs, type Results } from '../../workers/index.ts';
 
 /** So many runs can be compared with the shown one. */
 export const MOST_COMPARED = 4;
 
-/** What is compared: a run of the level, or an attempt of this session. */
-export type Source = { readonly kind: 'run'; readonly name: string } | { readonly kind: 'attempt'; readonly number: number };
+/** What is compared: a run of the level, an attempt of this session, or the shown run at another accuracy. */
+export type Source =
+  | { readonly kind: 'run'; readonly name: string }
+  | { readonly kind: 'attempt'; readonly number: number }
+  | { readonly kind: 'accuracy'; readonly name: AccuracyName };
 
 /** A run beside the shown one. */
 export interface ComparedRun {
@@ -43,13 +47,17 @@ type ComparingStore = StoreApi<Comparing>;
 /** The runs that are compared with the shown one of a level. */
 export const comparedOf = ofDocument(() => createStore<Comparing>(() => ({ runs: [], trajectories: new Map(), chosen: null })));
 
-export const sourceKey = (source: Source): string => (source.kind === 'run' ? `run ${source.name}` : `attempt ${source.number}`);
+export const sourceKey = (source: Source): string =>
+  source.kind === 'attempt' ? `attempt ${source.number}` : `${source.kind} ${source.name}`;
 
 /** Its name for people. */
-export const sourceName = (source: Source): string => (source.kind === 'run' ? source.name : `attempt ${source.number}`);
+export const sourceName = (source: Source): string => (source.kind === 'attempt' ? `attempt ${source.number}` : source.name);
+
+type ComparedLevel = Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
 
 /** Its effective holds; null: it is no longer there. */
-export function sourceHolds(level: Pick<OpenLevel, 'document' | 'attempts'>, source: Source): readonly Hold[] | null {
+export function sourceHolds(level: ComparedLevel, source: Source): readonly Hold[] | null {
+  if (source.kind === 'accuracy') return joinHolds(level.proof.proof().run.holds);
   const found =
     source.kind === 'run'
       ? level.document.file().runs?.find(({ name }) => name === source.name)
@@ -81,9 +89,18 @@ export function toggleCompared(store: ComparingStore, source: Source): boolean {
   return true;
 }
 
-// their trajectories
+/** Compares the shown run with itself at every accuracy that is not in use, and with nothing else; or stops that. */
+export function toggleAccuracies(store: ComparingStore, inUse: AccuracyName): void {
+  if (store.getState().runs.some(({ source }) => source.kind === 'accuracy')) {
+    store.setState(({ runs }) => ({ runs: runs.filter(({ source }) => source.kind !== 'accuracy') }));
+    return;
+  }
+  const others = (Object.keys(ACCURACIES) as AccuracyName[]).filter((name) => name !== inUse);
+  const runs = others.slice(0, MOST_COMPARED).map((name, slot): ComparedRun => ({ source: { kind: 'accuracy', name }, slot }));
+  store.setState({ runs, chosen: null });
+}
 
-type ComparedLevel = Pick<OpenLevel, 'document' | 'attempts' | 'proof'>;
+// their trajectories
 
 /** A run whose trajectory is not known. */
 interface Unknown {
@@ -120,7 +137,11 @@ function nextOf({ level, store, asked }: Comparisons): Unknown | null {
 /** The trajectory of a compared run. */
 export const trajectoryQuestion = question({
   job: jobs.trajectory,
-  request: ({ holds, now }: Unknown) => ({ level: withoutRuns(now.level), terms: now.terms, holds }),
+  request: ({ source, holds, now }: Unknown) => ({
+    level: withoutRuns(now.level),
+    terms: source.kind === 'accuracy' ? termsAt(now.terms, source.name) : now.terms,
+    holds,
+  }),
   follows: {
     // sending a large level takes a part of a frame
     wait: { pace: 50 },
@@ -139,14 +160,17 @@ interface Before {
   readonly names: readonly string[];
   /** The shown run. */
   readonly shown: string | null;
+  /** The accuracy in use. */
+  readonly accuracy: AccuracyName;
 }
 
 /**
  * Runs that are not there any more leave; one that was renamed stays, by its place. A compared run that is now the shown one
- * changes places with the one shown before.
+ * changes places with the one shown before, and so does an accuracy that is now in use.
  */
-function leave(store: ComparingStore, level: ComparedLevel, shown: string | null, { names: before, shown: last }: Before): void {
+function leave(store: ComparingStore, level: ComparedLevel, now: Before, { names: before, shown: last, accuracy }: Before): void {
   const { runs } = store.getState();
+  const { shown } = now;
   const names = (level.document.file().runs ?? []).map(({ name }) => name);
   const renamed = (name: string): string | null => {
     const at = before.indexOf(name);
@@ -154,6 +178,11 @@ function leave(store: ComparingStore, level: ComparedLevel, shown: string | null
     return isRename && at >= 0 ? names[at] : null;
   };
   const left = runs.flatMap((one) => {
+    if (one.source.kind === 'accuracy') {
+      if (one.source.name !== now.accuracy) return [one];
+      const source = { kind: 'accuracy' as const, name: accuracy };
+      return accuracy === now.accuracy || isCompared(store.getState(), source) ? [] : [{ ...one, source }];
+    }
     if (one.source.kind === 'run' && one.source.name === shown) {
       const isFree =
         last !== null && last !== shown && names.includes(last) && !isCompared(store.getState(), { kind: 'run', name: last });
@@ -176,10 +205,11 @@ export function watchCompared(level: ComparedLevel, desk: Desk): () => void {
   const seen = (): Before => ({
     names: (level.document.file().runs ?? []).map(({ name }) => name),
     shown: level.proof.proof().run.name,
+    accuracy: accuracyNameOf(level.proof.proof().terms),
   });
   let before = seen();
   const follow = () => {
-    if (store.getState().runs.length > 0) leave(store, level, level.proof.proof().run.name, before);
+    if (store.getState().runs.length > 0) leave(store, level, seen(), before);
     before = seen();
   };
   const empty = () => {

@@ -5,9 +5,11 @@ import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { pathOf } from '../../core/proof/index.ts';
 import { type Beside, looksLike } from '../../timeline/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
 import type { Feature } from '../feature.ts';
+import { AccuracyLens } from './AccuracyLens.tsx';
 import { ComparedLanes } from './ComparedLanes.tsx';
-import { chosenOf, comparedOf, isCompared, type Source, sourceKey, watchCompared } from './compared.ts';
+import { chosenOf, comparedOf, isCompared, type Source, sourceKey, toggleAccuracies, watchCompared } from './compared.ts';
 import { compareOrTell, showCompared, useComparedRows, useDifference } from './compared-rows.ts';
 import { RaceLayer } from './race-layer.ts';
 import { type Race, raceOf } from './racers.ts';
@@ -43,6 +45,7 @@ export const compare: Feature = {
       graphs: [[looksLike('apart'), 'The distance to the compared run; bars where they part and come near each other again.']],
     },
   },
+  section: { panel: 'accuracy', content: AccuracyLens },
   levelCommands: compareCommands,
   destinations: compareDestinations,
   open: ({ desk }, level) => watchCompared(level, desk),
@@ -84,6 +87,13 @@ function compareCommands(editor: Editor, level: OpenLevel): readonly Command[] {
         const last = level.attempts.store.getState().at(-1);
         if (last !== undefined) compareOrTell(editor, level, { kind: 'attempt', number: last.number });
       },
+    },
+    {
+      id: 'compare.accuracies',
+      title: 'Compare all accuracies',
+      group: 'Run',
+      needs: () => null,
+      run: () => toggleAccuracies(store, accuracyNameOf(level.proof.proof().terms)),
     },
     {
       id: 'compare.choose',

@@ -19,6 +19,12 @@ const FONT = 11;
 /** px of screen between a figure and its name */
 const BESIDE = 6;
 const RING = 3;
+/** px of screen, and how opaque */
+const GLOW = [
+  [11, 0.16],
+  [7, 0.3],
+  [3.2, 0.95],
+] as const;
 /** letters of a name that are shown */
 const MOST_LETTERS = 18;
 /** more strokes than this in one path are drawn as one line */
@@ -119,11 +125,16 @@ export class RaceLayer implements Drawing<Race> {
     for (const { body, ring, name } of this.figures) for (const part of [body, ring, name]) part.destroy();
   }
 
+  /** Where a run and its other accuracy part by a pixel. */
+  private glow(x: number, y: number, slot: number, zoom: number): void {
+    for (const [radius, alpha] of GLOW) this.paths.fillStyle(this.colourOf(slot), alpha).fillCircle(x, y, radius / zoom);
+  }
+
   private colourOf(slot: number): number {
     return colourNumber(LOOKS[slot][this.theme]);
   }
 
-  private path({ slot, points, completes, isStale }: Racer, zoom: number): void {
+  private path({ slot, points, completes, isStale, parts }: Racer, zoom: number): void {
     this.paths.lineStyle(WIDTH / zoom, this.colourOf(slot), isStale ? OPACITY.stale : OPACITY.fresh).beginPath();
     const pattern = LOOKS[slot].dashes.map((length) => length / zoom);
     for (const line of linesOf(points)) {
@@ -136,6 +147,7 @@ export class RaceLayer implements Drawing<Race> {
     this.paths.strokePath();
     const [x, y] = [points[points.length - 2], points[points.length - 1]];
     const arm = 5 / zoom;
+    if (parts !== null) this.glow(points[2 * parts], points[2 * parts + 1], slot, zoom);
     // a ring where it completes the level, a cross where it fails
     if (completes) this.paths.strokeCircle(x, y, arm);
     else this.paths.lineBetween(x - arm, y - arm, x + arm, y + arm).lineBetween(x - arm, y + arm, x + arm, y - arm);

@@ -1,4 +1,6 @@
+import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { pathOf } from '../../core/proof/index.ts';
 import { type Comparing, comparedOf, isFresh, sourceHolds, sourceKey, sourceName } from './compared.ts';
 
 /** A compared run on the canvas. */
@@ -14,6 +16,8 @@ export interface Racer {
   readonly completes: boolean;
   /** Whether the level has changed since it was simulated. */
   readonly isStale: boolean;
+  /** The shown run at another accuracy: the tick at which the two part by a pixel; null: they don't, or it is another run. */
+  readonly parts: number | null;
 }
 
 /** The compared runs that are shown, and the moment at which. */
@@ -32,8 +36,14 @@ function racersOf(comparing: Comparing, level: OpenLevel): readonly Racer[] {
     if (trajectory === undefined || trajectory.found === null || holds === null) return [];
     const { points, turns, end } = trajectory.found;
     const isStale = !isFresh(trajectory, now, holds);
+    // the last entry of each is at its end, which is no tick
+    const isApart = source.kind === 'accuracy' && !isStale;
+    const distances = isApart ? distancesOf(pathOf(now.run.way).subarray(0, -2), points.subarray(0, -2)) : [];
     return [
-      { slot, name: sourceName(source), points, turns, end: 60 * end.time, completes: end.outcome === 'completed', isStale },
+      {
+        ...{ slot, name: sourceName(source), points, turns, end: 60 * end.time, completes: end.outcome === 'completed', isStale },
+        parts: partingsOf(distances).parts,
+      },
     ];
   });
 }

@@ -1,5 +1,5 @@
 import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
-import { compile, joinHolds, maxTicksOf, simulate } from '../../../engine/index.ts';
+import { compile, joinHolds, maxTicksOf, type RunEvent, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { follow } from '../follow.ts';
 import { job, type Played, type Work } from '../job.ts';
@@ -11,6 +11,7 @@ export interface Trajectory {
   /** The direction of the box's x axis there: cos, sin. */
   readonly turns: Float32Array;
   readonly end: RunEnd;
+  readonly events: readonly RunEvent[];
   /** How many different minerals are collected. */
   readonly minerals: number;
   /** The least distance to a hazard, px; null if there is none. */
@@ -36,6 +37,7 @@ export const trajectoryWork: Work<typeof trajectory> = {
       points,
       turns,
       end: { outcome, with: touched, time, tick },
+      events: run.events,
       minerals: countMinerals(run),
       clearance: run.clearance?.distance ?? null,
     };
