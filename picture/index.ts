@@ -32,6 +32,7 @@ import { type PathPoint, stretchesOf } from './way.ts';
 import { escapeXml, num } from './xml.ts';
 
 export { heatCaption, heatColour, heatShades, visitsInWords } from './heat.ts';
+export type { NamedRun } from './several.ts';
 
 /** What {@link renderSvg} draws besides the objects of the level. */
 export interface RenderOptions {

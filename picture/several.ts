@@ -10,6 +10,8 @@ export interface NamedRun {
   readonly run: Run;
   /** The text beside its timeline: its name and its length. */
   readonly label: string;
+  /** When its path glows, s; null or left out: it does not. */
+  readonly glows?: number | null;
 }
 
 const BADGE = 8;
@@ -27,10 +29,20 @@ export function drawSeveral(view: View, theme: Theme, ways: readonly (readonly S
     );
   });
   const badges = placeBadges(view, runs).map(([x, y], i) => drawBadge(theme, i, x, y));
-  return `<g data-kind="ways" fill="none" stroke-linecap="round" stroke-linejoin="round">${halo}${lines.join('')}</g>${badges.join('')}`;
+  const glows = runs.map(({ run, glows: time }, i) => (time == null ? '' : drawGlow(view, theme, i, positionAt(run, time))));
+  return `<g data-kind="ways" fill="none" stroke-linecap="round" stroke-linejoin="round">${halo}${lines.join('')}</g>${glows.join('')}${badges.join('')}`;
 }
 
 const wayColor = ({ ways }: Theme, index: number): string => ways[index % ways.length];
+
+function drawGlow(view: View, theme: Theme, index: number, [x, y]: PathPoint): string {
+  const discs = [
+    [13, 0.2],
+    [8, 0.35],
+    [3.5, 1],
+  ].map(([r, opacity]) => `<circle cx="${num(view.x(x))}" cy="${num(view.y(y))}" r="${r}" fill-opacity="${opacity}"/>`);
+  return `<g data-kind="glow" data-index="${index}" fill="${wayColor(theme, index)}">${discs.join('')}</g>`;
+}
 
 function drawBadge(theme: Theme, index: number, x: number, y: number): string {
   const color = wayColor(theme, index);

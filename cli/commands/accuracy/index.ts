@@ -22,6 +22,7 @@ import {
 import { chooseRun, parseHolds } from '../../runs/index.ts';
 import { colorsFor, Failure, visibleLine, widthOf } from '../../terminal/index.ts';
 import { cheapestJson, cheapestPretty } from './cheapest-report.ts';
+import { drawLens, waysAtAll } from './lens.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
 
 /** ms for the timing */
@@ -31,6 +32,7 @@ interface Options extends ConfigOptions, TermsOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
   readonly svg?: string;
+  readonly picture?: string;
   readonly cheapest?: true;
   readonly theme: Ground;
   readonly format: 'pretty' | 'json';
@@ -64,6 +66,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
     .option('--holds <holds>', 'play these holds instead, in ticks: 12-96,130-188; none: she drifts', parseHolds)
     .option('--cheapest', 'find the cheapest setting at which every run of all levels keeps outcome, minerals and slack')
     .option('--svg <file>', 'write a work-precision diagram to FILE.svg')
+    .option('--picture <file>', 'write a picture of the run at all named accuracies at once to FILE.svg')
     .addOption(
       new Option('--theme <theme>', 'colours of the diagram; auto follows the viewer')
         .choices(['auto', 'light', 'dark'])
@@ -76,7 +79,7 @@ export function declare(command: Command, finish: (result: CommandResult) => voi
 }
 
 async function findCheapest(paths: readonly string[], options: Options, command: Command): Promise<CommandResult> {
-  for (const option of ['run', 'holds', 'svg'] as const)
+  for (const option of ['run', 'holds', 'svg', 'picture'] as const)
     if (options[option] !== undefined)
       throw new Failure(`--${option} is for the report of one level: leave it or --cheapest out`);
   refuseUnused(command, [{ option: '--theme', isUsed: false, needs: '--svg' }]);
@@ -109,16 +112,19 @@ async function measure([file, ...others]: readonly string[], options: Options, c
     throw new Failure(
       `expected one level, found ${file === undefined ? 'none' : others.length + 1}: give one, or --cheapest for many`,
     );
-  const { svg, format } = options;
-  if (svg !== undefined && !/\.svg$/i.test(svg)) throw new Failure(`--svg ${svg}: expected a name that ends in .svg`);
-  refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined, needs: '--svg' }]);
+  const { svg, picture, format } = options;
+  const files = { '--svg': svg, '--picture': picture };
+  for (const [option, name] of Object.entries(files))
+    if (name !== undefined && !/\.svg$/i.test(name)) throw new Failure(`${option} ${name}: expected a name that ends in .svg`);
+  refuseUnused(command, [{ option: '--theme', isUsed: svg !== undefined || picture !== undefined, needs: '--svg or --picture' }]);
   const custom = customAccuracy(options);
   const asked = custom ?? (options.accuracy === undefined ? null : ACCURACIES[options.accuracy]);
   const isNew = custom !== null && METHODS.every(({ name }) => name !== custom.name);
 
   const configuration = await readConfiguration(options);
-  if (svg !== undefined)
-    expectOutput(`--svg ${svg}`, svg, { ...levelsRead([file], 'read'), 'the configuration': configuration.file });
+  for (const [option, name] of Object.entries(files))
+    if (name !== undefined)
+      expectOutput(`${option} ${name}`, name, { ...levelsRead([file], 'read'), 'the configuration': configuration.file });
   const terms = termsFrom(options, configuration);
   const opened = openLevel(file, terms);
   if (!('level' in opened)) return opened;
@@ -142,9 +148,11 @@ async function measure([file, ...others]: readonly string[], options: Options, c
     asked,
   };
   if (svg !== undefined) await writeWhole(svg, draw(report, options.theme));
+  const dark = options.theme === 'light' ? 'light' : 'dark';
+  if (picture !== undefined) await writeWhole(picture, drawLens(level, name, waysAtAll(level, holds, terms), dark));
   return {
     output: format === 'json' ? accuracyJson(report) : accuracyPretty(report, colorsFor(process.stdout), widthOf(process.stdout)),
-    messages: svg === undefined ? undefined : `wrote ${visibleLine(svg)}\n`,
+    messages: [svg, picture].flatMap((path) => (path === undefined ? [] : `wrote ${visibleLine(path)}\n`)).join(''),
     exitCode: 0,
   };
 }
