@@ -1,4 +1,4 @@
-import { type Asteroid, type Circle, type Level, NO_OBJECTS } from '../../schema/index.ts';
+import { type Asteroid, type Circle, type Level, NO_OBJECTS, type OwnRules } from '../../schema/index.ts';
 
 type Place = Pick<Circle, 'x' | 'y' | 'radius'>;
 
@@ -13,6 +13,9 @@ export interface PlainLevel {
   repulsors?: readonly Place[];
   aliens?: readonly Place[];
   minerals?: readonly Place[];
+  winds?: readonly (Place & { ax?: number; ay?: number })[];
+  wormholes?: readonly (Place & { toX: number; toY: number })[];
+  rules?: OwnRules;
 }
 
 const named = (list: readonly Place[] | undefined): Circle[] => (list ?? []).map((o) => ({ id: null, ...o }));
@@ -33,6 +36,9 @@ export function plainLevel(parts: PlainLevel = {}): Level {
     repulsors: named(parts.repulsors),
     aliens: named(parts.aliens),
     minerals: named(parts.minerals),
+    winds: (parts.winds ?? []).map((o) => ({ id: null, ax: 0, ay: 0, ...o })),
+    wormholes: (parts.wormholes ?? []).map((o) => ({ id: null, ...o })),
+    ...(parts.rules === undefined ? {} : { rules: parts.rules }),
     runs: [],
   };
 }

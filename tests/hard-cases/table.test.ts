@@ -12,6 +12,7 @@ import {
 import { DEFAULT_RULES } from '../../schema/index.ts';
 import { accuracyNames } from '../engine/accuracies.ts';
 import { CASE_SECONDS, type HardCase, hardCases } from './cases.ts';
+import { effectCases } from './effect-cases.ts';
 
 /** The error of places (px) and times (s) that each accuracy promises at sensitivity 1; `arcade` moves by frames. */
 const PROMISES: Record<Exclude<AccuracyName, 'arcade'>, { px: number; s: number }> = {
@@ -24,8 +25,10 @@ const continuous = Object.keys(PROMISES) as (keyof typeof PROMISES)[];
 const DRIFT = { precise: 2e-12, standard: 1e-5, fast: 1e-2 };
 
 const cases = hardCases();
-const seconds = (c: HardCase) => c.maxTime ?? CASE_SECONDS;
-const play = (c: HardCase, accuracy: AccuracyName): Run => simulate(compile(c.level, accuracy), c.holds, { maxTime: seconds(c) });
+const all: readonly Omit<HardCase, 'truth'>[] = [...cases, ...effectCases()];
+const seconds = (c: Omit<HardCase, 'truth'>) => c.maxTime ?? CASE_SECONDS;
+const play = (c: Omit<HardCase, 'truth'>, accuracy: AccuracyName): Run =>
+  simulate(compile(c.level, accuracy), c.holds, { maxTime: seconds(c) });
 
 /** All events except presses, releases and the end, in words. */
 const happenings = (run: Run) =>
@@ -42,8 +45,8 @@ function invariants(level: HardCase['level'], asteroid: number, [x, y, vx, vy]: 
 }
 
 it('every case has a unique name and says why it is hard', () => {
-  expect(new Set(cases.map((c) => c.name)).size).toBe(cases.length);
-  expect(cases.filter((c) => c.why === '')).toEqual([]);
+  expect(new Set(all.map((c) => c.name)).size).toBe(all.length);
+  expect(all.filter((c) => c.why === '')).toEqual([]);
 });
 
 describe.each(continuous)('hard cases against their truth: %s', (accuracy) => {
@@ -86,7 +89,7 @@ describe.each(continuous)('hard cases against their truth: %s', (accuracy) => {
 });
 
 describe.each(accuracyNames)('hard cases keep the rules: %s', (accuracy) => {
-  it.each(cases)('$name', (c) => {
+  it.each(all)('$name', (c) => {
     const run = play(c, accuracy);
     const { x, y, vx, vy, cos, sin } = run.final;
     expect([x, y, vx, vy, cos, sin, run.time].every(Number.isFinite)).toBe(true);
