@@ -65,7 +65,7 @@ const STILL = {
   repulsor: { own: ['engine/effects/repulsor/', 'engine/warnings/repulsor-'], elsewhere: 15 },
   alien: { own: ['engine/effects/aliens/'], elsewhere: 59 },
   nova: { own: ['engine/effects/hazards/'], many: 'novae', elsewhere: 52 },
-  mineral: { own: ['engine/effects/minerals/', 'engine/warnings/minerals'], elsewhere: 184 },
+  mineral: { own: ['engine/effects/minerals/', 'engine/warnings/minerals'], elsewhere: 186 },
   hot: { own: ['engine/effects/hazards/'], elsewhere: 34 },
 } as const;
 
