@@ -172,10 +172,14 @@ export class Instants {
     return anchor >= 0;
   }
 
+  #tell(kind: Happening['kind'], index: number, other = -1): void {
+    this.story.push(`${kind} ${index}${other < 0 ? '' : ` ${other}`}`);
+  }
+
   #take(index: number): void {
     this.#world.taken[index] = true;
     this.minerals.push({ index, time: this.#world.time });
-    this.story.push(`mineral ${index}`);
+    this.#tell('mineral', index);
   }
 
   /**
@@ -205,7 +209,7 @@ export class Instants {
           return;
         }
       } else {
-        this.story.push(`${kind} ${index}${other < 0 ? '' : ` ${other}`}`);
+        this.#tell(kind, index, other);
         if (kind === 'jump') {
           this.#jump(index);
           return;
