@@ -1,9 +1,14 @@
 import { rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { levelChecker, settingsFor } from '../cli/check/index.ts';
+import { noConfiguration } from '../cli/config/index.ts';
+import { compile, simulate } from '../engine/index.ts';
+import { resolveLevel } from '../schema/index.ts';
 import { drawPacks } from './draw-packs.ts';
 import {
   atLeast,
   atMost,
+  compare,
   copiedLevels,
   define,
   type Ended,
@@ -11,6 +16,7 @@ import {
   median,
   PROJECT,
   runGq,
+  sum,
   text,
   writeLines,
 } from './harness/index.ts';
@@ -20,18 +26,38 @@ const SIZES = [1000, 20_000, 100_000];
 /** Levels of the two sets by whose difference throughput is measured: in both, the code has been compiled to machine code. */
 const [FEW, MANY] = [20_000, 100_000];
 const ROUNDS = 3;
+/** Levels that are checked, and whose runs are simulated, in turns within one process. */
+const SIDE_BY_SIDE = 66;
+
+/** How many times as long the check of a pack takes as compiling its levels and simulating their runs. */
+async function checkOverSimulation(folder?: string): Promise<number> {
+  const check = await levelChecker();
+  const files = copiedLevels(SIDE_BY_SIDE, folder);
+  const levels = files.map((file) => resolveLevel(file));
+  const given = files.map((file, i) => ({ file: `${i}`, content: Buffer.from(JSON.stringify(file)) }));
+  const settings = { ...settingsFor({ seed: 0 }, noConfiguration(), SIDE_BY_SIDE), inFull: false };
+  const { ratio } = compare(
+    [
+      { name: 'simulate', run: () => sum(levels.map((level) => simulate(compile(level), level.runs[0].holds).tick)) },
+      { name: 'check', run: () => sum(check(given, settings, null).map(({ level }) => level.run?.tick ?? 0)) },
+    ],
+    { sampleMs: 200, warmUpMs: 3000 },
+  );
+  return ratio('check', 'simulate').median;
+}
 
 export const bench = define({
   what: 'packs of up to 100,000 levels: levels a second, memory, plan and merge; draws docs/packs.svg',
   options: { levels: text('a folder of levels to copy instead of the shipped ones') },
   claims: {
+    check: atMost(3.2, 'the check of levels over the simulation of their runs, by time'),
     perCore: atLeast(2000, 'levels a second of one core, by processor time'),
     together: atLeast(1.7, 'two workers against one, by wall time'),
     busy: atLeast(0.85, 'two workers against two cores by processor time'),
     memory: atMost(300, 'most memory of any command, MB'),
   },
   run: ({ levels }) =>
-    inFolder('packs', (folder) => {
+    inFolder('packs', async (folder) => {
       const gq = (...args: readonly string[]) => runGq(folder, ...args);
       /** The median of a figure over several processes. */
       const middle = (uses: readonly Ended[], of: (usage: Ended) => number): number => median(uses.map(of));
@@ -79,6 +105,7 @@ export const bench = define({
         columns: ['levels', 'check MB', 'plan MB', 'shard MB', 'merge MB', 'plan s', 'merge s'],
         rows: sizes.map(({ used: { plan, merge } }, i) => [...Object.values(memory[i]), plan.seconds, merge.seconds]),
         measured: {
+          check: await checkOverSimulation(levels ?? undefined),
           perCore,
           together: twoWorkers / alone,
           // one worker alone may use more than a core: garbage is collected beside it

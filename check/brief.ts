@@ -51,8 +51,10 @@ export function* briefInSteps(level: Level, terms: Terms): Generator<null, Brief
 }
 
 /** {@link briefInSteps} at once. */
-export function brief(level: Level, terms: Terms): Brief {
-  const steps = briefInSteps(level, terms);
+export const brief = (level: Level, terms: Terms): Brief => atOnce(briefInSteps(level, terms));
+
+/** Does all steps at once. */
+export function atOnce<R>(steps: Generator<null, R, void>): R {
   for (;;) {
     const step = steps.next();
     if (step.done === true) return step.value;

@@ -1,6 +1,7 @@
 import { findWarnings, type Run, type Scene, simulate, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import { hangsOnAccuracy } from './accuracy-hangs.ts';
+import { atOnce } from './brief.ts';
 import { overrunOf, type RunFindings, scriptEnds } from './findings.ts';
 import { withinWork } from './within-work.ts';
 
@@ -25,19 +26,24 @@ export interface ExamineOptions {
 }
 
 /**
- * Examines how a level's runs ended and what looks wrong in the level.
+ * Examines how a level's runs ended and what looks wrong in the level. Yields between its parts.
  * @param level the level
  * @param runs its simulated runs, as {@link playRuns} returns them
  * @param options how the runs were simulated, and limits on the work
  * @returns the findings as plain data
  */
-export function examineRuns(level: Level, runs: readonly Run[], { scene, budget, found = null }: ExamineOptions): RunFindings {
+export function* examineInSteps(
+  level: Level,
+  runs: readonly Run[],
+  { scene, budget, found = null }: ExamineOptions,
+): Generator<null, RunFindings, void> {
   const areAllPlayed = runs.every(({ stopped }) => stopped === null);
   const stopped = areAllPlayed ? null : overrunOf(budget);
   // A separate budget, so that one part of a check does not starve another.
   const others = new WorkBudget(scene.terms.maxWork / 2);
   const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, scene, others)) : ([] as const);
   const all = found === null ? runs : [...runs, found];
+  yield null;
   const warnings = withinWork(budget, () =>
     findWarnings(
       level,
@@ -60,3 +66,7 @@ export function examineRuns(level: Level, runs: readonly Run[], { scene, budget,
     },
   };
 }
+
+/** {@link examineInSteps} at once. */
+export const examineRuns = (level: Level, runs: readonly Run[], options: ExamineOptions): RunFindings =>
+  atOnce(examineInSteps(level, runs, options));

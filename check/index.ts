@@ -4,10 +4,10 @@
  *
  * @module
  */
-export { type Brief, brief, briefInSteps } from './brief.ts';
+export { atOnce, type Brief, brief, briefInSteps } from './brief.ts';
 export { completingRuns, ticksToAgree, tightRuns } from './certified-ticks.ts';
 export { type CheapestSetting, findCheapestSetting, type KeptRun, type TriedSetting } from './cheapest-setting.ts';
-export { examineRuns, playRuns } from './examine-runs.ts';
+export { examineInSteps, examineRuns, playRuns } from './examine-runs.ts';
 export {
   type Findings,
   findingsOf,

@@ -1,7 +1,7 @@
 import { setMaxListeners } from 'node:events';
 import { isStream, openPool, runInParts, statOrError } from '../io/index.ts';
 import { hearSignals, type StoppingSignal, stoppable } from '../terminal/index.ts';
-import type { CheckedFile, checkLevel } from './check-level.ts';
+import type { CheckedFile, checkTogether } from './check-level.ts';
 import { type CheckedLevel, type CheckSettings, crashedLevel } from './checked-level.ts';
 import type { LevelCache } from './level-cache.ts';
 import type { Batch } from './worker.ts';
@@ -236,4 +236,4 @@ export function cutAtBail(levels: readonly CheckedLevel[], bail: Bail | null): C
 }
 
 /** Loads what checks a level, and with it the engine: only for the thread that checks. */
-export const levelChecker = async (): Promise<typeof checkLevel> => (await import('./check-level.ts')).checkLevel;
+export const levelChecker = async (): Promise<typeof checkTogether> => (await import('./check-level.ts')).checkTogether;

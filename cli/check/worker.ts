@@ -1,4 +1,4 @@
-import { type CheckedFile, checkFile } from './check-level.ts';
+import { type CheckedFile, checkTogether } from './check-level.ts';
 import type { CheckSettings } from './checked-level.ts';
 
 /** A message to a worker. */
@@ -11,5 +11,9 @@ export interface Batch {
 
 /** Runs in a worker thread: checks a batch of level files. */
 export default function checkBatch({ files, settings, cacheKey }: Batch): CheckedFile[] {
-  return files.map((file) => checkFile(file, settings, cacheKey));
+  return checkTogether(
+    files.map((file) => ({ file })),
+    settings,
+    cacheKey,
+  );
 }

@@ -1,4 +1,4 @@
-import { type Batch, type Contents, entriesOf, readBytes, sizeOf } from '../io/index.ts';
+import { type Batch, type Contents, type Entry, entriesOf, readBytes, sizeOf } from '../io/index.ts';
 import { contentHash, DIGEST, entryHash, type Rule, shardOf } from './digest.ts';
 import type { ShardRecord, Work } from './job.ts';
 import { jobOf } from './jobs/index.ts';
@@ -50,6 +50,16 @@ function workOf({ job, settings }: Common): Promise<Work> {
   return opened.work;
 }
 
+/** An entry that is to be worked on, and its index in the batch. */
+interface Waiting {
+  readonly i: number;
+  readonly entry: Entry;
+  readonly sha256: string;
+}
+
+/** Bytes of entries that are worked on together. */
+const MOST_WAITING = 256 * 1024;
+
 /** Runs in a worker thread: works on the entries of a batch that are of its shard. */
 export default async function workOnBatch({ batch, common, replay }: Task): Promise<Done> {
   const { contents, rule, shard } = common;
@@ -60,6 +70,19 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
   const unreadable: string[] = [];
   const refuted = new Map<number, string>();
   const changed: number[] = [];
+  let waiting: Waiting[] = [];
+  let bytes = 0;
+  const workOnWaiting = async (): Promise<void> => {
+    const worked = await workOn(waiting.map(({ entry }) => entry));
+    for (const [k, { i, entry, sha256 }] of waiting.entries()) {
+      own.push(i);
+      const { ms, result } = worked[k];
+      const done: ShardRecord = { n: batch.first + i, file: entry.name, sha256, ms, result };
+      lines.push(`${JSON.stringify(done)}\n`);
+    }
+    waiting = [];
+    bytes = 0;
+  };
   let i = -1;
   for (const entry of entriesOf(batch, contents, readBytes)) {
     i++;
@@ -69,8 +92,9 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
     const isRead = content instanceof Uint8Array;
     if (!isRead) unreadable.push(content.message);
     const hash = contentHash(isRead ? content : new Uint8Array());
+    const sha256 = hash.toString('hex');
     if (record !== undefined) {
-      const isSame = isRead && hash.toString('hex') === record.sha256;
+      const isSame = isRead && sha256 === record.sha256;
       const truth = isSame ? await replayOne(entry, record.result) : null;
       if (!isSame) changed.push(i);
       if (truth !== null) refuted.set(i, truth);
@@ -78,12 +102,10 @@ export default async function workOnBatch({ batch, common, replay }: Task): Prom
     }
     hashes.set(entryHash(hash, name), DIGEST * i);
     if (rule !== null && shardOf(hash, rule) !== shard) continue;
-    const start = performance.now();
-    const result = await workOn(entry);
-    const ms = performance.now() - start;
-    own.push(i);
-    const done: ShardRecord = { n: batch.first + i, file: name, sha256: hash.toString('hex'), ms, result };
-    lines.push(`${JSON.stringify(done)}\n`);
+    waiting.push({ i, entry, sha256 });
+    if (isRead) bytes += content.length;
+    if (bytes > MOST_WAITING) await workOnWaiting();
   }
+  await workOnWaiting();
   return { hashes, own, lines, unreadable, refuted, changed };
 }

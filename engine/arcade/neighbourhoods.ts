@@ -1,6 +1,6 @@
 import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import { type Deadly, DIAGONAL, Square, type Watchers } from './square.ts';
+import { type Deadly, DIAGONAL, NONE, Square, type Watchers } from './square.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
@@ -8,8 +8,8 @@ const SIDE = 32;
 /** No place in a cell is farther than this from its centre, px. */
 const REACH = (SIDE / 2) * DIAGONAL;
 
-/** Half sides of squares around a quiet cell that may be as quiet, px; the largest such square is used. */
-const FREE = [96, 64, 40];
+/** Half sides of squares around a quiet cell that may be as quiet, px, ascending; the largest such square is used. */
+const FREE = [40, 64, 96];
 
 /** How far recoil may move an asteroid from its original place before its neighbourhoods become invalid, px. */
 export const DRIFT = 16;
@@ -80,6 +80,8 @@ export class Neighbourhoods {
   /** How many cells were made since the torus has had its size. */
   private made = 0;
   private readonly square: Square;
+  /** The cell that was made last. */
+  private last: Cell | null = null;
 
   constructor(
     scene: Scene,
@@ -143,22 +145,23 @@ export class Neighbourhoods {
     const x = (column + 0.5) * SIDE;
     const y = (row + 0.5) * SIDE;
     square.place(x, y, SIDE / 2);
+    const { last } = this;
     square.addDeadly();
-    const deadly = square.taken();
+    const deadly = square.taken(last?.deadly ?? NONE);
     square.addTouching(this.collectables);
-    const collectables = square.taken();
-    const discs = this.discs.map((list) => {
+    const collectables = square.taken(last?.collectables ?? NONE);
+    const discs = this.discs.map((list, k) => {
       square.addDiscs(list);
-      return square.taken();
+      return square.taken(last?.discs[k] ?? NONE);
     });
     square.addRivals();
-    const rivals = square.taken();
+    const rivals = square.taken(last?.rivals ?? NONE);
     const quiet =
       square.isInRange && deadly.length === 0 && collectables.length === 0 && discs.every(({ length }) => length === 0);
     const unseen = square.isUnseen;
     const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
     // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
-    return {
+    const cell: Cell = {
       column,
       row,
       rivals,
@@ -177,6 +180,8 @@ export class Neighbourhoods {
       freeTop: y - free,
       freeBottom: y + free,
     };
+    this.last = cell;
+    return cell;
   }
 
   /** How many of so many discs of each frame rule count as looks. */
@@ -187,11 +192,14 @@ export class Neighbourhoods {
   /** Half the side of the largest square around a quiet cell that is as quiet, with as many rivals and the same `unseen`, px. */
   private freeAround(rivals: number, unseen: boolean): number {
     const { square } = this;
+    let free = SIDE / 2;
     for (const half of FREE) {
       square.resize(half);
-      if (this.isQuiet() && this.rivalsIn() === rivals && square.isUnseen === unseen) return half;
+      // what is in a square is in every larger one
+      if (!this.isQuiet() || this.rivalsIn() !== rivals || square.isUnseen !== unseen) return free;
+      free = half;
     }
-    return SIDE / 2;
+    return free;
   }
 
   /** Whether only the gun acts in the square. */
@@ -199,7 +207,9 @@ export class Neighbourhoods {
     const { square } = this;
     if (!square.isInRange) return false;
     square.addDeadly();
+    if (square.counted() > 0) return false;
     square.addTouching(this.collectables);
+    if (square.counted() > 0) return false;
     for (const list of this.discs) square.addDiscs(list);
     return square.counted() === 0;
   }

@@ -1,3 +1,4 @@
+import type { Disc } from '../../schema/basics/index.ts';
 import type { HazardList } from '../clearance.ts';
 import type { Circles, IndexedCircles, SpatialIndex } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
@@ -5,7 +6,7 @@ import type { Scene } from '../scene.ts';
 /** A square's half diagonal divided by half its side, rounded up. */
 export const DIAGONAL = 1.4143;
 
-const NONE = new Int32Array(0);
+export const NONE = new Int32Array(0);
 
 /** What may see her, where the level places it, and how far it sees, px. */
 export interface Watchers {
@@ -32,13 +33,25 @@ export class Square {
   private closest = Number.POSITIVE_INFINITY;
   private readonly found: number[] = [];
 
+  // levels are objects of many shapes: see `world.ts`
+  private readonly hole: Disc;
+  private readonly halfDiagonal: number;
+  private readonly range: number;
+  private readonly targets: IndexedCircles;
+
   /** @param drift - how far recoil may have moved an asteroid, px */
   constructor(
-    private readonly scene: Scene,
+    { level, box, targets }: Scene,
     private readonly chasers: Watchers,
     private readonly deadly: readonly Deadly[],
     private readonly drift: number,
-  ) {}
+  ) {
+    const { x, y, radius } = level.blackHole;
+    this.hole = { x, y, radius };
+    this.halfDiagonal = box.halfDiagonal;
+    this.range = level.range;
+    this.targets = targets;
+  }
 
   /** Moves its centre to (x, y), px, and makes its sides 2 `half` px long. */
   place(x: number, y: number, half: number): void {
@@ -53,10 +66,19 @@ export class Square {
     this.toCorner = half * DIAGONAL;
   }
 
-  /** Empties the list and returns what it had. */
-  taken(): Int32Array {
+  /**
+   * Empties the list and returns what it had.
+   * @param like - is returned where it has the same: neighbours mostly have, and an array takes longer to make than to fill
+   */
+  taken(like: Int32Array): Int32Array {
     const { found } = this;
     if (found.length === 0) return NONE;
+    let k = 0;
+    if (like.length === found.length) while (k < found.length && like[k] === found[k]) k++;
+    if (k === found.length) {
+      found.length = 0;
+      return like;
+    }
     // a loop: `Int32Array.from` takes several times as long
     const list = new Int32Array(found.length);
     for (let k = 0; k < list.length; k++) list[k] = found[k];
@@ -73,17 +95,16 @@ export class Square {
 
   /** Adds what ends the run by touch, by its code; 0 is the black hole. */
   addDeadly(): void {
-    const { level, box } = this.scene;
-    const hole = level.blackHole;
-    if (this.within(this.distance(hole.x, hole.y), box.halfDiagonal + hole.radius)) this.found.push(0);
+    const { hole, halfDiagonal } = this;
+    if (this.within(this.distance(hole.x, hole.y), halfDiagonal + hole.radius)) this.found.push(0);
     for (const { circles, first, from, movedBy } of this.deadly) {
-      this.add(circles, circles.spatial, first, from, box.halfDiagonal, movedBy === 'recoil' ? this.drift : 0);
+      this.add(circles, circles.spatial, first, from, halfDiagonal, movedBy === 'recoil' ? this.drift : 0);
     }
   }
 
   /** Adds circles that she may touch. */
   addTouching(circles: IndexedCircles): void {
-    this.add(circles, circles.spatial, 0, 0, this.scene.box.halfDiagonal, 0);
+    this.add(circles, circles.spatial, 0, 0, this.halfDiagonal, 0);
   }
 
   /** Adds the discs that her centre may enter. */
@@ -94,7 +115,7 @@ export class Square {
   /** Adds the targets that may be the nearest. */
   addRivals(): void {
     const { closest, found, toCorner, drift } = this;
-    const { targets } = this.scene;
+    const { targets } = this;
     const reach = closest + 2 * (toCorner + drift);
     const near = this.around(targets.spatial, (reach + 1) * (1 + 1e-9));
     const count = near?.length ?? targets.count;
@@ -106,13 +127,13 @@ export class Square {
 
   /** Whether she is within the range of a target wherever she is in the square. */
   get isInRange(): boolean {
-    return !(this.closest * (1 + 1e-9) + this.toCorner + this.drift + 1e-3 >= this.scene.level.range);
+    return !(this.closest * (1 + 1e-9) + this.toCorner + this.drift + 1e-3 >= this.range);
   }
 
   /** Whether chasers at their places in the level neither see nor touch her. */
   get isUnseen(): boolean {
+    const { halfDiagonal } = this;
     const { circles, sight } = this.chasers;
-    const { halfDiagonal } = this.scene.box;
     for (let i = 0; i < circles.count; i++) {
       const reach = Math.max(sight, halfDiagonal + circles.r[i]);
       if (this.within(this.distance(circles.x[i], circles.y[i]), reach)) return false;
@@ -162,7 +183,7 @@ export class Square {
   }
 
   private nearestTarget(): number {
-    const { targets } = this.scene;
+    const { targets } = this;
     if (targets.spatial !== null) {
       const i = targets.spatial.nearestCentre(this.x, this.y);
       return this.distance(targets.x[i], targets.y[i]);

@@ -1,8 +1,10 @@
-import type { ClearanceTracker, HazardList } from '../clearance.ts';
+import { type ClearanceTracker, type HazardList, hazardCount } from '../clearance.ts';
 import { chaserTravel, gapAt, ownTravel, rockTravel, sweptTime } from '../events/index.ts';
+import { type IndexedCircles, NO_CIRCLES } from '../indexed-circles.ts';
 import {
   ALERTNESS,
   type Motion,
+  type PackedPieces,
   placeAt,
   placeChaser,
   placeCircle,
@@ -12,7 +14,9 @@ import {
   SERIES,
   SLOTS,
 } from '../motion/index.ts';
+import type { Scene } from '../scene.ts';
 import type { BodyKind } from '../simulation.ts';
+import type { WorkBudget } from '../work-budget.ts';
 
 const { BASE_X, BASE_Y, NEXT } = SLOTS;
 const { CHASER } = RECORDS;
@@ -83,6 +87,83 @@ export function approachHazards(m: Motion, start: number, length: number, tracke
     }
   }
   s[NEXT] = next;
+}
+
+/** Hazards of which it is mostly plain that they are far: recoil moves none of them, and an index finds none. */
+export class FarHazards {
+  /** A place, px in the level, and a lower bound of its distance to the edge of the nearest one that stands still. */
+  private x = 0;
+  private y = 0;
+  private distance = Number.NEGATIVE_INFINITY;
+  private readonly still: readonly HazardList[];
+  private readonly chasers: IndexedCircles;
+  /** What the search on a piece spends at least. */
+  private readonly looks: number;
+  /** Place, velocity and bound of the acceleration, as {@link PackedPieces.startOf} writes them. */
+  private readonly start = new Float64Array(5);
+
+  private constructor(
+    private readonly scene: Scene,
+    lists: readonly HazardList[],
+  ) {
+    this.still = lists.filter(({ movedBy }) => movedBy !== 'chase');
+    this.chasers = lists.find(({ movedBy }) => movedBy === 'chase')?.circles ?? NO_CIRCLES;
+    this.looks = 1 + (hazardCount(lists) >> 3) + hazardCount(lists.filter(({ movedBy }) => movedBy === 'recoil'));
+  }
+
+  /** @returns null where recoil may move some hazard, or there are many */
+  static of(scene: Scene, lists: readonly HazardList[]): FarHazards | null {
+    if (scene.level.recoil) return null;
+    const some = lists.filter(({ circles, first }) => circles.count > first);
+    return some.every(({ circles }) => circles.spatial === null) ? new FarHazards(scene, some) : null;
+  }
+
+  /**
+   * Whether {@link approachHazards} would find nothing on a piece. If so, the budget is as if it had looked.
+   * @param motion - the state has the chasers as they are when the piece begins; null if there are none
+   */
+  areOn(pieces: PackedPieces, piece: number, length: number, least: number, budget: WorkBudget, motion: Motion | null): boolean {
+    const { start, scene, still } = this;
+    pieces.startOf(piece, start);
+    const x = scene.level.astronaut.x + start[0];
+    const y = scene.level.astronaut.y + start[1];
+    const speed = Math.sqrt(start[2] * start[2] + start[3] * start[3]);
+    // as `ownTravel` has it without recoil; twice the margin with which the search leaves hazards out
+    const reach = least + (speed + (start[4] / 2) * length) * length + scene.box.halfDiagonal + 2e-6;
+    const dx = x - this.x;
+    const dy = y - this.y;
+    if (!(this.distance - Math.sqrt(dx * dx + dy * dy) > reach)) {
+      this.x = x;
+      this.y = y;
+      this.distance = distanceTo(still, x, y);
+      if (!(this.distance > reach)) return false;
+    }
+    let looks = 0;
+    for (let i = 0; motion !== null && i < this.chasers.count; i++) {
+      const { s } = motion;
+      const o = motion.chasers + CHASER * i;
+      if (s[o + 4] === GONE) continue;
+      const far = Math.sqrt((s[o] - start[0]) * (s[o] - start[0]) + (s[o + 1] - start[1]) * (s[o + 1] - start[1]));
+      if (!(far - this.chasers.r[i] - chaserTravel(motion, i, motion.chaserPull, length) > reach)) return false;
+      looks++;
+    }
+    budget.look(this.looks + looks);
+    return true;
+  }
+}
+
+/** Distance of a place, px in the level, to the edge of the nearest hazard, where all of them stand still. */
+function distanceTo(lists: readonly HazardList[], atX: number, atY: number): number {
+  let least = Number.POSITIVE_INFINITY;
+  for (const { circles, first } of lists) {
+    const { x, y, r, count } = circles;
+    for (let i = first; i < count; i++) {
+      const dx = x[i] - atX;
+      const dy = y[i] - atY;
+      least = Math.min(least, Math.sqrt(dx * dx + dy * dy) - r[i]);
+    }
+  }
+  return least;
 }
 
 /** What stands still is found by its index, if it has one. */

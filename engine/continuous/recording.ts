@@ -6,7 +6,7 @@ import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } fro
 import type { Scene } from '../scene.ts';
 import type { RunEvent, Trajectory } from '../simulation.ts';
 import { unlimited, type WorkBudget } from '../work-budget.ts';
-import { approachHazards } from './approach.ts';
+import { approachHazards, FarHazards } from './approach.ts';
 import { ContinuousSimulation, type Method } from './simulation.ts';
 
 const { START, AWAKE_COUNT } = SLOTS;
@@ -126,8 +126,22 @@ export class PieceRecorder implements Recorder, Trajectory {
     return this.reader;
   }
 
+  /** The motion of the reader, on any piece, but with the chasers of this one. */
+  private motionWithChasers(piece: number, chasers: ChangeLog): Motion | null {
+    if (this.reader === null) return null;
+    const { motion } = this.reader;
+    this.readerAt = -1;
+    chasers.seek(piece, motion.s.subarray(motion.chasers, motion.rocks));
+    return motion;
+  }
+
   /** Shows `tracker` how near to hazards she comes on a piece within `length` seconds. */
-  private approach(piece: number, length: number, tracker: ClearanceTracker): void {
+  private approach(piece: number, length: number, tracker: ClearanceTracker, far: FarHazards | null): void {
+    // the first piece is opened
+    if (far !== null && tracker.best !== null) {
+      const motion = this.chasers === null ? null : this.motionWithChasers(piece, this.chasers);
+      if (far.areOn(this.pieces, piece, length, tracker.least, this.budget, motion)) return;
+    }
     const { motion } = this.open(piece);
     approachHazards(motion, motion.s[START], length, tracker);
   }
@@ -137,10 +151,11 @@ export class PieceRecorder implements Recorder, Trajectory {
     const { scene, events } = this;
     const near = new ClearanceTracker(scene, WHOLE_METHOD.effects.hazardsOf(scene));
     if (near.count === 0) return null;
+    const far = FarHazards.of(scene, near.lists);
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
     const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
-    for (let i = 0; i < this.starts.length; i += stride) this.approach(i, 0, near);
-    for (let i = 0; i < this.starts.length; i++) this.approach(i, this.lengths[i], near);
+    for (let i = 0; i < this.starts.length; i += stride) this.approach(i, 0, near, far);
+    for (let i = 0; i < this.starts.length; i++) this.approach(i, this.lengths[i], near, far);
     const { best } = near;
     if (best === null || scene.accuracy.contact === 'frame') return best;
     // rounding must not contradict the run: it ended with the contact, or there was none

@@ -18,6 +18,8 @@ interface Chosen {
 /** The effects that a program includes: all of them, or what its levels call for. */
 export class EffectSet {
   private readonly all: readonly EngineEffect[];
+  /** Those whose objects end the run by touch. */
+  private readonly deadly: readonly EngineEffect[];
   private readonly rules: readonly EventRule[];
   // found again by the choice itself: a level is simulated more than once, at more than one accuracy
   private readonly chosen = new WeakMap<EffectChoice, Chosen>();
@@ -34,6 +36,7 @@ export class EffectSet {
   ) {
     const rules = effects.flatMap(({ events }) => events ?? []);
     this.all = byName(effects, EFFECTS_IN_ORDER);
+    this.deadly = byName(this.all, HAZARDS_IN_ORDER);
     this.rules = byName(rules, EVENTS_IN_ORDER);
     const missing = [...effects, ...rules].find((one) => ![...this.all, ...this.rules].includes(one as never));
     if (missing !== undefined) throw new Error(`expected a place for "${missing.name}" in engine/effects/order.ts, found none`);
@@ -82,7 +85,7 @@ export class EffectSet {
 
   /** The objects of a scene that end the run by touch, a list for each effect that has any; the list of one that is not called for is empty. */
   hazardsOf(scene: Scene): readonly HazardList[] {
-    return byName(this.all, HAZARDS_IN_ORDER).flatMap((effect) => effect.hazard?.(scene) ?? []);
+    return this.deadly.flatMap((effect) => effect.hazard?.(scene) ?? []);
   }
 
   /** The objects of a scene that she collects by touch. */

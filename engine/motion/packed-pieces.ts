@@ -1,7 +1,7 @@
 import type { Motion } from './motion.ts';
 import { HEAD, SLOTS } from './state.ts';
 
-const { DEGREE } = SLOTS;
+const { DEGREE, BASE_X, BASE_Y, ACCELERATION } = SLOTS;
 
 /** Numbers in the first block, enough for most runs. Each block has as many as all before it, up to the largest. */
 const FIRST_BLOCK = 2048;
@@ -56,6 +56,22 @@ export class PackedPieces {
     if (!m.recoil) return;
     for (let k = 0; k < length; k++) px[k] = block[at++];
     for (let k = 0; k < length; k++) py[k] = block[at++];
+  }
+
+  /**
+   * Reads where piece `i` begins, if no recoil acts on it: writes her place relative to the origin, her velocity, and the bound of
+   * her acceleration to out[0..4].
+   */
+  startOf(i: number, out: Float64Array): void {
+    const block = this.blocks[this.blockOf[i]];
+    const at = this.from[i];
+    const x = at + HEAD;
+    const y = x + block[at + DEGREE] + 1;
+    out[0] = block[at + BASE_X] + block[x];
+    out[1] = block[at + BASE_Y] + block[y];
+    out[2] = y - x > 1 ? block[x + 1] : 0;
+    out[3] = y - x > 1 ? block[y + 1] : 0;
+    out[4] = block[at + ACCELERATION];
   }
 
   /** A block with room for `size` more numbers. */

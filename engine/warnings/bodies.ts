@@ -83,7 +83,7 @@ export const copiesOf = (level: Level): Copies =>
   >;
 
 function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
-  if (list.length < 2) return NONE;
+  if (list.length < INDEX_FROM && !hasCopies(list)) return NONE;
   const order = [...list.keys()].sort((a, b) => list[a].x - list[b].x || list[a].y - list[b].y || a - b);
   const copies: [number, number][] = [];
   let first = order[0];
@@ -92,6 +92,14 @@ function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
     else first = i;
   }
   return copies.length === 0 ? NONE : new Map(copies.sort((a, b) => a[0] - b[0]));
+}
+
+function hasCopies(list: readonly Place[]): boolean {
+  for (let i = 1; i < list.length; i++) {
+    const { x, y } = list[i];
+    for (let k = 0; k < i; k++) if (list[k].x === x && list[k].y === y) return true;
+  }
+  return false;
 }
 
 // for fewer discs than this, comparing all pairs is faster than building an index
@@ -105,6 +113,12 @@ const MAX_CANDIDATES = 2_000_000;
  * search goes only as far as pairs are requested.
  */
 export function* overlaps<T extends Disc>(discs: readonly T[]): Generator<readonly [T, T]> {
+  if (discs.length < INDEX_FROM) {
+    for (let i = 0; i < discs.length; i++) {
+      for (let j = i + 1; j < discs.length; j++) if (overlap(discs[i], discs[j])) yield [discs[i], discs[j]];
+    }
+    return;
+  }
   const near = finderOf(discs);
   let candidates = 0;
   for (const [i, a] of discs.entries()) {

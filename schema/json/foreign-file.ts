@@ -1,4 +1,5 @@
 import { type Finding, formatValue, quote } from '../basics/index.ts';
+import { BRACE } from './git-leftovers.ts';
 import { isObject, type Json } from './values.ts';
 
 /** Maps of a world that a message names. */
@@ -125,9 +126,6 @@ function kindOfText(text: string): string | null {
 
 /** Number of bytes that are examined. */
 const HEAD = 1024;
-
-/** `{` */
-const BRACE = 0x7b;
 
 /** NUL does not occur in text. UTF-16, a different mistake, has it in every other place. */
 function isBinary(head: Uint8Array): boolean {

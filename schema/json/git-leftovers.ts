@@ -60,6 +60,9 @@ interface PointerFile {
   readonly hint: string;
 }
 
+/** `{` */
+export const BRACE = 0x7b;
+
 /** Pointers of Git LFS and git-annex are shorter, and so are paths. */
 const LONGEST = 1024;
 
@@ -82,6 +85,8 @@ const textOf = (source: Uint8Array | string): string =>
  * @returns what it is and what to do; null for anything else
  */
 export function pointerFile(source: Uint8Array | string): PointerFile | null {
+  // nearly every file is an object, and no pointer begins like one
+  if ((typeof source === 'string' ? source.charCodeAt(0) : source[0]) === BRACE) return null;
   const text = textOf(source);
   if (LFS.test(text)) {
     const size = /^size (\d+)\r?$/m.exec(text)?.[1];

@@ -21,7 +21,7 @@ const LIMITS = {
   /** faces that forward one file */
   faces: { goal: 0, now: 0 },
   /** lines of bench/ */
-  bench: { goal: 9500, now: 9300 },
+  bench: { goal: 9500, now: 9330 },
 } as const;
 
 const sources = execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })

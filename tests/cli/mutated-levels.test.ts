@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, expect, it } from 'vitest';
-import { checkLevel } from '../../cli/check/check-level.ts';
+import { checkFile, checkLevel, checkTogether, type GivenFile } from '../../cli/check/check-level.ts';
 import { checkJson } from '../../cli/reporters/json.ts';
 import { checkPretty } from '../../cli/reporters/pretty.ts';
 import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';
@@ -38,6 +38,8 @@ const base = fallThrough({
 const { directory, remove } = makeFiles({});
 afterAll(remove);
 const file = join(directory, 'mutated.level.json');
+
+const withoutTimes = (reports: unknown): string => JSON.stringify(reports).replace(/(\\?"ms\\?":)[\d.e-]+/g, '$1');
 
 const weird = fc.oneof(
   fc.constantFrom('1e999', '-0', 'NaN', '1e308', '5e-324', '-1', '0', '""', 'null', '[]', '{}', '[0,1]', '1000000000', '0.1'),
@@ -88,6 +90,27 @@ it.each([ACCURACIES.arcade, ACCURACIES.precise])(
     expectDeep([...seen].sort()).toEqual(['broken', 'completable', 'impossible', 'invalid']);
   },
 );
+
+it('files that are checked together get the reports that each of them gets alone', () => {
+  const files = fc.array(fc.array(mutation, { maxLength: 2 }), { minLength: 1, maxLength: 40 });
+  fc.assert(
+    fc.property(files, (all) => {
+      const given = all.map((mutations, i) => ({
+        file: `${i}.level.json`,
+        content: Buffer.from(mutations.reduce(mutate, base)),
+      }));
+      // one that is not there, and one that is too large to wait for others between its steps
+      const others = [
+        { file: join(directory, 'none.level.json') },
+        { file: 'large', content: Buffer.from(base + ' '.repeat(70_000)) },
+      ];
+      const together = checkTogether([...given, ...others], SETTINGS, 'key');
+      const alone = [...given, ...others].map(({ file: name, content }: GivenFile) => checkFile(name, SETTINGS, 'key', content));
+      expect(withoutTimes(together)).toBe(withoutTimes(alone));
+    }),
+    { numRuns: 40 },
+  );
+});
 
 it('any bytes get a verdict', () => {
   fc.assert(

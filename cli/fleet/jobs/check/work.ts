@@ -4,17 +4,24 @@ import type { Json, Work } from '../../job.ts';
 
 /** Checks levels. */
 export async function openCheck(settings: CheckSettings): Promise<Work> {
-  const checkLevel = await levelChecker();
-  const check = ({ name, content }: Entry, asked: CheckSettings): CheckedLevel =>
-    content instanceof Uint8Array ? checkLevel(name, asked, content) : unreadableLevel(name, content.message, asked.terms);
+  const checkTogether = await levelChecker();
+  function checkAll(entries: readonly Entry[], asked: CheckSettings): CheckedLevel[] {
+    const read = entries.flatMap(({ name, content }) => (content instanceof Uint8Array ? [{ file: name, content }] : []));
+    const checked = checkTogether(read, asked, null).values();
+    return entries.map(({ name, content }) =>
+      content instanceof Uint8Array ? checked.next().value!.level : unreadableLevel(name, content.message, asked.terms),
+    );
+  }
   return {
-    work: (entry) => recordOf(check(entry, settings)),
+    work: (entries) => checkAll(entries, settings).map((level) => ({ ms: level.ms, result: recordOf(level) })),
     replay(entry, result) {
       const { found } = result as unknown as CheckedLevel;
       // a search is not repeated: the run that it has found speaks for itself, and all else follows from it
       const { search } = settings;
       const isSearch = search !== null && found !== null;
-      const again = recordOf(check(entry, isSearch ? { ...settings, search: { ...search, claimed: found } } : settings));
+      const [again] = checkAll([entry], isSearch ? { ...settings, search: { ...search, claimed: found } } : settings).map(
+        recordOf,
+      );
       if (JSON.stringify(again) === JSON.stringify(result)) return null;
       return again.verdict === result.verdict ? 'completable, but not as recorded' : String(again.verdict);
     },

@@ -1,10 +1,11 @@
 import { type MeasuredLevel, type MeasureSettings, measureAgain, measureContent, unreadable } from '../../../difficulty/index.ts';
-import type { Json, Work } from '../../job.ts';
+import { type Json, oneByOne, type Work } from '../../job.ts';
 
 /** Measures how hard levels are. */
 export const openDifficulty = (settings: MeasureSettings): Work => ({
-  work: ({ name, content }) =>
+  work: oneByOne(({ name, content }) =>
     recordOf(content instanceof Uint8Array ? measureContent(name, content, settings) : unreadable(name, content, settings.terms)),
+  ),
   replay({ name, content }, result) {
     if (!(content instanceof Uint8Array)) return 'a file that can no longer be read';
     // a search is not repeated: the run that it has found is measured again

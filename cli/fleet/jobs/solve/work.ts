@@ -3,13 +3,13 @@ import { type Level, readLevel, type SolveReport } from '../../../../schema/inde
 import { type Entry, nameOfFile } from '../../../io/index.ts';
 import { showProblems } from '../../../report-parts/index.ts';
 import { replayRuns, settingsFor, solveHere, solveReport } from '../../../solve/index.ts';
-import type { Json, Work } from '../../job.ts';
+import { type Json, oneByOne, type Work } from '../../job.ts';
 import { type SolveJobSettings, type SolveRecord, type SolveVerdict, untried } from './record.ts';
 
 /** Solves levels. */
 export function openSolve(settings: SolveJobSettings): Work {
   return {
-    work: async (entry) => (await solveEntry(entry, settings)) as unknown as Json,
+    work: oneByOne(async (entry) => (await solveEntry(entry, settings)) as unknown as Json),
     replay: (entry, result) => whyNotAsRecorded(entry, settings, result as unknown as SolveRecord),
   };
 }

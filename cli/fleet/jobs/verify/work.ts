@@ -1,7 +1,7 @@
 import type { VerifyReport } from '../../../../schema/index.ts';
 import type { Entry } from '../../../io/index.ts';
 import { deskSettings, itemOf, PlayDesk, type PlayJobSettings, startThreads } from '../../../verify/index.ts';
-import type { Json, Work } from '../../job.ts';
+import { type Json, oneByOne, type Work } from '../../job.ts';
 
 /** Verifies plays. */
 export function openVerify(settings: PlayJobSettings): Work {
@@ -13,7 +13,7 @@ export function openVerify(settings: PlayJobSettings): Work {
     return { report, why: null };
   }
   return {
-    work: async (entry) => (await verify(entry)) as unknown as Json,
+    work: oneByOne(async (entry) => (await verify(entry)) as unknown as Json),
     async replay(entry, result) {
       const again = await verify(entry);
       if (JSON.stringify(again) === JSON.stringify(result)) return null;
