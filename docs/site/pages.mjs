@@ -47,6 +47,7 @@ export const GROUPS = [
     text: 'How it works',
     pages: [
       { file: 'docs/accuracy.md', name: 'accuracy', text: 'Accuracy' },
+      { file: 'docs/hard-cases.md', name: 'hard-cases', text: 'Hard cases' },
       { file: 'docs/effects.md', name: 'effects', text: 'Effects' },
       { file: 'docs/determinism.md', name: 'determinism', text: 'Determinism' },
       { file: 'docs/proofs.md', name: 'proofs', text: 'Proofs' },

@@ -1,8 +1,12 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { expect } from 'vitest';
 
 export const PROJECT = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Whether pages are to be written anew, as snapshots are: `vitest --update`. */
+export const isUpdating = (): boolean => expect.getState().snapshotState.snapshotUpdateState === 'all';
 
 /** A fenced block of code in a page. */
 export interface Block {
