@@ -208,6 +208,14 @@ export type ProofCode =
   | 'flowpipe'
   | 'orbits';
 
+/** The engine's warning, by its code, that says less than a proof of each kind and is dropped when there is such a proof. */
+export const OUTDONE_WARNINGS: Readonly<Partial<Record<ProofCode, string>>> = {
+  'out-of-range': 'black-hole-out-of-reach',
+  covered: 'black-hole-covered',
+  'nothing-in-range': 'nothing-in-range-at-start',
+  'starts-in-hazard': 'starts-in-hazard',
+};
+
 /** The provers by name. `dead-end` makes proofs of the kind `line-trap`. */
 export type Prover = ProofCode | 'dead-end';
 

@@ -1,7 +1,7 @@
 import { type AccuracyName, unlimited, type WorkBudget, WorkLimitReached } from '../../engine/index.ts';
 import type { Level } from '../../schema/basics/index.ts';
 import { whyNotTried } from './assumptions.ts';
-import type { About, Proof, ProofCode, Prover } from './proof.ts';
+import type { About, Proof, Prover } from './proof.ts';
 import { PROVERS, proversThat } from './provers.ts';
 import { type Setting, settingOf, type Thing, thingOf } from './setting.ts';
 
@@ -154,11 +154,3 @@ function withinBudget(prover: Prover, setting: Setting, about: About, goal: Thin
     throw error;
   }
 }
-
-/** The engine's warning, by its code, that says less than a proof of each kind and is dropped when there is such a proof. */
-export const OUTDONE_WARNINGS: Readonly<Partial<Record<ProofCode, string>>> = {
-  'out-of-range': 'black-hole-out-of-reach',
-  covered: 'black-hole-covered',
-  'nothing-in-range': 'nothing-in-range-at-start',
-  'starts-in-hazard': 'starts-in-hazard',
-};

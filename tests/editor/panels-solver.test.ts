@@ -15,9 +15,18 @@ import { everyTick, watchRobustness } from '../../editor/features/solver/robustn
 import { createOverlay, createSearchSession } from '../../editor/features/solver/search-session.ts';
 import { aimOf, createSearchSettings, goalOf } from '../../editor/features/solver/search-task.ts';
 import type { JobEnd, Solving } from '../../editor/workers/index.ts';
+import { proofsWork } from '../../editor/workers/jobs/check.ts';
 import { compile, DEFAULT_TERMS, STATE_SIZE, simulate, TICK } from '../../engine/index.ts';
-import { type Hold, readLevel } from '../../schema/index.ts';
-import { measureRobustness, proveImpossible, proveMineralsUnreachable, type Solution, verifyRun } from '../../solver/index.ts';
+import { type Hold, readLevel, resolveLevel } from '../../schema/index.ts';
+import {
+  measureRobustness,
+  type Proof,
+  proofPicture,
+  proveImpossible,
+  proveMineralsUnreachable,
+  type Solution,
+  verifyRun,
+} from '../../solver/index.ts';
 import { fakeDesk } from './fake-desk.ts';
 import { breathe } from './stage.ts';
 
@@ -185,11 +194,23 @@ describe('a search', () => {
     search.start();
     const impossible = proveImpossible(proof.proof().level);
     expect(impossible).not.toBeNull();
-    workers.last('proofs').tell({ impossible, minerals: [] });
+    expect(workers.last('proofs').request).toMatchObject({ isDrawn: true });
+    const picture = proofPicture(proof.proof().level, impossible as Proof);
+    workers.last('proofs').tell({ impossible, minerals: [], picture });
     await breathe();
     expect(workers.last('solve').isCancelled()).toBe(true);
     expect(search.store.getState()).toMatchObject({ phase: 'done', impossible });
-    expect(overlay.getState().proof?.discs.length).toBeGreaterThan(0);
+    expect(overlay.getState().proof).toBe(picture);
+  });
+
+  it('gets the picture of the first proof from the worker, drawn once, and only if it asks', () => {
+    const file = { ...readShipped('04-slingshot'), runs: [] };
+    const level = resolveLevel({ ...file, blackHole: { ...file.blackHole, x: 90_000 } });
+    const answers = (isDrawn: boolean) => [...proofsWork.steps({ level, terms: DEFAULT_TERMS, collected: [], isDrawn }, () => 0)];
+    const drawn = answers(true).map((one) => one?.picture);
+    expect(drawn[0]).toEqual(proofPicture(level, proveImpossible(level) as Proof));
+    expect(drawn.every((picture) => picture === drawn[0])).toBe(true);
+    expect(answers(false).map((one) => one?.picture)).toEqual(drawn.map(() => undefined));
   });
 
   it('ends when a mineral is proved to be out of reach, but only if it is required', async () => {

@@ -8,7 +8,6 @@ import {
   mineralsNeeded,
   type Proof,
   type ProofPicture,
-  proofPicture,
   verifyRun,
 } from '../../../solver/index.ts';
 import type { Desk } from '../../core/ask/index.ts';
@@ -79,13 +78,11 @@ export function createSearchSession({ level, session, desk, settings, overlay, n
     overlay.setState({ heat: solving.explored });
     drawGhosts();
   };
-  const showProved = (searched: Level, { impossible, minerals }: Proofs) => {
-    const shown = impossible ?? minerals[0]?.proof ?? null;
-    const count = searched.minerals.length;
+  const showProved = ({ minerals: { length: count } }: Level, { impossible, minerals, picture = null }: Proofs) => {
     // more minerals are wanted than can be collected
     const isHopeless = mineralsNeeded(goal, count) > count - minerals.length;
     store.setState({ impossible, mineralProofs: minerals, isHopeless });
-    overlay.setState({ proof: shown === null ? null : proofPicture(searched, shown) });
+    overlay.setState({ proof: picture });
     if ((impossible === null && !isHopeless) || store.getState().phase !== 'running') return;
     // nothing is left to find
     jobs.cancelSolving();

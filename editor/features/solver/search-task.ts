@@ -67,7 +67,7 @@ export function createSearchJobs(desk: Desk): SearchJobs {
         if (phase === 'asking' && reports > 1 && found !== null && found.solutions.length > 0) proving.stop();
         if (phase !== 'asking') onEnd(message);
       });
-      proving.ask({ ...played, collected: [], finer: 1000 * budget }, ({ phase, progress, answer }) => {
+      proving.ask({ ...played, collected: [], finer: 1000 * budget, isDrawn: true }, ({ phase, progress, answer }) => {
         if (phase === 'asking') reports++;
         const proved = answer ?? progress;
         if (proved !== null && phase !== 'failed') onProved(proved);

@@ -9,7 +9,7 @@ import {
   type RunFindings,
 } from '../../../check/index.ts';
 import { compile, maxTicksOf, type Scene, WorkBudget } from '../../../engine/index.ts';
-import { createAnytimeProof, type Proof } from '../../../solver/index.ts';
+import { createAnytimeProof, type Proof, type ProofPicture, proofPicture } from '../../../solver/index.ts';
 import { accuracyNameOf, job, type Played, type Work } from '../job.ts';
 
 /** The findings of all runs of a level. */
@@ -32,6 +32,8 @@ export const checkWork: Work<typeof check> = {
 export interface Proofs {
   readonly impossible: Proof | null;
   readonly minerals: readonly LostMineral[];
+  /** How the first proof looks, if that was asked for; null: there is none. */
+  readonly picture?: ProofPicture | null;
 }
 
 /** Proves, if possible, that no run reaches the black hole or a mineral. */
@@ -41,6 +43,8 @@ export const proofs = job<
     readonly collected: readonly number[] | null;
     /** How long to go on with ever finer sets, ms; 0 if absent. */
     readonly finer?: number;
+    /** Whether a picture of the first proof is wanted; false if absent. */
+    readonly isDrawn?: boolean;
   },
   Proofs,
   Proofs
@@ -55,23 +59,29 @@ const SLICE = 50_000;
  */
 export const proofsWork: Work<typeof proofs> = {
   of: proofs,
-  *steps({ level, terms, collected, finer = 0 }, now) {
+  *steps({ level, terms, collected, finer = 0, isDrawn = false }, now) {
     const end = now() + finer;
     const scene = compile(level, terms);
     const budget = proofBudget(scene);
+    let drawn: { readonly of: Proof | null; readonly picture: ProofPicture | null } = { of: null, picture: null };
+    const proved = (impossible: Proof | null, minerals: readonly LostMineral[]): Proofs => {
+      const of = impossible ?? minerals[0]?.proof ?? null;
+      if (isDrawn && of !== drawn.of) drawn = { of, picture: of && proofPicture(level, of) };
+      return isDrawn ? { impossible, minerals, picture: drawn.picture } : { impossible, minerals };
+    };
     const impossible = proveGoalImpossible(scene, { minerals: 'any' }, budget);
-    yield { impossible, minerals: [] };
+    yield proved(impossible, []);
     const asked = mineralsToProve(level, collected ?? collectedIn(scene));
     const minerals = proveMineralsLost(scene, asked, budget);
-    if (impossible !== null) return { impossible, minerals };
-    yield { impossible, minerals };
+    if (impossible !== null) return proved(impossible, minerals);
+    yield proved(null, minerals);
     const isStopped = () => now() >= end;
     const proving = createAnytimeProof(level, { accuracy: accuracyNameOf(terms), maxTicks: maxTicksOf(terms), isStopped });
     while (!proving.finished && !isStopped()) {
       proving.advance(SLICE);
       yield null;
     }
-    return { impossible: proving.proof, minerals };
+    return proved(proving.proof, minerals);
   },
 };
 
