@@ -1,7 +1,7 @@
 import * as z from 'zod';
+import { VERDICTS } from './basics/index.ts';
 import { ACCURACY_NAMES } from './config/index.ts';
 import { rulesSchema } from './level-schema.ts';
-import { VERDICTS } from './reports/index.ts';
 
 /**
  * The protocol between the editor and the server of `gq edit`: JSON over HTTP, on 127.0.0.1 only.

@@ -66,6 +66,8 @@ export {
   touchedName,
   type ValueOf,
   type VariantFlag,
+  VERDICTS,
+  type Verdict,
 } from './basics/index.ts';
 export * from './config/index.ts';
 export * from './edit-api.ts';

@@ -5,23 +5,33 @@ import { CanvasView } from '../canvas/index.ts';
 import { type Command, listenToKeys, listenToPads } from '../core/commands/index.ts';
 import { errorInWords, problemsInWords } from '../core/files/index.ts';
 import { openListed } from '../core/levels/index.ts';
-import { SamplesButton } from '../core/panel/index.ts';
+import { laterCover, SamplesButton } from '../core/panel/index.ts';
 import { Button, keepFocus } from '../core/ui/index.ts';
 import { FEATURES } from '../features/index.ts';
 import { Timeline } from '../timeline/index.ts';
 import './app.css';
 import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevelKey, useSession } from '../core/context/index.ts';
 import { appCommands } from './app-commands.ts';
-import { CheatSheet } from './CheatSheet.tsx';
-import { CommandPalette } from './CommandPalette.tsx';
 import { Layout, useRoom } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
 import { LEFT, LEVELS, PANELS, PROBLEMS, RIGHT, type SidePanel, showPanel } from './panels.tsx';
 import { HeldBar } from './SaveStatus.tsx';
-import { SettingsDialog } from './SettingsDialog.tsx';
 import { StatusBar } from './StatusBar.tsx';
 import { Toolbar } from './Toolbar.tsx';
 import { TopBar } from './TopBar.tsx';
+
+const CommandPalette = laterCover(
+  ({ overlay }) => overlay === 'palette',
+  () => import('./CommandPalette.tsx').then((there) => there.CommandPalette),
+);
+const CheatSheet = laterCover(
+  ({ overlay }) => overlay === 'cheatSheet',
+  () => import('./CheatSheet.tsx').then((there) => there.CheatSheet),
+);
+const SettingsDialog = laterCover(
+  ({ overlay }) => overlay === 'settings',
+  () => import('./SettingsDialog.tsx').then((there) => there.SettingsDialog),
+);
 
 const CANVAS_PARTS = FEATURES.flatMap(({ name, canvas }) => (canvas === undefined ? [] : { name, ...canvas }));
 const TIMELINE_PARTS = FEATURES.flatMap(({ name, timeline }) => (timeline === undefined ? [] : { name, ...timeline }));

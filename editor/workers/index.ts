@@ -1,5 +1,4 @@
-export { follow } from './follow.ts';
-export { type AnswerOf, type AskedOf, accuracyNameOf, type Job, type ProgressOf } from './job.ts';
+export { type AnswerOf, type AskedOf, accuracyNameOf, follow, type Job, type ProgressOf } from './job.ts';
 export * as jobs from './jobs/index.ts';
 export {
   FAN_TICKS,

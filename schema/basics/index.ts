@@ -8,5 +8,5 @@ export * from './kinds.ts';
 export * from './level-types.ts';
 export { DEFAULT_RANGE, LEVEL_VERSION, LIMITS, LONGEST_RUN, MAX_FILE_SIZE, MOST_WORK, SHORTEST_RUN } from './limits.ts';
 export { entryName, objectName, touchedName, toWords } from './names.ts';
-export { type Finding, fromPointer, MAX_FINDINGS, MAX_PROBLEMS, type Path, type Problem, toPointer } from './problem.ts';
+export * from './problem.ts';
 export { closestName, formatValue, quote } from './words.ts';

@@ -1,5 +1,11 @@
 import type { ProblemCode } from './codes.ts';
 
+/** The verdicts on a level. All but the first need attention. */
+export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
+
+/** The verdict on a level. */
+export type Verdict = (typeof VERDICTS)[number];
+
 /** At most this many problems are shown; the others are only counted. */
 export const MAX_PROBLEMS = 20;
 

@@ -1,8 +1,7 @@
 import * as z from 'zod';
-import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/index.ts';
+import { LONGEST_RUN, MOST_WORK, SHORTEST_RUN, VERDICTS } from '../basics/index.ts';
 import { block, inline } from '../json/index.ts';
 import { rulesSchema } from '../level-schema.ts';
-import { VERDICTS } from '../reports/index.ts';
 
 /** The version of the lock file that this toolkit reads and writes. */
 export const LOCK_VERSION = 1;

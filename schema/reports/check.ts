@@ -1,12 +1,7 @@
 import * as z from 'zod';
+import { VERDICTS } from '../basics/index.ts';
 import { problem, termsReportSchema, version } from './parts.ts';
 import { forecastReportSchema, playersReportSchema, playsReportSchema } from './players.ts';
-
-/** The verdicts on a level. All but the first need attention. */
-export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;
-
-/** The verdict on a level. */
-export type Verdict = (typeof VERDICTS)[number];
 
 const time = z.number().min(0).describe('Seconds from the start.');
 const index = z.int().min(0).describe("Within the level's own list of that kind, from 0.");

@@ -1,5 +1,6 @@
 import * as z from 'zod';
-import { checkReportSchema, runReportSchema, VERDICTS } from './check.ts';
+import { VERDICTS } from '../basics/index.ts';
+import { checkReportSchema, runReportSchema } from './check.ts';
 import { termsReportSchema } from './parts.ts';
 
 const index = z.int().min(0).describe('From 0.');

@@ -1,6 +1,6 @@
 import * as z from 'zod';
-import { RULE_NAMES } from '../basics/index.ts';
-import { runReportSchema, VERDICTS } from './check.ts';
+import { RULE_NAMES, VERDICTS } from '../basics/index.ts';
+import { runReportSchema } from './check.ts';
 import { playVerdict, problem, termsReportSchema, version } from './parts.ts';
 
 const { holds, outcome, time } = runReportSchema.shape;

@@ -5,7 +5,7 @@ import { afterAll, beforeEach, describe, expect, it } from 'vitest';
 import { SUMMED_UP } from '../../cli/io/replaceable.ts';
 import { REPORTER_NAMES } from '../../cli/reporters/reporter.ts';
 import { PLAY_VERDICTS } from '../../game/index.ts';
-import { VERDICTS } from '../../schema/reports/check.ts';
+import { VERDICTS } from '../../schema/basics/index.ts';
 import { fallThrough, gq, makeFiles } from './gq.ts';
 
 const removals: (() => void)[] = [];

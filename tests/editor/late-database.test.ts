@@ -3,7 +3,7 @@ import { createEditedLevel, setLevelProperty } from '../../editor/core/document/
 import { inTimeOrLate } from '../../editor/core/files/page-surroundings.ts';
 import { createJournal, createMemoryStore } from '../../editor/core/journal/index.ts';
 import { createNotices } from '../../editor/core/notices/index.ts';
-import { tellKept } from '../../editor/features/kept/tell-kept.ts';
+import { tellKept } from '../../editor/features/kept/feature.tsx';
 import { breathe, FILE, TurnedClock } from './stage.ts';
 
 /** The state of a promise so far. */

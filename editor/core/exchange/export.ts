@@ -1,8 +1,6 @@
 import { fileOpen, fileSave } from 'browser-fs-access';
-import { renderSvg } from '../../../picture/index.ts';
-import { formatLevel, type LevelFile } from '../../../schema/index.ts';
+import { formatLevel, LEVEL_ID_PART, type LevelFile } from '../../../schema/index.ts';
 import type { Notices } from '../notices/index.ts';
-import type { LiveProof } from '../proof/index.ts';
 
 /** A file to save. */
 export interface ExportedFile {
@@ -10,51 +8,39 @@ export interface ExportedFile {
   readonly blob: Blob;
 }
 
+/** Letters that Unicode does not decompose into a Latin letter and a mark, and umlauts in their usual transcription. */
+const LETTERS: Readonly<Record<string, string>> = {
+  ...{ ä: 'ae', ö: 'oe', ü: 'ue', ß: 'ss', æ: 'ae', œ: 'oe', ø: 'oe', þ: 'th', ð: 'd', đ: 'd', ħ: 'h' },
+  ...{ ı: 'i', ł: 'l', ŋ: 'ng', ŧ: 't', ĸ: 'k', ſ: 's', ƒ: 'f' },
+};
+
+/** A text as letters a-z, digits and hyphens: `Sling Shot!` becomes `sling-shot`, `Böse` `boese`, `Café` `cafe`; '' if it has none. */
+export const plainName = (text: string): string =>
+  text
+    .toLowerCase()
+    .normalize('NFC')
+    .replace(/[^\p{ASCII}]/gu, (letter) => LETTERS[letter] ?? letter)
+    // accents are dropped; any other character that is not a letter separates words
+    .normalize('NFKD')
+    .replace(/\p{Mn}+/gu, '')
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, '-')
+    .replace(/^-+|-+$/g, '')
+    .slice(0, 60)
+    .replace(/-+$/, '');
+
+/** `07 Sling Shot!.level.json` becomes `07-sling-shot`; a name without a Latin letter or digit becomes `level`. */
+export function slugOf(fileName: string): string {
+  const slug = plainName(fileName.replace(/(\.level)?\.json$/i, ''));
+  if (slug === '') return 'level';
+  // some names are reserved for devices on some systems
+  return LEVEL_ID_PART.test(slug) ? slug : `level-${slug}`;
+}
+
 /** The level as a file for `gq`. @param id of the level */
 export function levelFile(id: string, file: LevelFile): ExportedFile {
   const name = `${id.split('/').at(-1)}.level.json`;
   return { name, blob: new Blob([formatLevel(file)], { type: 'application/json' }) };
-}
-
-interface PictureOptions {
-  readonly theme: 'dark' | 'light';
-  /** px */
-  readonly width: number;
-  readonly withRun: boolean;
-}
-
-/** A picture of the level, with the shown run if wanted. */
-export function pictureSvg({ level, run, full }: LiveProof, { theme, width, withRun }: PictureOptions): string {
-  return withRun && full !== null
-    ? renderSvg(level, { run: full, holds: run.holds, width, theme })
-    : renderSvg(level, { width, theme });
-}
-
-/**
- * The same picture as a PNG.
- * @param scale pixels per px
- * @throws (rejects) if the browser can't draw it
- */
-export async function toPng(svg: string, scale = 2): Promise<Blob> {
-  const image = new Image();
-  image.src = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
-  try {
-    await image.decode();
-    const canvas = document.createElement('canvas');
-    canvas.width = Math.round(image.naturalWidth * scale);
-    canvas.height = Math.round(image.naturalHeight * scale);
-    const context = canvas.getContext('2d');
-    if (context === null) throw new Error('the browser gives no canvas to draw on');
-    context.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return await new Promise((resolve, reject) => {
-      canvas.toBlob(
-        (blob) => (blob === null ? reject(new Error('the picture is too large for this browser')) : resolve(blob)),
-        'image/png',
-      );
-    });
-  } finally {
-    URL.revokeObjectURL(image.src);
-  }
 }
 
 /** What a dialog of the browser gives; null if the user closed it. */

@@ -1,14 +1,4 @@
-export {
-  chooseFiles,
-  copyText,
-  downloadFile,
-  type ExportedFile,
-  keepFile,
-  levelFile,
-  pictureSvg,
-  toPng,
-  unlessClosed,
-} from './export.ts';
-export { type Importing, importLevels, plainName, slugOf } from './import-levels.ts';
+export * from './export.ts';
+export { type Importing, importLevels } from './import-levels.ts';
 export { type Linking, LONGEST_LINK, levelOf, linkTo, playPageOf } from './link.ts';
-export { fetchGame, singlePage } from './single-page.ts';
+export { fetchGame, pictureSvg, singlePage, toPng } from './made-files.ts';

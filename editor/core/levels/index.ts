@@ -18,5 +18,13 @@ export {
 } from './level-files.ts';
 export { listHistoryOf } from './list-history.ts';
 export { changePack, editPack } from './pack-steps.ts';
-export { factsKey, factsOf, pictureOf, thumbnailKey, thumbnailsOf, verdictOf } from './thumbnails.ts';
-export { type ListedVerdict, VerdictSign } from './VerdictSign.tsx';
+export {
+  factsKey,
+  factsOf,
+  type ListedVerdict,
+  pictureOf,
+  thumbnailKey,
+  thumbnailsOf,
+  VerdictSign,
+  verdictOf,
+} from './thumbnails.tsx';

@@ -3,7 +3,6 @@ import { formatLevel, type LevelEntry, type LevelFile, levelsOfPack } from '../.
 import { readContent } from '../../../schema/level/index.ts';
 import type { Editor } from '../context/index.ts';
 import { folderOf, folderPackIn, idsIn } from '../files/index.ts';
-import { loadSamples } from '../templates/index.ts';
 import { type ListStep, listHistoryOf } from './list-history.ts';
 import { changePack, tellError, valueOrNotice } from './pack-steps.ts';
 
@@ -156,9 +155,9 @@ function isListed({ workspace }: Editor, id: string): boolean {
 
 /** Adds the levels that come with the toolkit and opens the first. */
 export async function addSamples(editor: Editor, folder: string): Promise<void> {
-  let samples: Awaited<ReturnType<typeof loadSamples>>;
+  let samples: typeof import('./samples.ts').SAMPLES;
   try {
-    samples = await loadSamples();
+    samples = (await import('./samples.ts')).SAMPLES;
   } catch {
     editor.notices.show('warning', 'The sample levels could not be loaded. Reload the page and try again.', {
       topic: 'level-files',

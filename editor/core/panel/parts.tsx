@@ -3,6 +3,7 @@ import { type ComponentType, type ReactNode, useId } from 'react';
 import type { Outcome } from '../../../engine/index.ts';
 import { useEditor } from '../context/index.ts';
 import type { Fact } from '../figures/index.ts';
+import './parts.css';
 
 interface SectionProps {
   readonly title: string;

@@ -107,6 +107,3 @@ export const TEMPLATES: readonly Template[] = [
     make: (name, seed) => withIds(thrown(name, seed)),
   },
 ];
-
-/** The shipped levels, loaded on demand. */
-export const loadSamples = async () => (await import('./samples.ts')).SAMPLES;

@@ -1,4 +1,3 @@
-import { useVirtualizer } from '@tanstack/react-virtual';
 import { EllipsisVertical } from 'lucide-react';
 import { ContextMenu } from 'radix-ui';
 import {
@@ -10,8 +9,12 @@ import {
   type RefObject,
   useEffect,
   useId,
+  useLayoutEffect,
+  useMemo,
   useRef,
+  useState,
 } from 'react';
+import { flushSync } from 'react-dom';
 import { FINGER, useCoarse } from '../context/index.ts';
 import { actOnKey } from './tree-keys.ts';
 import type { MenuEntry, TreeProps, TreeRow } from './tree-rows.ts';
@@ -28,11 +31,11 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
   const id = useId();
   const scroller = useRef<HTMLDivElement>(null);
   const activeIndex = rows.findIndex(({ key }) => key === active);
-  const virtual = useShownRows(scroller, rows, rowHeight, activeIndex);
+  const shown = useShownRows(scroller, rows, rowHeight, activeIndex);
   const { dragged, drop, listeners } = useRowDrag(rows, onMove);
 
   const onKeyDown = (event: KeyboardEvent<HTMLDivElement>) => {
-    const page = Math.max(1, (virtual.range?.endIndex ?? 0) - (virtual.range?.startIndex ?? 0) - 1);
+    const page = Math.max(1, shown.visible - 2);
     const showActiveMenu = () => {
       const element = scroller.current?.querySelector(`[data-index="${activeIndex}"]`);
       if (element != null) showMenu(element);
@@ -46,7 +49,7 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
     if (row.expanded !== null) onToggle?.(row);
     else onPick(row, { shift: event.shiftKey, mod: event.ctrlKey || event.metaKey });
   };
-  const line = virtual.getVirtualItems().find(({ index }) => index === drop?.index);
+  const line = shown.places.find(({ index }) => index === drop?.index);
 
   const tree = (
     <div
@@ -74,8 +77,8 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
       onMouseLeave={() => onHover?.(null)}
       {...listeners}
     >
-      <div className="tree__space" role="presentation" style={{ height: virtual.getTotalSize() }}>
-        {virtual.getVirtualItems().map(({ index, start, size }) => {
+      <div className="tree__space" role="presentation" style={{ height: shown.height }}>
+        {shown.places.map(({ index, start, end }) => {
           const row = rows[index];
           const lit = row.key === hovered ? ' tree__row--hovered' : '';
           const held = row.key === dragged?.key ? ' tree__row--dragged' : '';
@@ -93,7 +96,7 @@ export function Tree<R extends TreeRow>(props: TreeProps<R>) {
               aria-posinset={row.place + 1}
               aria-setsize={row.siblings}
               draggable={onMove !== undefined && row.list !== null}
-              style={{ height: size, transform: `translateY(${start}px)`, paddingLeft: 8 + (row.depth - 1) * 14 }}
+              style={{ height: end - start, transform: `translateY(${start}px)`, paddingLeft: 8 + (row.depth - 1) * 14 }}
             >
               {render(row)}
             </div>
@@ -135,35 +138,91 @@ function TreeMenu({ entries, children }: { readonly entries: readonly MenuEntry[
   );
 }
 
-/** The rows that are rendered, out of any number. The active one is scrolled into view. */
+/** Rows that are rendered beyond the visible ones, at both ends. */
+const BEYOND = 8;
+
+/** Where a row stands, px from the upper end of the first one. */
+interface RowPlace {
+  readonly index: number;
+  readonly start: number;
+  readonly end: number;
+}
+
+/** Which rows are rendered, out of any number. */
+interface ShownRows {
+  readonly places: readonly RowPlace[];
+  /** The height of all rows, px. */
+  readonly height: number;
+  /** The number of rows that are visible. */
+  readonly visible: number;
+}
+
+/** The index of the row at a height, px. @param ends the lower ends of all rows, px */
+function rowAtHeight(ends: readonly number[], height: number): number {
+  let [low, high] = [0, ends.length - 1];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (ends[middle] > height) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+/** The rows to render in an element that scrolls. The active one is scrolled into view, whatever made it active. */
 function useShownRows<R extends TreeRow>(
   scroller: RefObject<HTMLDivElement | null>,
   rows: readonly R[],
   rowHeight: (row: R) => number,
   activeIndex: number,
-) {
+): ShownRows {
   const least = useCoarse() ? FINGER : 0;
-  const virtual = useVirtualizer({
-    count: rows.length,
-    getScrollElement: () => scroller.current,
-    estimateSize: (index) => Math.max(least, rowHeight(rows[index])),
-    getItemKey: (index) => rows[index].key,
-    overscan: 8,
-  });
+  const ends = useMemo(() => {
+    let end = 0;
+    return rows.map((row) => {
+      end += Math.max(least, rowHeight(row));
+      return end;
+    });
+  }, [rows, rowHeight, least]);
+  const [{ top, height }, setWindow] = useState({ top: 0, height: 0 });
 
-  const measure = useRef(virtual.measure);
-  measure.current = virtual.measure;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another pointer or other rows, other heights
-  useEffect(() => measure.current(), [least, rowHeight]);
+  const asked = useRef(ends);
+  asked.current = ends;
+  useLayoutEffect(() => {
+    const element = scroller.current;
+    if (element === null) return;
+    let shown = '';
+    const look = () => {
+      const { scrollTop, clientHeight } = element;
+      const seen = [scrollTop, scrollTop + clientHeight - 1].map((edge) => rowAtHeight(asked.current, edge)).join();
+      if (seen !== shown) setWindow({ top: scrollTop, height: clientHeight });
+      shown = seen;
+    };
+    look();
+    // before the frame that shows the new place: else it would be empty there
+    const onScroll = () => flushSync(look);
+    element.addEventListener('scroll', onScroll, { passive: true });
+    const resized = new ResizeObserver(look);
+    resized.observe(element);
+    return () => {
+      element.removeEventListener('scroll', onScroll);
+      resized.disconnect();
+    };
+  }, [scroller]);
 
-  // Scrolls to the active row, whatever made it active.
-  const scrollTo = useRef(virtual.scrollToIndex);
-  scrollTo.current = virtual.scrollToIndex;
   useEffect(() => {
-    if (activeIndex >= 0) scrollTo.current(activeIndex, { align: 'auto' });
-  }, [activeIndex]);
+    const element = scroller.current;
+    if (element === null || activeIndex < 0) return;
+    const [start, end] = [asked.current[activeIndex - 1] ?? 0, asked.current[activeIndex]];
+    if (end > element.scrollTop + element.clientHeight) element.scrollTop = end - element.clientHeight;
+    else if (start < element.scrollTop) element.scrollTop = start;
+  }, [scroller, activeIndex]);
 
-  return virtual;
+  const [first, last] = height === 0 ? [0, -1] : [rowAtHeight(ends, top), rowAtHeight(ends, top + height - 1)];
+  const from = Math.max(0, first - BEYOND);
+  const places = ends
+    .slice(from, last < 0 ? 0 : last + 1 + BEYOND)
+    .map((end, i) => ({ index: from + i, start: ends[from + i - 1] ?? 0, end }));
+  return { places, height: ends[ends.length - 1] ?? 0, visible: last - first + 1 };
 }
 
 /** Opens the context menu of its row. It is not focusable, as the keyboard has the menu key. */

@@ -4,7 +4,7 @@ import { type EditedLevel, levelText } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
 import { type Base, fromStored, toStored, wholeIn, wholeText } from './stored-text.ts';
 import { thin } from './thinning.ts';
-import { changesInShort, checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
+import { checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
 import type { NewVersion, VersionStore } from './version-store.ts';
 
 /** The history of one level. */
@@ -183,12 +183,14 @@ export class RecordedVersions implements LevelVersions {
     const noted = this.noted;
     this.noted = [];
     if (noted.length === 0) return true;
-    const texts = noted.map(({ file, after }) => ({
-      text: levelText(file),
-      changes: after === null ? '' : changesInShort(after, file),
-    }));
+    const texts = noted.map(({ file }) => levelText(file));
     const isDone = await this.inTurn(async (store, history) => {
-      for (const [i, one] of noted.entries()) await this.add(store, history, one, texts[i]);
+      // words that can't be loaded are not known
+      const there = await import('./changes-in-short.ts').catch(() => null);
+      for (const [i, one] of noted.entries()) {
+        const changes = one.after === null ? '' : (there?.changesInShort(one.after, one.file) ?? '');
+        await this.add(store, history, one, { text: texts[i], changes });
+      }
     });
     // The next attempt comes with the next version. Those between are lost, but not what they were called.
     const last = noted.at(-1);

@@ -1,11 +1,18 @@
 import type { Feature } from '../feature.ts';
-import { ConflictDialog } from './ConflictDialog.tsx';
 import './conflicts.css';
 import type { Editor } from '../../core/context/index.ts';
 import { problemsInWords, type SaveState } from '../../core/files/index.ts';
+import { laterCover } from '../../core/panel/index.ts';
 
 /** What to do when the page and the file on disk disagree. */
-export const conflicts: Feature = { name: 'conflicts', dialogs: ConflictDialog, start: followDisagreement };
+export const conflicts: Feature = {
+  name: 'conflicts',
+  dialogs: laterCover(
+    ({ overlay }) => overlay === 'conflict',
+    () => import('./ConflictDialog.tsx').then(({ ConflictDialog }) => ConflictDialog),
+  ),
+  start: followDisagreement,
+};
 
 const TOPIC = 'disagreement';
 

@@ -3,13 +3,21 @@ import { flushSync } from 'react-dom';
 import type { Feature } from '../feature.ts';
 import { HeldBackDialog } from './HeldBackDialog.tsx';
 import { LevelsPanel } from './LevelsPanel.tsx';
-import { NewLevelDialog } from './NewLevelDialog.tsx';
-import { TrashDialog } from './TrashDialog.tsx';
 import './dialogs.css';
 import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor } from '../../core/context/index.ts';
 import { folderOf } from '../../core/files/index.ts';
 import { addSamples, deleteLevel, duplicateLevel, openListed } from '../../core/levels/index.ts';
+import { laterCover } from '../../core/panel/index.ts';
+
+const NewLevelDialog = laterCover(
+  ({ overlay }) => overlay === 'newLevel',
+  () => import('./NewLevelDialog.tsx').then((there) => there.NewLevelDialog),
+);
+const TrashDialog = laterCover(
+  ({ overlay }) => overlay === 'trash',
+  () => import('./TrashDialog.tsx').then((there) => there.TrashDialog),
+);
 
 function Dialogs() {
   return (

@@ -1,10 +1,9 @@
-import { type RefObject, useCallback, useEffect, useRef, useState } from 'react';
-import { useEditor, useLevel, useProof, useSession, useTouch } from '../../core/context/index.ts';
-import { keepAsRun, makeProof } from '../../core/levels/index.ts';
-import './play.css';
 import { Check, Plus, RotateCcw, Route, X } from 'lucide-react';
+import { type RefObject, useCallback, useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { outcomeAsPredicate, type RunEnd } from '../../../check/words/index.ts';
+import { useEditor, useLevel, useProof, useSession, useTouch } from '../../core/context/index.ts';
+import { keepAsRun, makeProof } from '../../core/levels/index.ts';
 import { RATE_NAMES, RATES } from '../../core/session/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { type Readout, usePlaytest } from './use-playtest.ts';

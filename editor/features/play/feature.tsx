@@ -1,20 +1,20 @@
 import type { Command } from '../../core/commands/index.ts';
-import { type Editor, useSession } from '../../core/context/index.ts';
+import type { Editor } from '../../core/context/index.ts';
+import { laterCover } from '../../core/panel/index.ts';
 import { RATES } from '../../core/session/index.ts';
 import type { Feature } from '../feature.ts';
-import { PlayView } from './PlayView.tsx';
-import { ReplayView } from './ReplayView.tsx';
-
-/** The playtest, or the replay of a play. */
-function Screen() {
-  const mode = useSession((state) => state.mode);
-  const playFrom = useSession((state) => state.playFrom);
-  if (mode !== 'play') return null;
-  return typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />;
-}
+import './play.css';
 
 /** The level as a game. */
-export const play: Feature = { name: 'play', screen: Screen, commands: playCommands };
+export const play: Feature = {
+  name: 'play',
+  screen: laterCover(
+    ({ mode }) => mode === 'play',
+    () => import('./PlayScreen.tsx').then(({ PlayScreen }) => PlayScreen),
+    { mode: 'edit' },
+  ),
+  commands: playCommands,
+};
 
 /** Commands that start a playtest and set its speed. */
 function playCommands({ session, settings, notices }: Editor): readonly Command[] {

@@ -1,4 +1,5 @@
 import { Check, CircleCheck, CircleHelp, CircleX, Info, Play, Plus, Replace, Square, TriangleAlert, X } from 'lucide-react';
+import type { ComponentType } from 'react';
 import { useStore } from 'zustand';
 import { LIMITS } from '../../../schema/index.ts';
 import { mineralsNeeded } from '../../../solver/index.ts';
@@ -9,13 +10,32 @@ import { Progress, Section, Segments } from '../../core/panel/index.ts';
 import { showLayer } from '../../core/session/index.ts';
 import { Button, NumberField } from '../../core/ui/index.ts';
 import { useRunEnds } from '../runs/index.ts';
+import { DifficultyReport } from './DifficultyReport.tsx';
+import { FixReport } from './FixReport.tsx';
 import { useSolverSession } from './index.ts';
+import { RobustnessReport } from './RobustnessReport.tsx';
 import type { Found, SearchState } from './search-session.ts';
 import { type OwnRuns, summaryOf } from './search-summary.ts';
 import { goalOf, RUNS_WANTED, SOLVE_KEY } from './search-task.ts';
 
+/** The solver panel: search, fixes, robustness and difficulty. @param sections what other features examine */
+export function Solver({ sections }: { readonly sections: readonly ComponentType[] }) {
+  return (
+    <div className="panel__body solver">
+      <SearchSection />
+      <FixReport />
+      {sections.map((Part, key) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+        <Part key={key} />
+      ))}
+      <RobustnessReport />
+      <DifficultyReport />
+    </div>
+  );
+}
+
 /** Searches for runs: what is asked, and what was found. */
-export function SearchSection() {
+function SearchSection() {
   return (
     <Section title="Find runs">
       <SearchSettingsForm />

@@ -1,17 +1,13 @@
 import { Sparkles } from 'lucide-react';
-import type { ComponentType } from 'react';
 import { COLOURS, type DrawnPart, unchanged } from '../../canvas/index.ts';
 import type { Feature } from '../feature.ts';
-import { DifficultyReport } from './DifficultyReport.tsx';
-import { FixReport } from './FixReport.tsx';
 import { solverSessionOf } from './index.ts';
-import { RobustnessReport } from './RobustnessReport.tsx';
 import { HeatLegend, SearchLayer } from './SearchOverlay.tsx';
-import { SearchSection } from './SearchSection.tsx';
 import type { SearchOverlay } from './search-session.ts';
 import './solver.css';
 import type { Command } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { laterPanel } from '../../core/panel/index.ts';
 import { SOLVE_KEY } from './search-task.ts';
 
 const drawn: DrawnPart<SearchOverlay> = {
@@ -36,27 +32,11 @@ export const solver: Feature = {
     icon: <Sparkles size={17} />,
     side: 'right',
     place: 'tab',
-    content: Solver,
+    content: laterPanel(() => import('./SearchSection.tsx').then(({ Solver }) => Solver)),
   },
   commands: solverCommands,
   levelCommands: solverLevelCommands,
 };
-
-/** The solver panel: search, fixes, robustness and difficulty. @param sections what other features examine */
-function Solver({ sections }: { readonly sections: readonly ComponentType[] }) {
-  return (
-    <div className="panel__body solver">
-      <SearchSection />
-      <FixReport />
-      {sections.map((Part, key) => (
-        // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
-        <Part key={key} />
-      ))}
-      <RobustnessReport />
-      <DifficultyReport />
-    </div>
-  );
-}
 
 /** What can be done with the solver, whatever is shown. */
 function solverCommands(editor: Editor): readonly Command[] {

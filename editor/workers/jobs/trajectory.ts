@@ -1,8 +1,7 @@
 import { countMinerals, type RunEnd } from '../../../check/words/index.ts';
 import { compile, joinHolds, maxTicksOf, type RunEvent, simulate } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
-import { follow } from '../follow.ts';
-import { job, type Played, type Work } from '../job.ts';
+import { follow, job, type Played, type Work } from '../job.ts';
 
 /** Her way in a run, and what came of it. */
 export interface Trajectory {

@@ -1,21 +1,28 @@
 import { Pause, Play, Plus, X } from 'lucide-react';
 import { useCallback, useEffect, useRef, useState } from 'react';
 import { TICK } from '../../../engine/index.ts';
-import { useEditor, useLevel } from '../../core/context/index.ts';
+import { useEditor, useLevel, useSession } from '../../core/context/index.ts';
 import { keepHolds } from '../../core/levels/index.ts';
 import type { Replay } from '../../core/session/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { everyFrame } from './use-playtest.ts';
-import './play.css';
-import { SpeedAndMinerals } from './PlayView.tsx';
+import { PlayView, SpeedAndMinerals } from './PlayView.tsx';
 import { createReplay, type ReplayPlayer } from './playtest.ts';
+import { everyFrame } from './use-playtest.ts';
+
+/** The playtest, or the replay of a play. */
+export function PlayScreen() {
+  const mode = useSession((state) => state.mode);
+  const playFrom = useSession((state) => state.playFrom);
+  if (mode !== 'play') return null;
+  return typeof playFrom === 'string' ? <PlayView /> : <ReplayView replay={playFrom} />;
+}
 
 type Moment = Pick<ReplayPlayer, 'tick' | 'minerals' | 'speed' | 'isOver'>;
 
 const momentOf = ({ tick, minerals, speed, isOver }: ReplayPlayer): Moment => ({ tick, minerals, speed, isOver });
 
 /** A replay of an attempt or a play over the canvas: it can be stopped, slowed down and moved along time. */
-export function ReplayView({ replay }: { readonly replay: Replay }) {
+function ReplayView({ replay }: { readonly replay: Replay }) {
   const editor = useEditor();
   const level = useLevel();
   const host = useRef<HTMLDivElement>(null);

@@ -1,0 +1,179 @@
+import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
+import { type ComponentType, useMemo, useState } from 'react';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
+import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
+import { useEditor, usePageTerms, usePageTheme, useProof } from '../../core/context/index.ts';
+import { pixels } from '../../core/figures/index.ts';
+import { Progress, Section } from '../../core/panel/index.ts';
+import { playsAlike } from '../../core/proof/index.ts';
+import { Button, Dialog } from '../../core/ui/index.ts';
+import { accuracyNameOf } from '../../workers/index.ts';
+import { drawSettings, type MeasuredSettings, useMeasured } from './measured-settings.ts';
+import { NAMES, useNamedResults } from './named-results.ts';
+
+/** The results and costs of the named settings for this level and run; selects the one in use. */
+export function AccuracyPanel({ sections }: { readonly sections: readonly ComponentType[] }) {
+  const terms = usePageTerms();
+  const current = accuracyNameOf(terms.shown);
+  const { settings, knownTo, doubt, isFresh } = useNamedResults();
+  const { phase, message, measured, start, cancel } = useMeasured();
+  const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
+  const holds = useProof((proof) => proof.run.holds.join());
+  const isOld = measured !== null && (measured.holds !== holds || !isAlike);
+  return (
+    <div className="panel__body accuracies">
+      <Section
+        title="All settings"
+        aside={
+          phase === 'measuring' ? (
+            <Button hint="Stop measuring" icon={<Square size={13} />} onClick={cancel}>
+              Cancel
+            </Button>
+          ) : (
+            <Button hint="Time all settings on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
+              {measured === null ? 'Measure' : 'Measure again'}
+            </Button>
+          )
+        }
+      >
+        {(phase === 'measuring' || measured !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
+        {phase === 'failed' && (
+          <p className="tone--bad" role="alert">
+            The measurement failed: {message}. Try again.
+          </p>
+        )}
+        {measured === null ? (
+          phase === 'idle' && (
+            <p className="part__note">
+              Times and errors of 59 settings on this run: the work-precision diagram, with the one in use ringed.
+            </p>
+          )
+        ) : (
+          <>
+            {isOld && <p className="part__note">Measured before the last change of the level or its run.</p>}
+            <DiagramView measured={measured} current={current} />
+          </>
+        )}
+      </Section>
+      <Section title="Named settings" aside={!isFresh && <span className="part__note">comparing…</span>}>
+        <div
+          className={isFresh ? 'accuracies__list' : 'accuracies__list accuracies__list--old'}
+          role="radiogroup"
+          aria-label="Accuracy"
+        >
+          {NAMES.map((name) => (
+            <Choice
+              key={name}
+              name={name}
+              result={settings.find((setting) => setting.name === name)}
+              knownTo={knownTo}
+              isCurrent={name === current}
+              isOfFolder={name === terms.folder.accuracy.name}
+            />
+          ))}
+        </div>
+        <p className="part__note">
+          Off by: the largest distance, at any tick, to a reference with 32 digits of another method
+          {knownTo === null ? '' : `, which is known to ${pixels(knownTo)}`}. µs/s: time per simulated second, timed in this
+          browser. The setting in use applies to this level: to its verdict, the playtest and the solver. The list, the pack and
+          publishing say what gq check says here.
+        </p>
+        {doubt !== null && <p className="part__note tone--warn">The reference is in doubt: {doubt}.</p>}
+      </Section>
+      {sections.map((Part, i) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+        <Part key={i} />
+      ))}
+    </div>
+  );
+}
+
+const ABOUT: Readonly<Record<AccuracyName, string>> = {
+  arcade: 'the original game, frame by frame, quirks included',
+  fast: 'Verlet at 60 Hz, contacts swept',
+  standard: 'Runge-Kutta at 60 Hz, contacts swept',
+  precise: `error held below ${ACCURACIES.precise.tolerance} px per second, contacts swept`,
+};
+
+interface ChoiceProps {
+  readonly name: AccuracyName;
+  readonly result: ReturnType<typeof useNamedResults>['settings'][number] | undefined;
+  /** How exactly the reference is known, px. */
+  readonly knownTo: number | null;
+  readonly isCurrent: boolean;
+  /** Whether `gq check` judges the folder at it. */
+  readonly isOfFolder: boolean;
+}
+
+function Choice({ name, result, knownTo, isCurrent, isOfFolder }: ChoiceProps) {
+  const cost = result?.cost;
+  const { settings } = useEditor();
+  const range = useProof(({ level }) => level.range);
+  return (
+    <label className={isCurrent ? 'accuracy accuracy--current' : 'accuracy'}>
+      <input
+        type="radio"
+        name="accuracy"
+        value={name}
+        checked={isCurrent}
+        onChange={() => settings.setState({ otherAccuracy: isOfFolder ? null : name })}
+      />
+      <span className="accuracy__head">
+        <b>{name}</b>
+        {isCurrent && <span className="accuracy__tag">in use</span>}
+        {isOfFolder && <span className="accuracy__tag accuracy__tag--quiet">gq check here</span>}
+        <span className="accuracy__cost numbers">
+          {cost === undefined ? '' : `${cost < 10 ? cost.toFixed(1) : cost.toFixed(0)} µs/s`}
+        </span>
+      </span>
+      <span className="part__note">{ABOUT[name]}</span>
+      {result !== undefined && (
+        <span className="accuracy__result numbers">
+          {result.sameVerdict ? (
+            <Check size={13} className="tone--good" aria-label="same verdict:" />
+          ) : (
+            <X size={13} className="tone--bad" aria-label="different verdict:" />
+          )}
+          <span>{outcomeAsPredicate(result, range)}</span>
+          <span className="accuracy__off">
+            {knownTo !== null && result.error < knownTo
+              ? `off by less than ${pixels(knownTo)}`
+              : `off by ${pixels(result.error)}`}
+          </span>
+        </span>
+      )}
+    </label>
+  );
+}
+
+/** The diagram, small in the panel and large in a dialog. */
+function DiagramView({ measured, current }: { readonly measured: MeasuredSettings; readonly current: AccuracyName }) {
+  const [isOpen, setOpen] = useState(false);
+  const theme = usePageTheme();
+  const { level, run, settings } = measured;
+  const picture = useMemo(
+    () => `data:image/svg+xml,${encodeURIComponent(drawSettings({ level, run, settings, current }, theme))}`,
+    [level, run, settings, current, theme],
+  );
+  const failed = settings.filter(({ sameVerdict }) => !sameVerdict).length;
+  const alt = `Work-precision diagram: ${settings.length} settings, ${failed} of them with a different outcome; ${current} is ringed`;
+  return (
+    <>
+      <button type="button" className="diagram" onClick={() => setOpen(true)} title="Enlarge">
+        <img src={picture} alt={alt} />
+        <span className="diagram__sign">
+          <Maximize2 size={14} aria-label="Enlarge" />
+        </span>
+      </button>
+      <Dialog
+        open={isOpen}
+        wide
+        title="What accuracy costs"
+        about="Each point is a setting: further left is more accurate, further down is faster."
+        onClose={() => setOpen(false)}
+      >
+        <img className="diagram__large" src={picture} alt={alt} />
+      </Dialog>
+    </>
+  );
+}
