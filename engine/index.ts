@@ -14,6 +14,7 @@ export type { Clearance } from './clearance.ts';
 export { atAccuracy, compile } from './compile.ts';
 export * from './constants.ts';
 export { type Box, boxCircleGap, boxOf, boxOverlapsCircle, circlesOverlap, DEFAULT_BOX } from './contact.ts';
+export { type EffectWork, workByEffect } from './continuous/index.ts';
 export { EFFECTS, type Effect, effectEventInWords } from './effects/index.ts';
 export { Hash } from './hash.ts';
 export type { Circles, IndexedCircles, SpatialIndex } from './indexed-circles.ts';

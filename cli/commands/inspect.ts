@@ -2,7 +2,15 @@ import process from 'node:process';
 import type { Command } from 'commander';
 import { playRuns, withinWork } from '../../check/index.ts';
 import { plural, termsReport } from '../../check/words/index.ts';
-import { compile, type Mode, type Scene, type Work, WorkBudget } from '../../engine/index.ts';
+import {
+  type ChosenEffect,
+  compile,
+  type EffectWork,
+  type Mode,
+  type Work,
+  WorkBudget,
+  workByEffect,
+} from '../../engine/index.ts';
 import {
   type InspectReport,
   isVariant,
@@ -27,7 +35,8 @@ interface InspectOptions extends ConfigOptions, TermsOptions {
 export const help: CommandHelp = {
   description: 'Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.',
   more: `
-Work and modes are those of the level's first run, as far as --max-work lets it go.
+Work and modes are those of the level's first run, as far as --max-work lets it go, and so is what each effect costs: guards
+that are followed, roots that are located, and events that happen. arcade does not tell these apart.
 
 Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 
@@ -51,12 +60,19 @@ async function inspect(file: string, options: InspectOptions): Promise<CommandRe
   const scene = compile(level, terms);
   const budget = new WorkBudget(terms.maxWork);
   const runs = playRuns(scene, budget);
+  const costs = level.runs.length > 0 ? workByEffect(scene, level.runs[0].holds, new WorkBudget(terms.maxWork)) : null;
   const played = runs.filter(({ stopped }) => stopped === null);
   const inspection: Inspection = {
     file,
     level: level.name,
     terms: termsReport(scene),
-    effects: scene.effects,
+    effects: {
+      simulated: scene.effects.simulated.map((effect) => ({
+        ...effect,
+        work: costs?.find(({ name }) => name === effect.name) ?? null,
+      })),
+      notCalledFor: scene.effects.notCalledFor,
+    },
     counts: countObjects(level),
     modes: runs[0]?.modes ?? [],
     work: runs[0]?.work ?? NO_WORK,
@@ -77,7 +93,12 @@ function inspectJson({ level, terms, effects, counts, modes, work, problems }: I
     version: 1,
     level,
     terms,
-    effects: { simulated: [...effects.simulated], notCalledFor: [...effects.notCalledFor] },
+    effects: {
+      simulated: effects.simulated.map(({ name, because, work: own }) => {
+        return { name, because, work: own === null ? null : { guards: own.guards, roots: own.roots, events: own.events } };
+      }),
+      notCalledFor: [...effects.notCalledFor],
+    },
     counts,
     modes: [...modes],
     work,
@@ -92,17 +113,15 @@ function inspectPretty(
   colors: Colors,
   width: number | null = null,
 ): string {
-  const list = (rows: readonly { readonly name: string; readonly because: string }[]): string =>
-    alignColumns(
-      rows.map(({ name, because }) => [name, because]),
-      { width: width === null ? null : width - 2 },
-    )
+  const list = (rows: readonly (readonly string[])[]): string =>
+    alignColumns(rows, { width: width === null ? null : width - 2 })
       .map((line) => `${line.replace(/^/gm, '  ')}\n`)
       .join('');
   const has = COUNTED.filter(({ key }) => counts[key] > 0).map(({ key, one, many }) => plural(counts[key], one, many));
   let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'only the black hole' : has.join(', ')}\n`;
-  text += `\n${colors.bold('simulated')}\n${list(effects.simulated)}`;
-  if (effects.notCalledFor.length > 0) text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor)}`;
+  text += `\n${colors.bold('simulated')}\n${list(effects.simulated.map((effect) => [effect.name, effect.because, costOf(effect, work)]))}`;
+  if (effects.notCalledFor.length > 0)
+    text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor.map(({ name, because }) => [name, because]))}`;
   if (work.pieces > 0) {
     const { pieces, forceEvaluations, guards, roots } = work;
     text += `\nthe first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
@@ -113,6 +132,19 @@ function inspectPretty(
   return text;
 }
 
+/** An effect that is simulated, and what it costs in the first run; null if that was not counted. */
+interface SimulatedEffect extends ChosenEffect {
+  readonly work: EffectWork | null;
+}
+
+/** What an effect costs, in words. */
+function costOf({ work: own }: SimulatedEffect, work: Work): string {
+  if (own === null) return '';
+  const { guards, roots, events } = own;
+  const share = guards > 0 ? ` (${Math.round((100 * guards) / work.guards)} %)` : '';
+  return `${plural(guards, 'guard', 'guards')}${share}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
+}
+
 /** The results of `gq inspect` for a level. */
 interface Inspection {
   readonly file: string;
@@ -120,7 +152,7 @@ interface Inspection {
   readonly level: string;
   /** Under which terms all this holds. */
   readonly terms: TermsReport;
-  readonly effects: Scene['effects'];
+  readonly effects: { readonly simulated: readonly SimulatedEffect[]; readonly notCalledFor: readonly ChosenEffect[] };
   readonly counts: Readonly<Record<string, number>>;
   /** How the time of the first run is spent; empty without a run. */
   readonly modes: readonly Mode[];

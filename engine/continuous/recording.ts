@@ -1,11 +1,14 @@
+import type { Hold } from '../../schema/basics/index.ts';
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
-import { ALL_EFFECTS } from '../effects/index.ts';
+import { ALL_EFFECTS, EFFECTS, EffectSet } from '../effects/index.ts';
 import { integratorOf } from '../integrators/index.ts';
-import { awakeAt, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
+import { awakeAt, type EventRule, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
+import { joinHolds, playScript } from '../script.ts';
 import type { RunEvent, Trajectory } from '../simulation.ts';
-import { unlimited, type WorkBudget } from '../work-budget.ts';
+import { maxTicksOf } from '../terms.ts';
+import { unlimited, type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { approachHazards, FarHazards } from './approach.ts';
 import { ContinuousSimulation, type Method } from './simulation.ts';
 
@@ -176,4 +179,65 @@ export class EventRecorder implements Recorder {
   event(event: RunEvent): void {
     this.events.push(event);
   }
+}
+
+/** What an effect costs in a run, as counts that are the same on every machine. */
+export interface EffectWork {
+  /** Name of the effect. */
+  readonly name: string;
+  /** Guards of its events that were followed. */
+  readonly guards: number;
+  /** Roots of these guards that were located. */
+  readonly roots: number;
+  /** Its events that happened. */
+  readonly events: number;
+}
+
+/**
+ * Plays holds from the start of a scene, and counts what each of its effects costs. The guards and roots of all effects
+ * together are those of the run as `simulate` records it.
+ *
+ * @param scene - the scene
+ * @param holds - half-open intervals [press, release) in ticks of 1/60 s; overlapping ones are joined
+ * @param budget - limits the work; where it is used up, counting ends
+ * @returns an entry for each simulated effect; null under `arcade`, whose frames examine everything
+ */
+export function workByEffect(scene: Scene, holds: readonly Hold[], budget: WorkBudget = unlimited()): EffectWork[] | null {
+  if (scene.accuracy.integrator === 'arcade') return null;
+  const counts = new Map(scene.effects.simulated.map(({ name }) => [name, { guards: 0, roots: 0, events: 0 }]));
+  const effects = EFFECTS.map((effect) => {
+    const count = counts.get(effect.name);
+    return count === undefined ? effect : { ...effect, events: effect.events?.map((rule) => counted(rule, count)) ?? [] };
+  });
+  const method = { ...WHOLE_METHOD, effects: new EffectSet(effects, WHOLE_METHOD.effects.indexing) };
+  try {
+    const simulation = new ContinuousSimulation(method, scene, new PieceRecorder(scene, budget), budget);
+    playScript(simulation, joinHolds(holds), maxTicksOf(scene.terms));
+  } catch (error) {
+    if (!(error instanceof WorkLimitReached)) throw error;
+  }
+  return [...counts].map(([name, count]) => ({ name, ...count }));
+}
+
+/** A kind of event that counts what it costs. */
+function counted(rule: EventRule, count: { guards: number; roots: number; events: number }): EventRule {
+  const seek = <A extends unknown[]>(look: ((m: Motion, ...rest: A) => void) | null) =>
+    look === null
+      ? null
+      : (m: Motion, ...rest: A) => {
+          const { guards, roots } = m.work;
+          look(m, ...rest);
+          count.guards += m.work.guards - guards;
+          count.roots += m.work.roots - roots;
+        };
+  return {
+    ...rule,
+    guard: seek(rule.guard),
+    first: seek(rule.first),
+    always: seek(rule.always),
+    fire(m, a, b, time) {
+      count.events++;
+      return rule.fire(m, a, b, time);
+    },
+  };
 }

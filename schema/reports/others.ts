@@ -6,13 +6,23 @@ import { playVerdict, problem, termsReportSchema, version } from './parts.ts';
 const { holds, outcome, time } = runReportSchema.shape;
 const effect = z.strictObject({ name: z.string(), because: z.string().describe('Why it is simulated, or why not.') });
 const count = z.int().min(0);
+const simulatedEffect = effect.extend({
+  work: z
+    .strictObject({
+      guards: count.describe('Guards of its events that were followed.'),
+      roots: count.describe('Roots of these guards that were located.'),
+      events: count.describe('Its events that happened.'),
+    })
+    .nullable()
+    .describe('What it costs in the first run; null without a run and under arcade.'),
+});
 
 /** The zod schema of what `gq inspect` prints as JSON. */
 export const inspectReportSchema = z.strictObject({
   version,
   level: z.string(),
   terms: termsReportSchema,
-  effects: z.strictObject({ simulated: z.array(effect), notCalledFor: z.array(effect) }),
+  effects: z.strictObject({ simulated: z.array(simulatedEffect), notCalledFor: z.array(effect) }),
   counts: z.record(z.string(), count).describe('Objects of each kind, and runs.'),
   modes: z
     .array(z.strictObject({ name: z.string(), share: z.number().min(0).max(1) }))
