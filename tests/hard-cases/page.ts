@@ -88,7 +88,7 @@ export function pageText(row: (c: PageCase) => string): string {
     '# Hard cases',
     `${count} small scenes in which something is numerically hard, and what is made of them by a naive engine and by this one at three [accuracies](accuracy.md). The naive engine is this one, too, at \`--integrator euler --rate 60 --contact frame\`: semi-implicit Euler, with contacts tested once a frame. It still finds the time of rims, mouths, targets and the speed limit, so that only its steps and its contacts are wrong.`,
     'An error is the largest distance at any tick before the end to [a reference](accuracy.md#the-reference) with 32 digits, and _known to_ is how far a second reference of another method is from it. Where the outcome is another one, it stands in bold, and the error says little. Below 1e-12 px there is only rounding. _By other means_: the references leave the case out or end it in two ways, since 32 digits do not decide it, and its truth is a closed form or a construction.',
-    'In the pictures, 1 is the naive engine, and 2, over it, `precise`, which no picture can tell from the reference; thick where the gun is held. The cases are those of [tests/hard-cases](../tests/hard-cases), which say why each is hard. The page is made by `npx vitest run --project deep tests/hard-cases/page.test.ts --update`, and the same test holds it to the code.',
+    'In the pictures, 1 is the naive engine, and 2, over it, `precise`, which no picture can tell from the reference; thick where the gun is held. The cases are those of [tests/hard-cases](../tests/hard-cases), which say why each is hard. The page is made by `npm run docs:outputs`, and the same test holds it to the code.',
     ...parts,
   ].join('\n\n')}\n`;
 }
