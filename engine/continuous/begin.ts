@@ -1,10 +1,11 @@
 import type { Effect } from '../effects/index.ts';
-import { farthestRockTravel, ownTravel, refresh } from '../events/index.ts';
+import { farthestRockTravel, ownTravel, refresh, sortNeighbours } from '../events/index.ts';
 import {
   actingForce,
   beginLine,
   bendLine,
   CENTRAL,
+  type CentralForce,
   COAST,
   findLine,
   keepSteadyLine,
@@ -72,7 +73,7 @@ export function begin(m: Motion): void {
     s[LINE] = NONE;
     s[MEETS] = NOT;
     s[TURN] = s[HELD] === 1 ? TURN_TO_TARGET : TURN_NOT;
-    start(m);
+    start(m, force);
     return;
   }
   if (force !== null && s[LINE] === NONE) findLine(m);
@@ -101,12 +102,12 @@ export function begin(m: Motion): void {
     }
   }
   for (let k = 0; k < turn.length; k++) turn[k](m);
-  start(m);
+  start(m, force);
 }
 
 /** Begins the first piece of a flow. */
-function start(m: Motion): void {
-  setCentralForce(m);
+function start(m: Motion, force: CentralForce | null): void {
+  setCentralForce(m, force);
   expand(m);
   locate(m);
 }
@@ -132,11 +133,11 @@ export function proceed(m: Motion): void {
 /** Sets the flow from the state. After a restore it must be the same as before. */
 export function setFlow(m: Motion): void {
   m.flow.setSteady(m.s[STEADY_X], m.s[STEADY_Y]);
-  setCentralForce(m);
+  setCentralForce(m, actingForce(m));
 }
 
 /** The same without the steady forces. */
-function setCentralForce(m: Motion): void {
+function setCentralForce(m: Motion, force: CentralForce | null): void {
   const { s, flow, parts, ux, uy } = m;
   flow.kind = s[KIND];
   flow.freeX = s[LIMIT_X] === 0;
@@ -145,7 +146,7 @@ function setCentralForce(m: Motion): void {
     for (const set of parts.setRim) set(m);
     return;
   }
-  actingForce(m)?.set(m);
+  force?.set(m);
   if (flow.kind !== LINEAR) return;
   flow.steep = s[LINE_STEEP] === 1;
   flow.slope = s[LINE_SLOPE];
@@ -171,6 +172,14 @@ export function layOut(m: Motion, effects: readonly Effect[]): void {
   for (const effect of effects) effect.layOut?.(m);
 }
 
+/** How far she and asteroids get on a coast without an end of its own, before an event that comes for certain, px. */
+function endlessReach(m: Motion, speed: number): number {
+  const { latest } = m.parts;
+  let end = Number.POSITIVE_INFINITY;
+  for (let k = 0; k < latest.length; k++) end = Math.min(end, latest[k].latest?.(m) ?? end);
+  return ownTravel(m, speed, end) + (m.recoil ? farthestRockTravel(m, end) : 0);
+}
+
 /** Locates the first event in (FROM, LENGTH_H] of the piece; the natural end if nothing happens before. */
 export function locate(m: Motion): void {
   const { s, her, base, near, path, parts } = m;
@@ -192,8 +201,10 @@ export function locate(m: Motion): void {
 
   const { first, always, byKind } = parts;
   for (let k = 0; k < first.length; k++) first[k].first?.(m, from);
-  if (m.recoil || !near.covers(x, y, reach, s[TARGET])) refresh(m, x, y, reach);
-  const gone = Math.sqrt((x - near.x) * (x - near.x) + (y - near.y) * (y - near.y)) + reach;
+  const far = h === Number.POSITIVE_INFINITY ? endlessReach(m, speed) : reach;
+  if (m.recoil || !near.covers(x, y, far, s[TARGET])) refresh(m, x, y, far);
+  const gone = near.distance(x, y) + far;
+  if (near.isRough && near.hasTwoWithin(gone)) sortNeighbours(m);
   m.budget.look((near.count + m.stirred.length) >> 4);
   for (let i = 0; i < near.count; i++) {
     if (near.slack[i] > gone) continue;

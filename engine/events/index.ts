@@ -2,7 +2,6 @@ export { gapAt, offerContact, sweptTime } from './contact.ts';
 export {
   chaserTravel,
   distanceToNear,
-  eachTargetNear,
   farthestRockTravel,
   listRims,
   listTouching,
@@ -10,6 +9,8 @@ export {
   refresh,
   rockDistanceToNear,
   rockTravel,
+  sortNeighbours,
+  targetsNear,
 } from './neighbourhood.ts';
 export { isClear, quietAtRim, quietOutside, quietTime, quietWithin } from './quiet.ts';
 export { rimTime } from './rim.ts';

@@ -1,5 +1,5 @@
 import type { IndexedCircles } from '../indexed-circles.ts';
-import { ALERTNESS, type EventRule, type Motion, RECORDS, SLOTS, targetsAround } from '../motion/index.ts';
+import { ALERTNESS, circlesAround, type EventRule, type Motion, RECORDS, SLOTS, targetsAround } from '../motion/index.ts';
 import { SURPLUS } from '../tolerances.ts';
 
 const { BASE, TARGET, ACCELERATION } = SLOTS;
@@ -8,12 +8,25 @@ const { AWAKE } = ALERTNESS;
 
 /** Makes the neighbour list anew around (x, y) for a path of length `reach`, px. */
 export function refresh(m: Motion, x: number, y: number, reach: number): void {
-  const { near } = m;
-  const { list } = m.parts;
   // recoil moves asteroids: then the list serves one piece
-  near.restart(x, y, m.recoil ? reach : Math.max(2 * reach, 64), m.s[TARGET]);
-  for (let k = 0; k < list.length; k++) list[k].list?.(m);
-  m.budget.look(near.count >> 2);
+  makeList(m, x, y, m.recoil ? reach : Math.max(2 * reach, 64), false);
+  m.budget.look(m.near.count >> 2);
+}
+
+/**
+ * Makes the list anew in the order of the index, which depends on how far it looks. The last digit of a tie between two objects
+ * of one kind can depend on their order.
+ */
+export const sortNeighbours = (m: Motion): void => makeList(m, m.near.x, m.near.y, m.near.skin, true);
+
+function makeList(m: Motion, x: number, y: number, skin: number, isStrict: boolean): void {
+  const { near, vicinities } = m;
+  const { list } = m.parts;
+  near.restart(x, y, skin, m.s[TARGET]);
+  near.isStrict = isStrict;
+  for (let k = 0; k < list.length; k++) {
+    if (!vicinities[list[k].kind].isEmpty(x + m.originX, y + m.originY, skin + m.touchMargin)) list[k].list?.(m);
+  }
 }
 
 /** Distance of a place (px in the level) from where the neighbour list is made, px. */
@@ -23,32 +36,47 @@ export function distanceToNear(m: Motion, x: number, y: number): number {
   return Math.sqrt(dx * dx + dy * dy);
 }
 
-/** Calls `visit` with at least all circles that reach nearer than `within` px to where the neighbour list is made. */
-export function eachCircleNear(m: Motion, circles: IndexedCircles, within: number, visit: (i: number) => void): void {
-  const { spatial } = circles;
-  if (spatial === null) {
-    for (let i = 0; i < circles.count; i++) visit(i);
-    return;
+/** The first indices: none, one, and so on. Of so few objects it is no use to look for fewer. */
+const FIRST: readonly (readonly number[])[] = [[], [0], [0, 1], [0, 1, 2], [0, 1, 2, 3]];
+
+/**
+ * Indices of at least all circles, from index `first` on, and perhaps of some before, that reach nearer than `within` px to
+ * where the neighbour list is made.
+ * @param rule - the kind of event that they are looked for
+ */
+function circlesNear(m: Motion, rule: EventRule, circles: IndexedCircles, within: number, first: number): ArrayLike<number> {
+  const { near } = m;
+  const { spatial, count } = circles;
+  if (count < FIRST.length) return FIRST[count];
+  if (near.isStrict && spatial !== null) {
+    const found = spatial.around(near.x + m.originX, near.y + m.originY, within);
+    m.budget.look(found.length >> 2);
+    return found;
   }
-  const found = spatial.around(m.near.x + m.originX, m.near.y + m.originY, within);
-  m.budget.look(found.length >> 2);
-  for (const i of found) visit(i);
+  const vicinity = m.vicinities[rule.kind];
+  const found = circlesAround(m, vicinity, circles, near.x, near.y, within, first);
+  if (spatial !== null && found.length > 1 && found === vicinity.found) near.isRough = true;
+  return found;
 }
 
 /** Lists the circles that stand still and that she may touch. */
 export function listTouching(m: Motion, rule: EventRule, circles: IndexedCircles): void {
   const { near } = m;
-  eachCircleNear(m, circles, near.skin + m.touchMargin, (i) => {
+  const found = circlesNear(m, rule, circles, near.skin + m.touchMargin, 0);
+  for (let k = 0; k < found.length; k++) {
+    const i = found[k];
     near.add(rule.kind, i, distanceToNear(m, circles.x[i], circles.y[i]) - circles.r[i] - m.touchMargin);
-  });
+  }
 }
 
 /** Lists the circles that stand still and whose rims her centre may cross. */
 export function listRims(m: Motion, rule: EventRule, circles: IndexedCircles): void {
   const { near } = m;
-  eachCircleNear(m, circles, near.skin + m.touchMargin, (i) => {
+  const found = circlesNear(m, rule, circles, near.skin + m.touchMargin, 0);
+  for (let k = 0; k < found.length; k++) {
+    const i = found[k];
     near.add(rule.kind, i, Math.abs(distanceToNear(m, circles.x[i], circles.y[i]) - circles.r[i]) - SURPLUS);
-  });
+  }
 }
 
 /** Distance of a target from where the neighbour list is made, at the start of the piece, px. */
@@ -108,21 +136,14 @@ export function chaserTravel(m: Motion, i: number, pull: number, h: number): num
   return (Math.sqrt(s[o + 2] * s[o + 2] + s[o + 3] * s[o + 3]) + pull * h) * h;
 }
 
-/**
- * Calls `visit` with at least all targets, from index `first` on, that reach nearer than `within` px to where the neighbour
- * list is made.
- */
-export function eachTargetNear(m: Motion, within: number, first: number, visit: (i: number) => void): void {
+/** The same of targets, wherever recoil has moved them. */
+export function targetsNear(m: Motion, rule: EventRule, within: number, first: number): ArrayLike<number> {
+  const { near, recoil, stirred } = m;
   const { targets } = m.scene;
-  if (targets.spatial === null) {
-    for (let i = first; i < targets.count; i++) visit(i);
-    return;
+  if (!recoil || first > 0 || targets.count < FIRST.length) {
+    const atHome = circlesNear(m, rule, targets, within, first);
+    const isAll = !recoil || targets.count < FIRST.length;
+    if (isAll || (atHome.length === 0 && !(stirred[stirred.length - 1] >= first))) return atHome;
   }
-  if (!m.recoil) {
-    eachCircleNear(m, targets, within, (i) => {
-      if (i >= first) visit(i);
-    });
-    return;
-  }
-  for (const i of targetsAround(m, m.near.x, m.near.y, within)) if (i >= first) visit(i);
+  return targetsAround(m, near.x, near.y, within);
 }

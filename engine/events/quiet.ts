@@ -6,19 +6,24 @@ import { safeStep } from './roots.ts';
 
 const { BASE_X, BASE_Y, TARGET, AWAKE_COUNT } = SLOTS;
 
+/** Factor by which a fixed step may overestimate a force. */
+const FIXED_STEP_ROOM = 1.05;
+
 /** Longest time that is examined, s. */
 const LONGEST = 4;
 
 /**
- * Quiet time: for how long no event can happen, s, whatever the flow does. It is the shortest first step towards any guard,
- * with bounds that hold for every piece. 0 while a chaser chases her.
+ * Quiet time: for how long no event can happen, s, in a flow without a steady force. It is the shortest first step towards any
+ * guard. As forces change at events only, the one that acts now bounds her acceleration. 0 while a chaser chases her.
  */
 export function quietTime(m: Motion): number {
-  const { s, near, path, parts, ux, uy, strongest, integrator } = m;
+  const { s, near, path, parts, ux, uy, integrator } = m;
   const { rate } = m.scene.accuracy;
   if (s[AWAKE_COUNT] > 0) return 0;
   const x = s[BASE_X] + ux[0];
   const y = s[BASE_Y] + uy[0];
+  const strongest = FIXED_STEP_ROOM * Math.abs(m.flow.alpha);
+  path.strongest = strongest;
   path.lead = integrator.kicksFirst && rate !== null ? strongest / rate : 0;
   const v = Math.sqrt(ux[1] * ux[1] + uy[1] * uy[1]) + path.lead;
   path.x = x;
@@ -47,7 +52,7 @@ export function quietOutside(m: Motion, cx: number, cy: number, r: number, time:
   const dy = path.y - cy;
   const d = Math.sqrt(dx * dx + dy * dy);
   // the distance from a point is convex
-  return d > r ? Math.min(time, safeStep(d - r, (dx * path.vx + dy * path.vy) / d - path.lead, m.strongest)) : 0;
+  return d > r ? Math.min(time, safeStep(d - r, (dx * path.vx + dy * path.vy) / d - path.lead, path.strongest)) : 0;
 }
 
 /**
@@ -55,7 +60,7 @@ export function quietOutside(m: Motion, cx: number, cy: number, r: number, time:
  * @param slope - least rate of change of the gap now, px/s; minus her speed if nothing more is known
  */
 export function quietWithin(m: Motion, gap: number, slope: number, time: number): number {
-  return gap > 0 ? Math.min(time, safeStep(gap, slope, m.strongest)) : 0;
+  return gap > 0 ? Math.min(time, safeStep(gap, slope, m.path.strongest)) : 0;
 }
 
 /**

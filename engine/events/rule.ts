@@ -20,6 +20,7 @@ export function eventRule(rule: Pick<EventRule, 'name' | 'fire'> & Partial<Omit<
     isOver: rule.isOver ?? null,
     quiet: rule.quiet ?? null,
     first: rule.first ?? null,
+    latest: rule.latest ?? null,
     always: rule.always ?? null,
     alwaysQuiet: rule.alwaysQuiet ?? null,
     fire: rule.fire,
@@ -36,7 +37,7 @@ export function layOutRules(
   all: readonly EventRule[],
   listedFirst: readonly EventRule[],
   chosen: readonly EventRule[],
-): Pick<Parts, 'byKind' | 'list' | 'first' | 'always' | 'alwaysQuiet'> {
+): Pick<Parts, 'byKind' | 'list' | 'first' | 'latest' | 'always' | 'alwaysQuiet'> {
   const used = all.filter((rule) => chosen.includes(rule));
   const byKind: EventRule[] = [];
   for (const rule of all) byKind[rule.kind] = rule;
@@ -44,6 +45,7 @@ export function layOutRules(
     byKind,
     list: [...new Set([...listedFirst, ...all])].filter((rule) => used.includes(rule) && rule.list !== null),
     first: used.filter((rule) => rule.first !== null),
+    latest: used.filter((rule) => rule.latest !== null),
     always: used.filter((rule) => rule.always !== null),
     alwaysQuiet: used.filter((rule) => rule.alwaysQuiet !== null),
   };

@@ -19,10 +19,11 @@ export {
   type Recorder,
   type SteadyForce,
 } from './motion.ts';
+export type { Vicinity } from './neighbour-list.ts';
 export { PackedPieces } from './packed-pieces.ts';
 export { arriveAndTurnAt, chaserPlaceAt, directionAt, lookAt, placeAt, rockAt } from './places.ts';
 export { addProduct, pairAt, shift, valueAt } from './polynomial.ts';
 export { drivenSeries, LONGEST_SERIES, linearSeries, TAYLOR_DEGREE, taylorStep } from './power-series.ts';
 export { expandSlide } from './rim-piece.ts';
 export { ALERTNESS, LINES, MEETINGS, ONSETS, PIECE_END, RECORDS, SLOTS, TURNS } from './state.ts';
-export { distanceSquared, layOutRocks, nearest, readRocks, stir, targetsAround } from './targets.ts';
+export { circlesAround, distanceSquared, layOutRocks, nearest, readRocks, stir, targetsAround } from './targets.ts';

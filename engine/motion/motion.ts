@@ -7,15 +7,12 @@ import type { BodyKind, Ending, RunEvent } from '../simulation.ts';
 import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COAST, Flow, type Integrator, STEADY } from './flow.ts';
-import { NeighbourList } from './neighbour-list.ts';
+import { NeighbourList, Vicinity } from './neighbour-list.ts';
 import { RimFlow } from './rim-flow.ts';
 import { HEAD, LINES, RECORDS, SLOTS } from './state.ts';
 
 const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES, LINE, RIM } = SLOTS;
 const { CHASER, ROCK } = RECORDS;
-
-/** Factor by which a fixed step may overestimate a force. */
-const FIXED_STEP_ROOM = 1.05;
 
 /** The series of a chaser that has not begun to chase, and of what no chaser follows. */
 const NO_SERIES = new Float64Array(0);
@@ -68,6 +65,8 @@ export interface EventRule {
   readonly quiet: ((m: Motion, i: number, time: number) => number) | null;
   /** Offers a bound of the piece's length, before anything else is looked for. */
   readonly first: ((m: Motion, from: number) => void) | null;
+  /** By when it happens at the latest on a coast without an end, s after the start of the piece; Infinity if it may never. */
+  readonly latest: ((m: Motion) => number) | null;
   /** Offers the time at which it happens to objects that are in no list, after `from`; `m.path` says where she goes. */
   readonly always: ((m: Motion, from: number) => void) | null;
   /** For how long, at most `time` s, it cannot happen to those, whatever the flow does. */
@@ -129,6 +128,7 @@ export interface Parts {
   // the kinds that can happen here, by the way they are found
   readonly list: readonly EventRule[];
   readonly first: readonly EventRule[];
+  readonly latest: readonly EventRule[];
   readonly always: readonly EventRule[];
   readonly alwaysQuiet: readonly EventRule[];
   /** Circles that events look for, of which an index may find some. */
@@ -166,6 +166,8 @@ export class Path {
   speed = 0;
   /** By how much she may at once be faster than this, px/s; see {@link Integrator.kicksFirst}. */
   lead = 0;
+  /** Upper bound of her acceleration until the next event, px/s², with room for the error of fixed steps. */
+  strongest = 0;
   /** Upper bound of her own displacement; `reach` adds what asteroids may move. */
   travel = 0;
   reach = 0;
@@ -202,6 +204,9 @@ export class Motion {
   /** The forces that act while she slides along a rim. */
   readonly rim = new RimFlow();
   readonly near = new NeighbourList();
+  /** What the neighbour list is made of, for each kind of event that is in it, and for the targets. */
+  readonly vicinities: readonly Vicinity[];
+  readonly targetsNear = new Vicinity();
   /** Work done since the last reset. */
   readonly work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
   /** Time spent in each of MODES since the last reset, s. */
@@ -215,8 +220,8 @@ export class Motion {
   readonly px: Float64Array;
   readonly py: Float64Array;
   /** Places of the chasers while they chase: coefficients. They follow from the state and are no part of it. */
-  readonly chaserX: Float64Array[] = [];
-  readonly chaserY: Float64Array[] = [];
+  readonly chaserX: Float64Array[];
+  readonly chaserY: Float64Array[];
   /** Null if nothing chases her. */
   crowd: Crowd | null = null;
   /** How many objects chase her; the asteroid that she drags has this index. */
@@ -243,8 +248,6 @@ export class Motion {
   readonly targetY: Float64Array;
   /** Rate of the frames at which contacts are tested, Hz; 0 for swept contacts. */
   readonly frameRate: number;
-  /** Upper bound of her acceleration, px/s², with room for the error of fixed steps. */
-  readonly strongest: number;
   /** Whether an index finds some of the neighbours. */
   readonly crowded: boolean;
   // what the last look at the piece found; px and px/s: x, y, x', y'
@@ -291,7 +294,6 @@ export class Motion {
     this.box = scene.box;
     this.touchMargin = scene.box.halfDiagonal + SURPLUS;
     this.recorder = recorder;
-    this.strongest = FIXED_STEP_ROOM * scene.strongest;
     this.frameRate = scene.accuracy.contact === 'frame' ? (scene.accuracy.rate ?? TICK_RATE) : 0;
     const { level, targets, minerals } = scene;
     this.recoils = level.recoil && targets.count > 0;
@@ -304,6 +306,9 @@ export class Motion {
       this.targetX[i] = targets.x[i] - this.originX;
       this.targetY[i] = targets.y[i] - this.originY;
     }
+    const vicinities: Vicinity[] = [];
+    for (const { kind } of parts.list) vicinities[kind] = new Vicinity();
+    this.vicinities = vicinities;
     this.chaserCount = parts.chase?.circles(scene).count ?? 0;
     this.chaserPull = parts.chase?.pull(scene.rules) ?? 0;
     // an asteroid that she holds while in a field is dragged along: one more chaser
@@ -329,10 +334,8 @@ export class Motion {
     this.uy = series();
     this.px = series();
     this.py = series();
-    for (let i = 0; i < chasers; i++) {
-      this.chaserX.push(NO_SERIES);
-      this.chaserY.push(NO_SERIES);
-    }
+    this.chaserX = new Array<Float64Array>(chasers).fill(NO_SERIES);
+    this.chaserY = this.chaserX.slice();
     this.wx = chasers === 0 ? NO_SERIES : new Float64Array(length);
     this.wy = chasers === 0 ? NO_SERIES : new Float64Array(length);
   }

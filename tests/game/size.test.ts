@@ -18,39 +18,39 @@ const LIMITS = [
   { what: 'one constant', source: "export { TICK } from './engine/index.ts';", most: 1000 },
   // 8.2 and 8.0 kB: with the scan, the shape and the tables that the reader of the schema has, too
   { what: '`readLevel`', source: "export { readLevel } from './game/index.ts';", most: 8400 },
-  // 35.6 and 34.7 kB
+  // 36.5 and 35.6 kB
   {
     what: 'a player of no other part',
     source: `import { composePlayer } from '${LIGHT}'; export const createPlayer = composePlayer();`,
-    most: 36_000,
+    most: 37_000,
   },
-  // 44.0 and 42.8 kB
+  // 44.9 and 43.7 kB
   {
     what: 'a player of every part that the shipped levels call for',
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}'; export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 44_400,
+    most: 45_400,
   },
-  // 43.7 and 42.6 kB
+  // 44.6 and 43.6 kB
   {
     what: '`readLevel` and a player of no other part',
     source: `import { composePlayer } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer();`,
-    most: 44_000,
+    most: 44_900,
   },
-  // 52.1 and 50.9 kB
+  // 53.1 and 51.8 kB
   {
     what: '`readLevel` and a player of every part that the shipped levels call for',
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 52_400,
+    most: 53_400,
   },
-  // 68.0 and 66.3 kB
+  // 69.2 and 67.4 kB
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 68_400,
+    most: 69_400,
   },
 ];
 

@@ -164,7 +164,7 @@ export const alienChase: EngineEffect = {
   hazard: ({ aliens }) => ({ kind: 'alien', circles: aliens, first: 0, movedBy: 'chase' }),
   events: [touchAlien, wake, fallAsleep],
   attach(m) {
-    m.crowd = new AlienCrowd(m);
+    m.crowd = new AlienCrowd(m, m.vicinities[touchAlien.kind]);
   },
   layOut: layOutAliens,
 };

@@ -1,5 +1,5 @@
 import type { SpatialIndex } from '../../indexed-circles.ts';
-import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS } from '../../motion/index.ts';
+import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS, type Vicinity } from '../../motion/index.ts';
 import { ascending, MANY_AWAKE, MARGIN, MeetingsOfMany, NOBODY } from './meetings-of-many.ts';
 
 const { AWAKE_COUNT } = SLOTS;
@@ -8,9 +8,6 @@ const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 
 /** When more sleepers than this are elsewhere than in the index, the index is made anew. */
 const MOST_ASTRAY = 256;
-
-/** How much farther than asked sleepers are looked for, px, so that the next calls need not search. */
-const AHEAD = 256;
 
 /**
  * Which aliens are awake, and where the others sleep. All of it follows from the state and is derived from it after a restore.
@@ -23,14 +20,11 @@ export class AlienCrowd implements Crowd {
   readonly altered: number[] = [];
   /** Whether any of them may differ from the start. */
   changed = false;
-  /** While she is nearer than this to (calmX, calmY), no sleeper wakes or is touched, px; negative if unknown. */
-  private calm = -1;
-  private calmX = 0;
-  private calmY = 0;
-  /** The index of places, px from the origin, and the places it was made of; null if there is no index. */
+  /** The index of places; null if there is none. */
   private index: SpatialIndex | null;
-  private indexedX: Float64Array;
-  private indexedY: Float64Array;
+  /** The places it was made of, px from the origin; null for those in the level. */
+  private indexedX: Float64Array | null = null;
+  private indexedY: Float64Array | null = null;
   /** Sleepers that are elsewhere than in the index. */
   private astray: number[] = [];
   /** Entries of the list of explosions before this index are done. */
@@ -38,12 +32,14 @@ export class AlienCrowd implements Crowd {
   /** The meetings of many aliens, which are found one alien after the other; null if there are few. */
   private meetingsOfMany: MeetingsOfMany | null = null;
 
-  constructor(private readonly m: Motion) {
+  /** @param near - which sleepers she may wake or touch */
+  constructor(
+    private readonly m: Motion,
+    private readonly near: Vicinity,
+  ) {
     const { aliens } = m.scene;
     this.awake = new Int32Array(aliens.count);
     this.index = aliens.spatial;
-    this.indexedX = this.index === null ? new Float64Array(0) : aliens.x.map((x) => x - m.originX);
-    this.indexedY = this.index === null ? new Float64Array(0) : aliens.y.map((y) => y - m.originY);
   }
 
   /** Index in the list of explosions of the first pair that sleeps, overlapping; -1 if there is none. */
@@ -76,7 +72,7 @@ export class AlienCrowd implements Crowd {
       if (s[o + 4] === AWAKE) this.awake[count++] = i;
       else if (this.index !== null && s[o + 4] === ASLEEP && this.isAstray(i)) this.astray.push(i);
     }
-    this.calm = -1;
+    this.near.forget();
     this.explosion = 0;
   }
 
@@ -93,7 +89,7 @@ export class AlienCrowd implements Crowd {
   sleep(i: number): void {
     this.dismiss(i);
     this.become(i, ASLEEP);
-    this.calm = -1;
+    this.near.forget();
     if (this.index === null || !this.isAstray(i)) return;
     this.astray.push(i);
     if (this.astray.length > MOST_ASTRAY) this.reindex();
@@ -120,21 +116,22 @@ export class AlienCrowd implements Crowd {
   }
 
   private isAstray(i: number): boolean {
-    const { s, chasers } = this.m;
+    const { s, chasers, scene, originX, originY } = this.m;
+    const { indexedX, indexedY } = this;
     const o = chasers + CHASER * i;
-    return s[o] !== this.indexedX[i] || s[o + 1] !== this.indexedY[i];
+    const x = indexedX === null ? scene.aliens.x[i] - originX : indexedX[i];
+    const y = indexedY === null ? scene.aliens.y[i] - originY : indexedY[i];
+    return s[o] !== x || s[o + 1] !== y;
   }
 
   private reindex(): void {
     const { s, chasers, scene, originX, originY } = this.m;
     const { aliens } = scene;
-    this.indexedX = aliens.x.map((_, i) => s[chasers + CHASER * i]);
-    this.indexedY = aliens.y.map((_, i) => s[chasers + CHASER * i + 1]);
-    this.index = this.m.parts.indexing.circles({
-      ...aliens,
-      x: this.indexedX.map((x) => x + originX),
-      y: this.indexedY.map((y) => y + originY),
-    });
+    const x = aliens.x.map((_, i) => s[chasers + CHASER * i]);
+    const y = aliens.y.map((_, i) => s[chasers + CHASER * i + 1]);
+    this.indexedX = x;
+    this.indexedY = y;
+    this.index = this.m.parts.indexing.circles({ ...aliens, x: x.map((at) => at + originX), y: y.map((at) => at + originY) });
     this.astray = [];
   }
 
@@ -151,7 +148,6 @@ export class AlienCrowd implements Crowd {
       if (s[chasers + CHASER * i + 4] === ASLEEP && !this.isAstray(i)) found.push(i);
     }
     for (const i of this.astray) found.push(i);
-    this.m.budget.look(found.length >> 2);
     return ascending(found);
   }
 
@@ -160,23 +156,32 @@ export class AlienCrowd implements Crowd {
    * distance.
    */
   eachSleeperNear(x: number, y: number, within: number, visit: (i: number, distance: number) => void): void {
-    const { s, chasers, scene } = this.m;
-    const gone = Math.sqrt((x - this.calmX) * (x - this.calmX) + (y - this.calmY) * (y - this.calmY));
-    if (this.calm - gone > within) return;
-    const { r } = scene.aliens;
-    const around = within + AHEAD;
-    let calm = this.index === null ? Number.POSITIVE_INFINITY : around;
-    const near = this.sleepersAround(x, y, around + Math.max(this.m.rules.alienSight, this.m.box.halfDiagonal) + MARGIN);
-    for (let k = 0; k < near.length; k++) {
-      const i = near[k];
-      const o = chasers + CHASER * i;
-      const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
-      calm = Math.min(calm, d - Math.max(this.m.rules.alienSight, r[i] + this.m.box.halfDiagonal));
-      visit(i, d);
+    const { s, chasers, originX, originY } = this.m;
+    const isKnown = this.near.covers(x + originX, y + originY, within + MARGIN);
+    const found = isKnown ? this.near.found : this.look(x, y, within + MARGIN);
+    for (let k = 0; k < found.length; k++) {
+      const o = chasers + CHASER * found[k];
+      if (s[o + 4] !== ASLEEP) continue;
+      visit(found[k], Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y)));
     }
-    this.calmX = x;
-    this.calmY = y;
-    this.calm = calm - MARGIN;
+  }
+
+  /** Looks for sleepers that she may wake or touch within `within` px of (x, y), and how far others are. */
+  private look(x: number, y: number, within: number): ArrayLike<number> {
+    const { s, chasers, scene, box, rules, budget, originX, originY } = this.m;
+    const { r, count } = scene.aliens;
+    const edge = (i: number): number => {
+      const o = chasers + CHASER * i;
+      if (s[o + 4] !== ASLEEP) return Number.POSITIVE_INFINITY;
+      const d = Math.sqrt((s[o] - x) * (s[o] - x) + (s[o + 1] - y) * (s[o + 1] - y));
+      return d - Math.max(rules.alienSight, r[i] + box.halfDiagonal);
+    };
+    if (this.index === null) return this.near.fill(x + originX, y + originY, within, count, edge, null);
+    const beyond = Math.max(rules.alienSight, box.halfDiagonal) + MARGIN;
+    const search = (far: number) => Array.from(this.sleepersAround(x, y, far + beyond)).filter((i) => !(edge(i) > far));
+    const found = this.near.fill(x + originX, y + originY, within, count, edge, search);
+    budget.look(found.length >> 2);
+    return found;
   }
 
   /**

@@ -95,9 +95,11 @@ export class MeetingsOfMany {
   }
 
   private sleepersNear(k: number): ArrayLike<number> {
-    const { s, chasers } = this.m;
+    const { s, chasers, scene, budget } = this.m;
     const o = chasers + CHASER * this.crowd.awake[k];
-    return this.crowd.sleepersAround(s[o], s[o + 1], this.reach[k]);
+    const found = this.crowd.sleepersAround(s[o], s[o + 1], this.reach[k]);
+    if (scene.aliens.spatial !== null) budget.look(found.length >> 2);
+    return found;
   }
 
   /** The sleepers that awake ones may touch; null when the pairs are too many to be kept. */

@@ -1,4 +1,4 @@
-import { eachTargetNear, eventRule, justFired, offer, quietWithin, rockDistanceToNear } from '../../events/index.ts';
+import { eventRule, justFired, offer, quietWithin, rockDistanceToNear, targetsNear } from '../../events/index.ts';
 import {
   CENTRAL,
   type CentralForce,
@@ -108,9 +108,11 @@ const switchTarget = eventRule({
     const target = s[TARGET];
     if (target < 0) return;
     const own = rockDistanceToNear(m, target);
-    eachTargetNear(m, 2 * near.skin + own + 1e-3, 0, (i) => {
+    const found = targetsNear(m, switchTarget, 2 * near.skin + own + 1e-3, 0);
+    for (let k = 0; k < found.length; k++) {
+      const i = found[k];
       if (i !== target) near.add(switchTarget.kind, i, (rockDistanceToNear(m, i) - own) / 2 - SURPLUS);
-    });
+    }
   },
   isOver: isInSamePlace,
   guard(m, i, from) {

@@ -198,5 +198,5 @@ export function quietUntilSwitch(m: Motion, i: number, time: number): number {
   const mx = m.targetX[i] - m.targetX[m.s[TARGET]];
   const my = m.targetY[i] - m.targetY[m.s[TARGET]];
   const apart = Math.sqrt(mx * mx + my * my);
-  return g > 0 ? Math.min(time, safeStep(g, beside[SLOPE] - 2 * apart * m.path.lead, 2 * apart * m.strongest)) : 0;
+  return g > 0 ? Math.min(time, safeStep(g, beside[SLOPE] - 2 * apart * m.path.lead, 2 * apart * m.path.strongest)) : 0;
 }

@@ -1,4 +1,4 @@
-import { eachTargetNear, eventRule, listTouching, offerContact, quietOutside, rockDistanceToNear } from '../../events/index.ts';
+import { eventRule, listTouching, offerContact, quietOutside, rockDistanceToNear, targetsNear } from '../../events/index.ts';
 import { placeCircle, placeRock } from '../../motion/index.ts';
 import { type EngineEffect, whereAny } from '../effect.ts';
 
@@ -34,9 +34,12 @@ const touchHot = eventRule({
   list(m) {
     const { near } = m;
     const { coldCount, targets } = m.scene;
-    eachTargetNear(m, near.skin + m.touchMargin, coldCount, (i) => {
+    const found = targetsNear(m, touchHot, near.skin + m.touchMargin, coldCount);
+    for (let k = 0; k < found.length; k++) {
+      const i = found[k];
+      if (i < coldCount) continue;
       near.add(touchHot.kind, i, rockDistanceToNear(m, i) - targets.r[i] - m.touchMargin);
-    });
+    }
   },
   guard(m, i, from) {
     placeRock(m, i);

@@ -3,9 +3,12 @@ import { distanceSquared, GOES_ON, type Motion, nearest, ONSETS, placeRock, RECO
 import { SURPLUS } from '../../tolerances.ts';
 import type { Effect } from '../effect.ts';
 
-const { START, COVER } = SLOTS;
+const { START, COVER, HELD, BASE } = SLOTS;
 const { ROCK } = RECORDS;
 const { COMES, STANDS } = ONSETS;
+
+/** Room for the rounding of a time, and for what is at the same instant. */
+const LATE = 1.001;
 
 /** She leaves the range of the asteroid that kept her in range: another one takes over, or she is lost. */
 const leaveRange = eventRule({
@@ -28,6 +31,17 @@ const leaveRange = eventRule({
     const time = rimTime(m, range, false, m.kappa, from, false);
     const isOut = time === 0 && s[START] === 0 && isOutOfRange(m, cover);
     offerAs(m, time, leaveRange.kind, cover, 0, isOut ? STANDS : COMES);
+  },
+  latest(m) {
+    const { s, ux, uy, px, py } = m;
+    const cover = s[COVER];
+    // an asteroid that she holds may follow her
+    if (cover < 0 || (m.recoil && s[HELD] === 1)) return Number.POSITIVE_INFINITY;
+    const drifts = m.recoil && cover !== s[BASE];
+    const o = m.rocks + ROCK * cover;
+    const vx = ux[1] + (drifts ? px[1] - s[o + 2] : 0);
+    const vy = uy[1] + (drifts ? py[1] - s[o + 3] : 0);
+    return (LATE * (Math.sqrt(distanceSquared(m, cover)) + m.scene.level.range)) / Math.sqrt(vx * vx + vy * vy);
   },
   alwaysQuiet(m, time) {
     const left = m.scene.level.range - Math.sqrt(distanceSquared(m, m.s[COVER])) - SURPLUS;

@@ -30,11 +30,11 @@ const holdAxis = eventRule({
     }
   },
   alwaysQuiet(m, time) {
-    const { s, path, strongest } = m;
+    const { s, path } = m;
     const below = m.rules.speedLimit - path.speed;
     if (s[LIMIT_X] !== 0 || s[LIMIT_Y] !== 0 || !(below > 0)) return 0;
     // between its ends a fixed step may bend more than the strongest force
-    return Math.min(time, below / (CUBIC_BENDS * strongest));
+    return Math.min(time, below / (CUBIC_BENDS * path.strongest));
   },
   fire(m, axis, sign) {
     m.s[axis === 0 ? LIMIT_X : LIMIT_Y] = sign;
