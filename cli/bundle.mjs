@@ -56,3 +56,5 @@ for (const [name, code] of made) {
   if (!existsSync(path) || readFileSync(path, 'utf8') !== code) writeFileSync(path, code);
 }
 chmodSync(join(BUNDLE, 'main.js'), 0o755);
+// npx keeps links to the commands of a folder, also to where they were before
+chmodSync(join(BUNDLE, '../cli/main.js'), 0o755);

@@ -1,11 +1,10 @@
 import { defineConfig } from 'vite';
-import { firstLoad } from './first-load.mjs';
 import { phaserParts } from './phaser-parts.mjs';
 
 // a static page that runs from any folder of any host, and from `gq edit`
 export default defineConfig({
   base: './',
-  plugins: [phaserParts(), firstLoad(() => [phaserParts()])],
+  plugins: [phaserParts()],
   build: {
     outDir: '../dist/editor',
     emptyOutDir: true,

@@ -12,6 +12,7 @@ import { Timeline } from '../timeline/index.ts';
 import './app.css';
 import { type Editor, EditorContext, LevelContext, useEditor, useLevel, useLevelKey, useSession } from '../core/context/index.ts';
 import { appCommands } from './app-commands.ts';
+import { CommandPalette } from './CommandPalette.tsx';
 import { Layout, useRoom } from './Layout.tsx';
 import { NoticeList } from './NoticeList.tsx';
 import { LEFT, LEVELS, PANELS, PROBLEMS, RIGHT, type SidePanel, showPanel } from './panels.tsx';
@@ -20,10 +21,6 @@ import { StatusBar } from './StatusBar.tsx';
 import { Toolbar } from './Toolbar.tsx';
 import { TopBar } from './TopBar.tsx';
 
-const CommandPalette = laterCover(
-  ({ overlay }) => overlay === 'palette',
-  () => import('./CommandPalette.tsx').then((there) => there.CommandPalette),
-);
 const CheatSheet = laterCover(
   ({ overlay }) => overlay === 'cheatSheet',
   () => import('./CheatSheet.tsx').then((there) => there.CheatSheet),

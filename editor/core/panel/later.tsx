@@ -102,6 +102,18 @@ function Cover({ part: { store, load }, isOpen, closed }: CoverProps) {
   useEffect(() => {
     if (isWanted) void load();
   }, [isWanted, load]);
+  const isComing = isWanted && There === null && !hasFailed;
+  useEffect(() => {
+    if (!isComing) return;
+    // what is typed is meant for what is coming, and must not act on the page; Esc takes it back
+    const keep = (event: KeyboardEvent) => {
+      event.preventDefault();
+      event.stopPropagation();
+      if (event.key === 'Escape') session.setState(closed);
+    };
+    window.addEventListener('keydown', keep, { capture: true });
+    return () => window.removeEventListener('keydown', keep, { capture: true });
+  }, [isComing, session, closed]);
   if (There !== null) return <There />;
   return (
     <Dialog open={isWanted && hasFailed} title="Not loaded" about={WHY} onClose={() => session.setState(closed)}>
