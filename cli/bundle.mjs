@@ -1,5 +1,5 @@
 // Bundles the command line into dist/gq: finding and loading some 500 modules takes Node longer than most checks take. The bundle is
-// made in a moment, so it is made every time. The packages that it needs stay packages.
+// made in a moment, so it is made every time. The packages that it needs stay packages, and comments stay in dist/cli.
 import { chmodSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, dirname, isAbsolute, join, relative, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -43,7 +43,7 @@ const { output } = await build({
   platform: 'node',
   external: (id) => !id.startsWith('.') && !isAbsolute(id),
   plugins: [places],
-  output: { dir: BUNDLE, format: 'esm', entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js' },
+  output: { dir: BUNDLE, format: 'esm', entryFileNames: '[name].js', chunkFileNames: '[name]-[hash].js', comments: false },
   write: false,
 });
 
