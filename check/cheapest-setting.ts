@@ -2,7 +2,6 @@ import {
   ACCURACIES,
   type Accuracy,
   compile,
-  createSimulation,
   maxTicksOf,
   type Run,
   simulate,
@@ -10,17 +9,10 @@ import {
   WorkBudget,
   WorkLimitReached,
 } from '../engine/index.ts';
-import {
-  type Cost,
-  deviationOf,
-  measureCosts,
-  pathOf,
-  playerOf,
-  type Reference,
-  referenceOf,
-} from '../engine/work-precision/index.ts';
+import { type Cost, compareWith, measureCosts, playerOf, type Reference, referenceOf } from '../engine/work-precision/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
-import { type EdgeSlack, findSlack, type Goal } from '../solver/index.ts';
+import { type EdgeSlack, findSlack } from '../solver/index.ts';
+import { countMinerals } from './words/index.ts';
 
 /** A run that a setting has to keep as it is. */
 export interface KeptRun {
@@ -118,8 +110,7 @@ function tryAt(wanted: readonly Wanted[], accuracy: Accuracy, terms: Terms): Omi
     if (as.outcome !== reference.outcome) return broken(run, `${as.outcome}, not ${reference.outcome}`);
     if (collected(as) !== minerals) return broken(run, `collects minerals ${collected(as) || 'none'}, not ${minerals || 'none'}`);
     played.push({ ...one, as });
-    const path = pathOf(createSimulation(compile(run.level, { ...terms, accuracy })), run.holds, maxTicksOf(terms));
-    const px = deviationOf(path, reference, maxTicksOf(terms)).error;
+    const { error: px } = compareWith(reference, run.level, run.holds, accuracy, maxTicksOf(terms));
     if (error === null || px > error.px) error = { px, run };
     if (as.clearance === null) continue;
     const share = px / Math.max(as.clearance.distance, Number.MIN_VALUE);
@@ -156,6 +147,5 @@ const collected = ({ minerals }: Run): string =>
 
 /** How far each press and release may move while she completes the level with as many minerals. */
 function slackAt({ level, holds }: KeptRun, run: Run, accuracy: Accuracy, terms: Terms): EdgeSlack[] {
-  const goal: Goal = { minerals: new Set(run.minerals.map(({ index }) => index)).size };
-  return findSlack(compile(level, { ...terms, accuracy }), holds, goal);
+  return findSlack(compile(level, { ...terms, accuracy }), holds, { minerals: countMinerals(run) });
 }
