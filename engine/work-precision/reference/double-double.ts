@@ -106,3 +106,45 @@ export const isShort = (a: Vector, most: number): boolean => roughLength(a.x.hi,
 
 /** The direction of a vector that is not 0. */
 export const direction = (a: Vector): Vector => scaled(a, divide(ONE, length(a)));
+
+/** Numbers with 32 digits in two arrays. */
+export interface Numbers {
+  readonly hi: number[];
+  readonly lo: number[];
+}
+
+/**
+ * The sum of the first products of two lists, `b` read from one place on, forwards or backwards. Its error is about 1e-32 of the
+ * largest product.
+ */
+export function sumOfProducts(
+  { hi: ahs, lo: als }: Numbers,
+  { hi: bhs, lo: bls }: Numbers,
+  count: number,
+  from: number,
+  step: 1 | -1,
+): Dd {
+  let sum = 0;
+  let rest = 0;
+  for (let i = 0; i < count; i++) {
+    const j = from + step * i;
+    const ah = ahs[i];
+    const bh = bhs[j];
+    if (ah === 0 || bh === 0) continue;
+    // the product of the leading doubles, exactly: p + e
+    const p = ah * bh;
+    const sa = SPLITTER * ah;
+    const ahh = sa - (sa - ah);
+    const ahl = ah - ahh;
+    const sb = SPLITTER * bh;
+    const bhh = sb - (sb - bh);
+    const bhl = bh - bhh;
+    const e = ahh * bhh - p + ahh * bhl + ahl * bhh + ahl * bhl;
+    const next = sum + p;
+    const part = next - sum;
+    rest += sum - (next - part) + (p - part) + (e + (ah * bls[j] + als[i] * bh));
+    sum = next;
+  }
+  const hi = sum + rest;
+  return { hi, lo: rest - (hi - sum) };
+}

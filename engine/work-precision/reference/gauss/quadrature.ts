@@ -1,13 +1,10 @@
-import { add, type Dd, dd, divide, multiply, ONE, subtract, times, ZERO } from '../double-double.ts';
+import { add, type Dd, dd, divide, multiply, type Numbers, ONE, subtract, sumOfProducts, times, ZERO } from '../double-double.ts';
 
 /** Stages of the collocation: its order is twice as high. */
 export const STAGES = 16;
 
-/** Numbers with 32 digits in two arrays. */
-export interface Column {
-  readonly hi: number[];
-  readonly lo: number[];
-}
+/** As many numbers as there are stages. */
+export type Column = Numbers;
 
 // begun with a fraction, so that V8 keeps it, and its copies, as doubles
 const FRACTIONS: readonly number[] = Array.from({ length: STAGES }, () => 0.5);
@@ -20,31 +17,8 @@ export function put({ hi, lo }: Column, i: number, value: Dd): void {
   lo[i] = value.lo;
 }
 
-const SPLITTER = 134_217_729; // 2^27 + 1
-
 /** The sum of the products of two columns. */
-export function dotOf({ hi: ahs, lo: als }: Column, { hi: bhs, lo: bls }: Column): Dd {
-  let sum = 0;
-  let rest = 0;
-  for (let i = 0; i < STAGES; i++) {
-    const ah = ahs[i];
-    const bh = bhs[i];
-    const p = ah * bh;
-    const sa = SPLITTER * ah;
-    const ahh = sa - (sa - ah);
-    const ahl = ah - ahh;
-    const sb = SPLITTER * bh;
-    const bhh = sb - (sb - bh);
-    const bhl = bh - bhh;
-    const e = ahh * bhh - p + ahh * bhl + ahl * bhh + ahl * bhl;
-    const next = sum + p;
-    const part = next - sum;
-    rest += sum - (next - part) + (p - part) + (e + (ah * bls[i] + als[i] * bh));
-    sum = next;
-  }
-  const hi = sum + rest;
-  return { hi, lo: rest - (hi - sum) };
-}
+export const dotOf = (a: Column, b: Column): Dd => sumOfProducts(a, b, STAGES, 0, 1);
 
 /** 1 / k. */
 const INVERSES: readonly Dd[] = Array.from({ length: 2 * STAGES + 2 }, (_, k) => (k === 0 ? ZERO : divide(ONE, dd(k))));

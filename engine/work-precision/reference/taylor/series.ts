@@ -1,4 +1,4 @@
-import { add, type Dd, multiply, ZERO } from '../double-double.ts';
+import { add, type Dd, multiply, sumOfProducts, ZERO } from '../double-double.ts';
 
 /** The degree of all series. With 32 digits the best degree is about as high. */
 export const DEGREE = 30;
@@ -43,32 +43,7 @@ export function degreeOf({ hi }: Series): number {
 }
 
 /** Coefficient `k` of the product of two series. Its error is about 1e-32 of the largest product. */
-export function productAt(a: Series, b: Series, k: number): Dd {
-  const { hi: ahs, lo: als } = a;
-  const { hi: bhs, lo: bls } = b;
-  let sum = 0;
-  let rest = 0;
-  for (let i = 0; i <= k; i++) {
-    const ah = ahs[i];
-    const bh = bhs[k - i];
-    if (ah === 0 || bh === 0) continue;
-    // the product of the leading doubles, exactly: p + e
-    const p = ah * bh;
-    const sa = SPLITTER * ah;
-    const ahh = sa - (sa - ah);
-    const ahl = ah - ahh;
-    const sb = SPLITTER * bh;
-    const bhh = sb - (sb - bh);
-    const bhl = bh - bhh;
-    const e = ahh * bhh - p + ahh * bhl + ahl * bhh + ahl * bhl;
-    const next = sum + p;
-    const part = next - sum;
-    rest += sum - (next - part) + (p - part) + (e + (ah * bls[k - i] + als[i] * bh));
-    sum = next;
-  }
-  const hi = sum + rest;
-  return { hi, lo: rest - (hi - sum) };
-}
+export const productAt = (a: Series, b: Series, k: number): Dd => sumOfProducts(a, b, k + 1, k, -1);
 
 /** The product of two series, cut off at {@link DEGREE}. */
 export function product(a: Series, b: Series): Series {
