@@ -34,6 +34,9 @@ export const CONVERGENCE = 0.6;
  */
 export const PIECE_SHARE = 25_000;
 
+/** Longest Taylor piece of an accelerated body, s, so that bounds over it stay tight. */
+export const LONGEST_TAYLOR = 4;
+
 /**
  * How far a guard may fall below 0 unnoticed, px. It is added to the guard while this is followed, so that a search can
  * continue from a root. It is below the error of the path itself. If it were much smaller, rounding alone would stop the search

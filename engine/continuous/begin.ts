@@ -143,7 +143,7 @@ function setCentralForce(m: Motion, force: CentralForce | null): void {
   flow.freeX = s[LIMIT_X] === 0;
   flow.freeY = s[LIMIT_Y] === 0;
   if (flow.kind === SLIDE) {
-    for (const set of parts.setRim) set(m);
+    parts.sliding?.set(m);
     return;
   }
   force?.set(m);

@@ -2,9 +2,7 @@ import { TICK_RATE } from '../constants.ts';
 import { recordTarget } from '../effects/index.ts';
 import { quietTime } from '../events/index.ts';
 import {
-  ALERTNESS,
   arriveAndTurnAt,
-  awakeAt,
   COAST,
   directionAt,
   GOES_ON,
@@ -13,7 +11,6 @@ import {
   movesAlong,
   nearest,
   PIECE_END,
-  pairAt,
   RECORDS,
   SLIDE,
   SLOTS,
@@ -49,10 +46,8 @@ const {
   BASE,
   BASE_X,
   BASE_Y,
-  AWAKE_COUNT,
 } = SLOTS;
-const { CHASER, ROCK } = RECORDS;
-const { ASLEEP, AWAKE } = ALERTNESS;
+const { ROCK } = RECORDS;
 
 /** Carries out the event that was located. */
 export function fire(m: Motion, until: number): void {
@@ -164,16 +159,7 @@ function stop(m: Motion, t: number, time: number): void {
   arriveAndTurnAt(m, t);
   s[COS] = facing[0];
   s[SIN] = facing[1];
-  const awake = s[AWAKE_COUNT];
-  for (let k = 0; k < awake; k++) arriveChaser(m, awakeAt(m, k), t);
-  const drag = m.chasers + CHASER * m.chaserCount;
-  if (m.recoils && s[drag + 4] === AWAKE) {
-    arriveChaser(m, m.chaserCount, t);
-    const rock = m.rocks + ROCK * s[TARGET];
-    for (let k = 0; k < ROCK; k++) s[rock + k] = s[drag + k];
-    if (movesAlong(m, s[TARGET])) straightenBody(m, rock);
-    s[drag + 4] = ASLEEP;
-  }
+  m.parts.following?.arrive(m, t);
   ux[0] = her[0];
   uy[0] = her[1];
   ux[1] = her[2];
@@ -209,15 +195,4 @@ function stop(m: Motion, t: number, time: number): void {
   s[START] = time;
   s[FROM] = 0;
   if (t > 0) s[LAST_EVENT] = 0;
-}
-
-function arriveChaser(m: Motion, i: number, t: number): void {
-  const { s } = m;
-  const qx = m.chaserX[i];
-  const qy = m.chaserY[i];
-  const o = m.chasers + CHASER * i;
-  pairAt(qx, qy, m.integrator.degree, t, s, o);
-  // the series begins here too, in case it is read before the next piece is made
-  qx[0] = s[o];
-  qy[0] = s[o + 1];
 }

@@ -21,7 +21,6 @@ import { objectLists, type Scene } from '../scene.ts';
 import { type Ending, expectSnapshot, type Mode, type Simulation, type Work } from '../simulation.ts';
 import { type WorkBudget, WorkLimitReached } from '../work-budget.ts';
 import { begin, layOut, setFlow } from './begin.ts';
-import { restoreChasers } from './expand.ts';
 import { button, endingOf, fire } from './fire.ts';
 
 const { START, NEXT, ONSET, TICK_NOW, HELD, TARGET, BASE_X, BASE_Y, OUTCOME, END_TIME, MINERALS, AWAKE_COUNT } = SLOTS;
@@ -176,7 +175,7 @@ export class ContinuousSimulation implements Simulation {
     // moving objects may be elsewhere than in the neighbour list
     if (crowd !== null || motion.recoils) motion.near.skin = -1;
     setFlow(motion);
-    restoreChasers(motion);
+    motion.parts.following?.restore(motion);
   }
 
   /** Time from the beginning of the piece to the present, s. */

@@ -110,7 +110,7 @@ export class EffectSet {
   }
 
   private layOut(effects: readonly EngineEffect[]): Parts {
-    const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'setRim' | 'repeat' | 'mayRepeat'>(name: K) =>
+    const hooks = <K extends 'moved' | 'beforePiece' | 'turn' | 'repeat' | 'mayRepeat'>(name: K) =>
       effects.flatMap((effect) => {
         const hook = effect[name];
         return hook === undefined ? [] : [hook];
@@ -123,6 +123,8 @@ export class EffectSet {
         effects.flatMap(({ events }) => events ?? []),
       ),
       chase: chaseOf(effects),
+      sliding: effects.find(({ sliding }) => sliding !== undefined)?.sliding ?? null,
+      following: effects.find(({ following }) => following !== undefined)?.following ?? null,
       central: forces.filter((force) => force.acts === 'instead'),
       steady: forces.filter((force) => force.acts === 'beside'),
       circles: effects.flatMap(({ circles }) => circles ?? []),
@@ -135,7 +137,6 @@ export class EffectSet {
       moved: hooks('moved'),
       beforePiece: hooks('beforePiece'),
       turn: hooks('turn'),
-      setRim: hooks('setRim'),
       repeat: hooks('repeat'),
       mayRepeat: hooks('mayRepeat'),
     };

@@ -2,7 +2,7 @@ import type { Level, ObjectList, RuleName, Rules } from '../../schema/basics/ind
 import type { HazardList } from '../clearance.ts';
 import type { FrameRule } from '../frames.ts';
 import type { IndexedCircles, Indexing } from '../indexed-circles.ts';
-import type { CentralForce, Chase, EventRule, Motion, SteadyForce } from '../motion/index.ts';
+import type { CentralForce, Chase, EventRule, Following, Motion, Sliding, SteadyForce } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 
 /**
@@ -95,12 +95,10 @@ export interface Effect {
    * @param m - the motion
    */
   turn?(m: Motion): void;
-  /**
-   * Sets the rim that she slides on, from the state.
-   *
-   * @param m - the motion
-   */
-  setRim?(m: Motion): void;
+  /** How she slides along the rims of its objects, if she does. */
+  readonly sliding?: Sliding;
+  /** Its part in moving what follows her, if anything does. */
+  readonly following?: Following;
   /**
    * Called at the natural end of a piece; may skip time during which the motion repeats itself.
    *

@@ -29,6 +29,7 @@ export function fixedStep(
       }
       return h;
     },
+    tolerance: 0,
     chase(qx, qy, ax, ay, kappa, h) {
       drag(qx, qy, ax, ay, degree, kappa, true, h);
       return h;

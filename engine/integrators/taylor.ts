@@ -1,7 +1,6 @@
 import type { Accuracy } from '../accuracy.ts';
 import {
   centralSeries,
-  chaserSeries,
   drivenSeries,
   type Integrator,
   LINEAR,
@@ -9,13 +8,10 @@ import {
   TAYLOR_DEGREE,
   taylorStep,
 } from '../motion/index.ts';
-import { CONVERGENCE, PIECE_SHARE } from '../tolerances.ts';
+import { CONVERGENCE, LONGEST_TAYLOR, PIECE_SHARE } from '../tolerances.ts';
 
 /** Error of position per second if the accuracy has none, px. */
 const DEFAULT_TOLERANCE = 1e-9;
-
-/** Longest Taylor piece in accelerated flow, s, so that bounds over it stay tight. */
-const LONGEST_TAYLOR = 4;
 
 /** The least time in which she can reach the centre of a force of strength `alpha`, s. */
 function timeToCentre(x: Float64Array, y: Float64Array, alpha: number): number {
@@ -44,10 +40,8 @@ function taylor(tolerance: number): Integrator {
       const strength = Math.abs(alpha) + flow.steadyStrength;
       return taylorStep(x, y, tolerance, Math.min(longest, LONGEST_TAYLOR, CONVERGENCE * timeToCentre(x, y, strength)));
     },
-    chase(qx, qy, ax, ay, kappa, h) {
-      chaserSeries(qx, qy, ax, ay, kappa);
-      return taylorStep(qx, qy, tolerance, Math.min(h, LONGEST_TAYLOR));
-    },
+    tolerance,
+    chase: null,
     acceleration(flow, x, y, h) {
       const steady = flow.steadyStrength;
       const alpha = Math.abs(flow.alpha);

@@ -6,7 +6,7 @@ export const COAST = 0;
 export const CENTRAL = 1;
 /** The same on a line through the centre, where the direction is constant: u'' = a + beta (u - u0). */
 export const LINEAR = 2;
-/** Sliding along the rim of a field; see {@link RimFlow}. */
+/** Sliding along the rim of a field; see `Sliding`. */
 export const SLIDE = 3;
 
 /** A steady force alone: u'' = w. */
@@ -131,11 +131,15 @@ export interface Integrator {
     py: Float64Array | null,
     kappa: number,
   ): number;
+  /** Error of position that one piece may have, px; 0 with fixed steps, which do not control it. */
+  readonly tolerance: number;
   /**
-   * Expands a body that accelerates at `kappa` px/s² towards the place (ax, ay).
-   * @returns the length for which it holds, s
+   * Expands a body that accelerates at `kappa` px/s² towards the place (ax, ay), and returns the length for which it holds, s.
+   * null if its power series does; see `chaserSeries`.
    */
-  chase(qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number): number;
+  readonly chase:
+    | ((qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number) => number)
+    | null;
   /** Upper bound of |u''| over the piece, px/s². */
   acceleration(flow: Flow, x: Float64Array, y: Float64Array, h: number): number;
   /** Writes place and velocity after `t` of an expanded piece to out[0..3]; null if the polynomial itself gives both. */

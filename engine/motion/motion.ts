@@ -8,7 +8,6 @@ import { SAME_INSTANT, SURPLUS } from '../tolerances.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COAST, Flow, type Integrator, STEADY } from './flow.ts';
 import { NeighbourList, Vicinity } from './neighbour-list.ts';
-import { RimFlow } from './rim-flow.ts';
 import { HEAD, LINES, RECORDS, SLOTS } from './state.ts';
 
 const { START, NEXT, HELD, TARGET, FIELD, KIND, MOVES, LINE, RIM } = SLOTS;
@@ -119,6 +118,42 @@ export interface Chase {
   sight(rules: Rules): number;
 }
 
+/** How she slides along the rim of a field. */
+export interface Sliding {
+  /** Sets `m.rim` from the state at the start of the piece. */
+  set(m: Motion): void;
+  /**
+   * Expands her motion along the rim.
+   * @param longest - the longest piece wanted, s
+   * @returns the length for which the piece holds, s
+   */
+  expand(m: Motion, longest: number): number;
+  /** Writes place and velocity after `t` of the piece to out[0..3]. */
+  arrive(m: Motion, t: number, out: Float64Array): void;
+  /**
+   * When the speed limit frees an axis: 0 for x, 1 for y.
+   * @param from - where to begin, s after the start of the piece
+   * @returns s after the start of the piece; -1 if not before the piece ends
+   */
+  letGo(m: Motion, axis: number, from: number): number;
+}
+
+/** Bodies that accelerate towards her: chasers that are awake, and the asteroid that she drags from within a field. */
+export interface Following {
+  /** Readies them for a new piece. Returns how many there are. */
+  begin(m: Motion): number;
+  /**
+   * Expands their motion; hers must be known.
+   * @param longest - natural length of the piece, s
+   * @returns the length for which all of them hold, s
+   */
+  expand(m: Motion, longest: number): number;
+  /** After a restore: expands them as they were when the piece began; if the run is over, copies where they are. */
+  restore(m: Motion): void;
+  /** Moves them to where they are after `t`. */
+  arrive(m: Motion, t: number): void;
+}
+
 type Hook = (m: Motion) => void;
 
 /** What the chosen effects contribute to a motion. */
@@ -146,8 +181,10 @@ export interface Parts {
   readonly beforePiece: readonly Hook[];
   /** Called after they are chosen: sets how her box turns. */
   readonly turn: readonly Hook[];
-  /** Sets `m.rim` from the state while she slides. */
-  readonly setRim: readonly Hook[];
+  /** Null if there are no rims to slide along. */
+  readonly sliding: Sliding | null;
+  /** Null if nothing follows her: nothing chases her, and no asteroid recoils. */
+  readonly following: Following | null;
   /** Called at the natural end of a piece: may skip time in which the motion repeats itself. */
   readonly repeat: readonly Hook[];
   /** Whether the motion may soon repeat itself, so that no pieces may be skipped by gliding. */
@@ -201,8 +238,8 @@ export class Motion {
   readonly touchMargin: number;
   readonly recorder: Recorder | null;
   readonly flow = new Flow();
-  /** The forces that act while she slides along a rim. */
-  readonly rim = new RimFlow();
+  /** What {@link Sliding} keeps: the forces that act on the rim. Null if there are no rims. */
+  rim: object | null = null;
   readonly near = new NeighbourList();
   /** What the neighbour list is made of, for each kind of event that is in it, and for the targets. */
   readonly vicinities: readonly Vicinity[];

@@ -2,7 +2,6 @@ import { CENTRAL, COAST, SLIDE, STEADY } from './flow.ts';
 import { ontoLine } from './line.ts';
 import type { Motion } from './motion.ts';
 import { pairAt } from './polynomial.ts';
-import { arriveOnRim } from './rim-piece.ts';
 import { ALERTNESS, LINES, RECORDS, SLOTS, TURNS } from './state.ts';
 
 const { TARGET, BASE, BASE_X, BASE_Y, KIND, TURN, COS, SIN, DEGREE, LIMIT_X, LIMIT_Y, LINE, LINE_STEEP, LINE_SLOPE } = SLOTS;
@@ -16,7 +15,7 @@ function arriveAt(m: Motion, t: number): void {
   const { s, her } = m;
   const { arrive } = m.integrator;
   if (arrive === null || s[KIND] === COAST || s[KIND] === STEADY) pairAt(m.ux, m.uy, s[DEGREE], t, her, 0);
-  else if (s[KIND] === SLIDE) arriveOnRim(m, t, her);
+  else if (s[KIND] === SLIDE) m.parts.sliding?.arrive(m, t, her);
   else arrive(m.flow, m.ux, m.uy, t, her);
   if (m.recoil) {
     pairAt(m.px, m.py, s[DEGREE], t, m.base, 0);

@@ -1,5 +1,5 @@
 import { chaserTravel, eventRule, justFired, offer, offerContact, quietOutside, rimTime } from '../../events/index.ts';
-import { GOES_ON, type Motion, placeChaser, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
+import { FOLLOWERS, GOES_ON, type Motion, placeChaser, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import { type Effect, type EngineEffect, whereAny } from '../effect.ts';
 import { AlienCrowd } from './crowd.ts';
@@ -159,6 +159,7 @@ export const alienChase: EngineEffect = {
     pull: ({ alienPull }) => alienPull,
     sight: ({ alienSight }) => alienSight,
   },
+  following: FOLLOWERS,
   moves: true,
   kills: true,
   hazard: ({ aliens }) => ({ kind: 'alien', circles: aliens, first: 0, movedBy: 'chase' }),

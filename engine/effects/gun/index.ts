@@ -3,6 +3,7 @@ import {
   CENTRAL,
   type CentralForce,
   distanceSquared,
+  FOLLOWERS,
   GOES_ON,
   LINEAR,
   layOutRocks,
@@ -173,5 +174,6 @@ export const recoil: Effect = {
   },
   rules: ['recoil'],
   moves: true,
+  following: FOLLOWERS,
   layOut: layOutRocks,
 };

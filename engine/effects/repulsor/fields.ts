@@ -2,6 +2,7 @@ import { eventRule, listRims, offer, quietAtRim } from '../../events/index.ts';
 import { GOES_ON, type Motion, RECORDS, SLIDE, SLOTS } from '../../motion/index.ts';
 import { SHORTEST_BOUNCE } from '../../tolerances.ts';
 import { countCrossing, ENTERING, OUTSIDE, offerCrossing, placeInCircle, roundingOnRim } from '../rims.ts';
+import { rimOf } from './rim-flow.ts';
 import { comeOffTime } from './slide-ends.ts';
 
 const { FIELD, START, KIND, BASE_X, BASE_Y, RIM, LAST_EVENT, LAST_A, HELD, TARGET, LIMIT_X, LIMIT_Y, OUTER } = SLOTS;
@@ -118,13 +119,14 @@ function comeOff(m: Motion): void {
 /** This near to its centre the force outside has no reliable direction, px. */
 const NO_DIRECTION = 1e-7;
 
-/** Sets `m.rim`, the forces on the rim that she slides along, from the state at the start of the piece. */
+/** Sets the flow of the rim that she slides along from the state at the start of the piece. */
 export function setRim(m: Motion): void {
   aim(m, m.s[RIM], m.s[OUTER]);
 }
 
 function aim(m: Motion, field: number, outer: number): void {
-  const { s, rim, scene } = m;
+  const { s, scene } = m;
+  const rim = rimOf(m);
   const { repulsors } = scene;
   const cx = repulsors.x[field] - m.originX;
   const cy = repulsors.y[field] - m.originY;
@@ -164,10 +166,11 @@ function fieldBeside(m: Motion, field: number): number {
 
 /**
  * Whether she is held on the rim of a field that contains her: it must be the field that acts inside, and from outside she must
- * be driven in more strongly than she flies out. Leaves the forces in `m.rim`.
+ * be driven in more strongly than she flies out. Leaves the forces in the rim's flow.
  */
 function holdsOnRim(m: Motion, field: number): boolean {
-  const { s, rim, ux, uy, px, py, scene } = m;
+  const { s, ux, uy, px, py, scene } = m;
+  const rim = rimOf(m);
   // under a steady force she bounces instead; see rimTolerance
   if (actingField(m) !== field || m.flow.isSteady) return false;
   const outer = fieldBeside(m, field);
@@ -189,7 +192,8 @@ function holdsOnRim(m: Motion, field: number): boolean {
  * slides along it. A bounce has a mean velocity along the rim, with which she goes on.
  */
 function beginsToSlide(m: Motion, field: number): boolean {
-  const { s, rim, ux, uy, px, py, scene } = m;
+  const { s, ux, uy, px, py, scene } = m;
+  const rim = rimOf(m);
   const { repulsors } = scene;
   const x = s[BASE_X] + ux[0] - (repulsors.x[field] - m.originX);
   const y = s[BASE_Y] + uy[0] - (repulsors.y[field] - m.originY);

@@ -1,4 +1,3 @@
 // apart, so that a game without repulsors need not load what they do
 
 export { repulsor } from './repulsor.ts';
-export { letGoTime } from './slide-ends.ts';

@@ -4,8 +4,11 @@ import type { FrameRule } from '../../frames.ts';
 import { type CentralForce, rebase, SLOTS } from '../../motion/index.ts';
 import { type EngineEffect, whereAny } from '../effect.ts';
 import { changeFields, comeOffRim, enterField, enterFields, followRim, leaveField, setRim } from './fields.ts';
+import { RimFlow } from './rim-flow.ts';
+import { arriveOnRim, expandSlide } from './rim-piece.ts';
+import { letGoTime } from './slide-ends.ts';
 
-const { FIELD } = SLOTS;
+const { FIELD, RIM } = SLOTS;
 
 /** The push of a field away from its centre, equally strong everywhere in it. */
 const repulsorPush: CentralForce = {
@@ -62,8 +65,6 @@ const fieldFrame: FrameRule = {
   },
 };
 
-const { RIM } = SLOTS;
-
 export const repulsor: EngineEffect = {
   name: 'repulsor',
   summary: ({ push }) => `pushes her away at ${push} px/s2 while her centre is inside, instead of the gun`,
@@ -77,7 +78,10 @@ export const repulsor: EngineEffect = {
   beforePiece(m) {
     if (m.s[RIM] >= 0) followRim(m);
   },
-  setRim,
+  attach(m) {
+    m.rim = new RimFlow();
+  },
+  sliding: { set: setRim, expand: expandSlide, arrive: arriveOnRim, letGo: letGoTime },
   events: [enterField, leaveField, comeOffRim],
   layOut: enterFields,
   moved: changeFields,

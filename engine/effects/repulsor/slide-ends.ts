@@ -1,6 +1,7 @@
 import { crossing, lookNext, PATIENCE, safeStretch } from '../../events/index.ts';
 import { lookAt, type Motion, placeAt, SLOTS, shift, TAYLOR_DEGREE } from '../../motion/index.ts';
 import { SHORTEST_LAPSE } from '../../tolerances.ts';
+import { rimOf } from './rim-flow.ts';
 
 const { LENGTH_H, ACCELERATION, OUTER, LIMIT_X, LIMIT_Y } = SLOTS;
 
@@ -19,7 +20,8 @@ const about = new Float64Array(TAYLOR_DEGREE - 1);
  * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function comeOffTime(m: Motion, from: number): number {
-  const { s, her, toTarget, rim, work } = m;
+  const { s, her, toTarget, work } = m;
+  const rim = rimOf(m);
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
   const a = s[ACCELERATION];
@@ -62,8 +64,8 @@ function pressureSeries(m: Motion, t: number): void {
     x[k] = m.ux[k];
     y[k] = m.uy[k];
   }
-  m.rim.series(x, y);
-  about.set(m.rim.pressure);
+  rimOf(m).series(x, y);
+  about.set(rimOf(m).pressure);
   shift(about, about.length - 1, t);
 }
 
@@ -75,15 +77,16 @@ function offBetween(m: Motion, before: number, behind: number): number {
 /** What presses her onto the rim after `t`, px/s²; evaluates the motion as {@link weighAt} does. */
 function pressureAt(m: Motion, t: number): number {
   weighAt(m, t);
-  return m.rim.pressesIn;
+  return rimOf(m).pressesIn;
 }
 
 /**
- * Writes the forces on her after `t` to `m.rim`, her place to `m.her`, and the vector to the centre of the force outside to
+ * Writes the forces on her after `t` to the rim's flow, her place to `m.her`, and the vector to the centre of the force outside to
  * `m.toTarget`.
  */
 function weighAt(m: Motion, t: number): void {
-  const { s, her, toTarget, rim } = m;
+  const { s, her, toTarget } = m;
+  const rim = rimOf(m);
   placeAt(m, t);
   if (s[OUTER] < 0) {
     lookAt(m, t);
@@ -111,7 +114,8 @@ const acceleration = new Float64Array(2);
  * @returns s after the start of the piece; -1 if not before the piece ends
  */
 export function letGoTime(m: Motion, axis: number, from: number): number {
-  const { s, her, toTarget, rim, work } = m;
+  const { s, her, toTarget, work } = m;
+  const rim = rimOf(m);
   const horizon = Math.min(m.horizon, s[LENGTH_H]);
   const stride = Math.min(SHORTEST_LAPSE, s[LENGTH_H] / 64);
   const a = s[ACCELERATION];
@@ -147,7 +151,8 @@ function goneBetween(m: Motion, axis: number, before: number, behind: number): n
 
 /** Her acceleration along the axis, in the direction of the limit, if the axis were free, px/s². */
 function driveAt(m: Motion, axis: number, t: number): number {
-  const { s, her, rim } = m;
+  const { s, her } = m;
+  const rim = rimOf(m);
   const { freeX, freeY } = rim;
   rim.freeX = rim.freeY = true;
   weighAt(m, t);

@@ -13,7 +13,6 @@ import {
   valueAt,
 } from '../../motion/index.ts';
 import { SHORTEST_LAPSE } from '../../tolerances.ts';
-import { letGoTime } from '../repulsor/index.ts';
 
 const { FIELD, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
 
@@ -59,7 +58,7 @@ export function limitTime(m: Motion, axis: number, sign: number, from: number, r
  * When the force would no longer drive her further along an axis that is held at the limit; -1 if not before the piece ends.
  */
 export function freeTime(m: Motion, axis: number, held: number, from: number): number {
-  if (m.flow.kind === SLIDE) return letGoTime(m, axis, from);
+  if (m.flow.kind === SLIDE) return m.parts.sliding?.letGo(m, axis, from) ?? -1;
   // on a line both axes are free; without a force nothing drives her back
   if (m.flow.isSteady) return passesCentre(m) ? -1 : turnTime(m, axis, held, from);
   if (m.flow.kind !== CENTRAL) return -1;

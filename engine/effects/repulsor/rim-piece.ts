@@ -1,8 +1,6 @@
-import { CONVERGENCE, PIECE_SHARE } from '../tolerances.ts';
-import type { Motion } from './motion.ts';
-import { pairAt } from './polynomial.ts';
-import { TAYLOR_DEGREE, taylorStep } from './power-series.ts';
-import { SLOTS } from './state.ts';
+import { type Motion, pairAt, SLOTS, TAYLOR_DEGREE, taylorStep } from '../../motion/index.ts';
+import { CONVERGENCE, PIECE_SHARE } from '../../tolerances.ts';
+import { rimOf } from './rim-flow.ts';
 
 const { DEGREE, ACCELERATION } = SLOTS;
 
@@ -15,7 +13,8 @@ const end = new Float64Array(4);
 
 /** Projects her onto the rim, with her velocity along it. */
 function ontoRim(m: Motion): void {
-  const { rim, ux, uy } = m;
+  const { ux, uy } = m;
+  const rim = rimOf(m);
   const r = Math.sqrt(ux[0] * ux[0] + uy[0] * uy[0]);
   const nx = ux[0] / r;
   const ny = uy[0] / r;
@@ -39,7 +38,8 @@ function ontoRim(m: Motion): void {
  * @returns the length for which the piece holds, s
  */
 export function expandSlide(m: Motion, longest: number): number {
-  const { s, rim, ux, uy, px, py, integrator, scene } = m;
+  const { s, ux, uy, px, py, integrator, scene } = m;
+  const rim = rimOf(m);
   const degree = s[DEGREE];
   ontoRim(m);
   const precise = degree === TAYLOR_DEGREE;
@@ -72,7 +72,8 @@ export function expandSlide(m: Motion, longest: number): number {
  * Upper bound of the force outside at most `d` px from its centre, px/s². While she slides, the push of the rim is no larger.
  */
 function strongest(m: Motion, d: number): number {
-  return Math.max(Math.abs(m.rim.alpha), m.rim.beta * d);
+  const { alpha, beta } = rimOf(m);
+  return Math.max(Math.abs(alpha), beta * d);
 }
 
 /**
@@ -104,7 +105,7 @@ export function arriveOnRim(m: Motion, t: number, out: Float64Array): void {
     seriesX[k] = ux[k];
     seriesY[k] = uy[k];
   }
-  m.rim.series(seriesX, seriesY);
+  rimOf(m).series(seriesX, seriesY);
   pairAt(seriesX, seriesY, TAYLOR_DEGREE, t, end, 0);
   out.set(end);
 }

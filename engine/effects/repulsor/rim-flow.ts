@@ -1,4 +1,4 @@
-import { TAYLOR_DEGREE } from './power-series.ts';
+import { type Motion, TAYLOR_DEGREE } from '../../motion/index.ts';
 
 const N = TAYLOR_DEGREE;
 // working memory: power series of the place u, of w = u - q, of what is derived from them, and of q
@@ -152,3 +152,6 @@ function alongLimit(a: Float64Array, b: Float64Array): void {
     b[n] = sum / (2 * b[0]);
   }
 }
+
+/** The forces that act while she slides along a rim, as `attach` has made them for this motion. */
+export const rimOf = (m: Motion): RimFlow => m.rim as RimFlow;
