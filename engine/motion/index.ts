@@ -1,4 +1,5 @@
 export { centralSeries } from './central-series.ts';
+export { chaserSeries } from './chaser-series.ts';
 export { DRIFTS, IS_BASE, placeChaser, placeCircle, placeRock, relativeAt, relativeSeries, SERIES } from './circle.ts';
 export { CENTRAL, COAST, Flow, type Glide, type Integrator, isInCentre, LINEAR, SLIDE, STEADY } from './flow.ts';
 export { FOLLOWERS } from './followers.ts';

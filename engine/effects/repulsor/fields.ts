@@ -2,7 +2,7 @@ import { eventRule, listRims, offer, quietAtRim } from '../../events/index.ts';
 import { GOES_ON, type Motion, RECORDS, SLIDE, SLOTS } from '../../motion/index.ts';
 import { SHORTEST_BOUNCE } from '../../tolerances.ts';
 import { countCrossing, ENTERING, OUTSIDE, offerCrossing, placeInCircle, roundingOnRim } from '../rims.ts';
-import { rimOf } from './rim-flow.ts';
+import { rimOf } from './slide.ts';
 import { comeOffTime } from './slide-ends.ts';
 
 const { FIELD, START, KIND, BASE_X, BASE_Y, RIM, LAST_EVENT, LAST_A, HELD, TARGET, LIMIT_X, LIMIT_Y, OUTER } = SLOTS;

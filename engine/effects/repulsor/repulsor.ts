@@ -4,8 +4,8 @@ import type { FrameRule } from '../../frames.ts';
 import { type CentralForce, rebase, SLOTS } from '../../motion/index.ts';
 import { type EngineEffect, whereAny } from '../effect.ts';
 import { changeFields, comeOffRim, enterField, enterFields, followRim, leaveField, setRim } from './fields.ts';
-import { RimFlow } from './rim-flow.ts';
-import { arriveOnRim, expandSlide } from './rim-piece.ts';
+
+import { arriveOnRim, expandSlide, RimFlow } from './slide.ts';
 import { letGoTime } from './slide-ends.ts';
 
 const { FIELD, RIM } = SLOTS;

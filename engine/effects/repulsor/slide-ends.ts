@@ -1,7 +1,7 @@
 import { crossing, lookNext, PATIENCE, safeStretch } from '../../events/index.ts';
 import { lookAt, type Motion, placeAt, SLOTS, shift, TAYLOR_DEGREE } from '../../motion/index.ts';
 import { SHORTEST_LAPSE } from '../../tolerances.ts';
-import { rimOf } from './rim-flow.ts';
+import { rimOf } from './slide.ts';
 
 const { LENGTH_H, ACCELERATION, OUTER, LIMIT_X, LIMIT_Y } = SLOTS;
 
