@@ -4,7 +4,6 @@ import type { FrameRule } from '../../frames.ts';
 import { type CentralForce, rebase, SLOTS } from '../../motion/index.ts';
 import { type EngineEffect, whereAny } from '../effect.ts';
 import { changeFields, comeOffRim, enterField, enterFields, followRim, leaveField, setRim } from './fields.ts';
-
 import { arriveOnRim, expandSlide, RimFlow } from './slide.ts';
 import { letGoTime } from './slide-ends.ts';
 
