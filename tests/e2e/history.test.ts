@@ -35,6 +35,16 @@ async function nudge(page: Page, read: () => LevelFile, to: readonly number[]): 
   }
 }
 
+/** From now on, this page never gets around to recording anything: its history can't be used in these ways. */
+const dies = (page: Page, modes: readonly string[]): Promise<void> =>
+  page.evaluate((refused) => {
+    const { transaction } = IDBDatabase.prototype;
+    IDBDatabase.prototype.transaction = function (this: IDBDatabase, names, mode, ...rest) {
+      if (this.name.endsWith('-versions') && refused.includes(mode ?? 'readonly')) throw new DOMException('dying', 'AbortError');
+      return transaction.call(this, names, mode, ...rest);
+    };
+  }, modes);
+
 inChromium('the history of a level in Chromium', ({ on }) => {
   it(
     'by pointer: what changed since a version is shown, one object is taken back, the version is restored, and undo reverts both',
@@ -171,6 +181,32 @@ inChromium('the history of a level in Chromium', ({ on }) => {
   );
 
   it(
+    'has what a page has saved that was closed at once, before it could record or describe it',
+    on({ '01': garden() }, async ({ page, canvas, file, open, saved }) => {
+      await canvas.fit(file('01'));
+      await saved();
+      await openHistory(page, 1);
+      await page.keyboard.press('Escape');
+      await dies(page, ['readonly']);
+      await canvas.click(A);
+      await nudge(page, () => file('01'), [401]);
+      await canvas.click({ x: 560, y: 160 });
+      await page.keyboard.press('Delete');
+      await until(() => expect(asteroid(file('01'), 'b1')).toBeUndefined());
+      await saved();
+      await page.close();
+      const again = (await open()).page;
+      await again.getByRole('heading', { level: 1, name: 'Garden' }).waitFor();
+      await openHistory(again, 3);
+      expect(await labels(again)).toEqual([
+        'Asteroid 2 removed at (560, 160)',
+        'Asteroid 1 moved 1 px right',
+        'Found when the level was opened',
+      ]);
+    }),
+  );
+
+  it(
     'says which versions another program wrote; while another tab writes, it can be looked at only',
     on({ '01': garden() }, async ({ page, canvas, file, write, open, saved }) => {
       await canvas.fit(file('01'));
@@ -205,14 +241,7 @@ inChromium('the history of a level in Chromium', ({ on }) => {
       await saved();
       await openHistory(page, 1);
       await page.keyboard.press('Escape');
-      // from now on, this page never gets around to recording anything
-      await page.evaluate(() => {
-        const { transaction } = IDBDatabase.prototype;
-        IDBDatabase.prototype.transaction = function (this: IDBDatabase, names, ...rest) {
-          if (this.name.endsWith('-versions')) throw new DOMException('dying', 'AbortError');
-          return transaction.call(this, names, ...rest);
-        };
-      });
+      await dies(page, ['readonly', 'readwrite']);
       await canvas.click(A);
       await nudge(page, () => file('01'), [401, 402]);
       await saved();
@@ -221,7 +250,9 @@ inChromium('the history of a level in Chromium', ({ on }) => {
       const again = (await open()).page;
       await again.getByRole('heading', { level: 1, name: 'Pulled' }).waitFor();
       await again.keyboard.press('y');
-      await until(async () => expect((await labels(again))[0]).toBe('Found when the level was opened'));
+      const changed = 'Renamed "Garden" -> "Pulled"; asteroid 1 moved 2 px right';
+      await until(async () => expect((await labels(again))[0]).toBe(changed));
+      expect((await steps(again))[0]).toBe('Found when the level was opened');
       await rows(again).first().click();
       await dialog(again)
         .getByText(/^It was there when the level was opened/)

@@ -10,7 +10,7 @@ import { formatLevel, type LevelFile } from '../../schema/index.ts';
 import { itDeep, itQuick } from '../depth.ts';
 import { apply, arbitraryEdits } from '../review/arbitrary-edits.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
-import { FILE, passingVersions } from './stage.ts';
+import { breathe, FILE, passingVersions } from './stage.ts';
 
 const line = fc.constantFrom('a', 'b', 'c', '', '  { "x": 1 },', '  { "x": 2 },', '"é"', '\r');
 const text = fc.oneof(
@@ -268,6 +268,86 @@ describe('the history of a level', () => {
   });
 });
 
+/** What a page asks of the database that goes away after `die`: nothing begins any more, and nothing answers. */
+function mortal(store: VersionStore): { readonly store: VersionStore; die(): void } {
+  let isDead = false;
+  const never = new Promise<never>(() => {});
+  const act = (of: object, key: string | symbol) => {
+    const call = Reflect.get(of, key) as (...given: unknown[]) => Promise<unknown>;
+    return (...given: unknown[]) => (isDead ? never : call(...given).then((answer) => (isDead ? never : answer)));
+  };
+  return {
+    store: new Proxy(store, { get: act }),
+    die() {
+      isDead = true;
+    },
+  };
+}
+
+describe('a page that goes away at once', () => {
+  it('leaves each version that it has noted to the next one, with its steps, what it changed and who made it', async () => {
+    const lasting = createMemoryVersions();
+    const first = mortal(lasting);
+    const { level, versions, clock } = begin(FILE, first.store);
+    await breathe();
+    versions.note(level.file(), 'found');
+    level.change('Move', move(1));
+    clock.now += 1000;
+    versions.note(level.file(), 'page');
+    level.change('Move again', move(2));
+    clock.now += 500;
+    versions.note(level.file(), 'page');
+    first.die();
+    const second = begin(level.file(), lasting);
+    second.clock.now += 60_000;
+    second.versions.note(second.level.file(), 'found');
+    const found = await listed(second);
+    expect(found).toMatchObject([
+      { by: 'found', labels: [], time: START },
+      { by: 'page', labels: ['Move'], time: START + 1000, changes: 'Asteroid 1 moved 1 px right' },
+      { by: 'page', labels: ['Move again'], time: START + 1500, changes: 'Asteroid 1 moved 2 px right' },
+    ]);
+    expect(await second.versions.text(found[2])).toBe(formatLevel(level.file()));
+  });
+
+  it('leaves what it was recording, once, wherever it got to', async () => {
+    for (let turns = 0; turns < 40; turns++) {
+      const lasting = createMemoryVersions();
+      const first = mortal(lasting);
+      const { level, versions } = begin(FILE, first.store);
+      await breathe();
+      versions.note(level.file(), 'found');
+      for (const dx of [1, 2, 3]) {
+        level.change('Move', move(dx));
+        versions.note(level.file(), 'page');
+      }
+      void versions.settled();
+      for (let i = 0; i < turns; i++) await Promise.resolve();
+      first.die();
+      const second = begin(level.file(), lasting);
+      second.clock.now += 60_000;
+      second.versions.note(second.level.file(), 'found');
+      const found = await listed(second);
+      expect(found.map(({ changes }) => changes)).toEqual(['', ...[1, 2, 3].map((dx) => `Asteroid 1 moved ${dx} px right`)]);
+    }
+  });
+
+  it('leaves what waits to the new name of the level', async () => {
+    const lasting = createMemoryVersions();
+    const first = mortal(lasting);
+    const { level, versions } = begin(FILE, first.store);
+    await breathe();
+    level.change('Move', move(1));
+    versions.note(level.file(), 'page');
+    first.die();
+    const keeper = passingVersions(lasting, () => START + 1000);
+    keeper.moved([{ from: 'f/07', to: 'f/08', token: 'a' }]);
+    const renamed = keeper.follow('f/08', createEditedLevel(level.file()));
+    await renamed.load();
+    expect(renamed.store.getState()).toMatchObject([{ labels: ['Move'] }]);
+  });
+});
+
 describe('names of versions', () => {
   it('are given to the present version, changed and taken away', async () => {
     const all = begin();
@@ -353,6 +433,34 @@ describe('a browser whose database fails', () => {
     versions.note(level.file(), 'page');
     await versions.settled();
     expect(keeper.trouble.getState()?.message).toContain('no room');
+  });
+
+  it('loses none that were recorded before it answered', async () => {
+    const keeper = passingVersions(null);
+    const levels = ['f/07', 'f/08'].map((place) => {
+      const level = createEditedLevel(FILE);
+      return { place, level, versions: keeper.follow(place, level) };
+    });
+    for (const { level, versions } of levels) {
+      versions.note(level.file(), 'found');
+      level.change('Move', move(1));
+      versions.note(level.file(), 'page');
+    }
+    await levels[0].versions.settled();
+    await levels[1].versions.nameNow('kept');
+    levels[1].versions.close();
+    const lasting = createMemoryVersions();
+    keeper.adopt(lasting);
+    expect(keeper.trouble.getState()).toBeNull();
+    levels[0].level.change('Later', move(1));
+    levels[0].versions.note(levels[0].level.file(), 'page');
+    await levels[0].versions.settled();
+    for (const { place, level, versions } of levels) {
+      const found = await lasting.list(await lasting.open(place));
+      expect(found.flatMap(({ labels }) => labels)).toEqual(place === 'f/07' ? ['Move', 'Later'] : ['Move']);
+      expect(found.at(-1)?.name).toBe(place === 'f/07' ? null : 'kept');
+      expect(await versions.text(found[found.length - 1])).toBe(formatLevel(level.file()));
+    }
   });
 
   it('has a history as long as the page, and says so', async () => {

@@ -4,14 +4,14 @@ import { type EditedLevel, levelText } from '../document/index.ts';
 import { isQuota } from '../journal/index.ts';
 import { type Base, fromStored, toStored, wholeIn, wholeText } from './stored-text.ts';
 import { thin } from './thinning.ts';
-import { checkOf, inTime, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
-import type { NewVersion, VersionStore } from './version-store.ts';
+import { checkOf, inTime, type Noted, type PastVersion, shortened, type Version, type VersionBy } from './version.ts';
+import type { NewVersion, VersionStore, Waiting } from './version-store.ts';
 
 /** The history of one level. */
 export interface LevelVersions {
   /** The versions, oldest first; null until `load` was called. */
   readonly store: StoreApi<readonly Version[] | null>;
-  /** This version is on disk. It is recorded when the page is idle. */
+  /** This version is on disk. It is recorded when the page is idle; if the page is gone by then, by the next one. */
   note(file: LevelFile, by: VersionBy): void;
   /** Reads the list. @returns whether it could be read */
   load(): Promise<boolean>;
@@ -49,16 +49,6 @@ export interface LevelVersionsParts {
   readonly onClose: () => void;
 }
 
-/** A version that is not stored yet. */
-interface Noted {
-  readonly file: LevelFile;
-  readonly by: VersionBy;
-  readonly labels: readonly string[];
-  readonly time: number;
-  /** The version that was noted before it; null: none. */
-  readonly after: LevelFile | null;
-}
-
 /** Which part of a history stays if the database is full. */
 const KEPT_PART = 0.5;
 
@@ -66,19 +56,24 @@ const KEPT_PART = 0.5;
 const THIN_EVERY = 50;
 /** The longest list of steps that are not on disk yet. */
 const MOST_PENDING = 500;
+/** The most labels of versions that can't be recorded. */
+const MOST_LABELS = 50;
+
+const DONE = [() => true, () => false] as const;
 
 /** Follows a level: what reaches its disk is kept as a version. */
 export class RecordedVersions implements LevelVersions {
   readonly store: StoreApi<readonly Version[] | null> = createStore<readonly Version[] | null>(() => null);
   /** Steps since the last version, and the file that each led to. */
   private steps: { readonly label: string; readonly file: LevelFile }[] = [];
-  private noted: Noted[] = [];
-  private lastNoted: LevelFile | null = null;
+  /** Noted versions that the store did not take, and the end of handing over the others. */
+  private refused: Noted[] = [];
+  private handed: Promise<unknown> = Promise.resolve();
   private base: Base | null = null;
   private added = 0;
   private cancel: (() => void) | null = null;
-  /** The history in the store that it was opened in. */
-  private opened: { readonly in: VersionStore; readonly history: Promise<number> } | null = null;
+  /** The history in the store that it was opened in; its number once that is known. */
+  private opened: { readonly in: VersionStore; readonly history: Promise<number>; number: number | null } | null = null;
   private last: Promise<unknown> = Promise.resolve();
   private readonly stop: () => void;
 
@@ -92,14 +87,23 @@ export class RecordedVersions implements LevelVersions {
       this.steps.push({ label: kind === 'undo' ? `Undo: ${label}` : kind === 'redo' ? `Redo: ${label}` : label, file });
       if (this.steps.length > MOST_PENDING) this.steps.shift();
     });
+    void this.inTurn(async () => {});
   }
 
   note(file: LevelFile, by: VersionBy): void {
     const index = this.steps.findLastIndex((step) => step.file === file);
     const labels = this.steps.splice(0, index + 1).map(({ label }) => label);
-    this.noted.push({ file, by, labels, time: this.parts.now(), after: this.lastNoted });
-    this.lastNoted = file;
-    this.cancel ??= this.parts.whenIdle(() => void this.record());
+    const noted = { text: levelText(file), by, labels, time: this.parts.now() };
+    const store = this.parts.store();
+    const number = this.opened?.in === store ? this.opened.number : null;
+    // at once: the page may be gone the next moment
+    const handing =
+      number === null
+        ? this.inTurn((there, history) => there.handOver(history, noted))
+        : store.handOver(number, noted).then(...DONE);
+    const taken = handing.then((isDone) => isDone || this.refused.push(noted));
+    this.handed = Promise.all([this.handed, taken]).then(() => {});
+    this.cancel ??= this.parts.whenIdle(() => void this.record(false));
   }
 
   async load(): Promise<boolean> {
@@ -176,39 +180,49 @@ export class RecordedVersions implements LevelVersions {
     this.parts.onClose();
   }
 
-  /** Records what was noted. */
-  private async record(): Promise<boolean> {
+  /** Records what was noted, by this page or one that is gone. @param isAsked whether someone waits for it */
+  private async record(isAsked = true): Promise<boolean> {
     this.cancel?.();
     this.cancel = null;
-    const noted = this.noted;
-    this.noted = [];
-    if (noted.length === 0) return true;
-    const texts = noted.map(({ file }) => levelText(file));
+    // not what is handed over in a later turn
+    const { handed } = this;
     const isDone = await this.inTurn(async (store, history) => {
-      // words that can't be loaded are not known
-      const there = await import('./changes-in-short.ts').catch(() => null);
-      for (const [i, one] of noted.entries()) {
-        const changes = one.after === null ? '' : (there?.changesInShort(one.after, one.file) ?? '');
-        await this.add(store, history, one, { text: texts[i], changes });
-      }
+      await handed;
+      const words = await import('./changes-in-short.ts').catch(() => null);
+      // a page that goes away loads nothing more; what waits can be told by the next one
+      if (words === null && !isAsked) return;
+      for (const waiting of await store.waiting(history)) await this.add(store, history, waiting, words, waiting);
+      for (; this.refused.length > 0; this.refused.shift()) await this.add(store, history, this.refused[0], words);
     });
     // The next attempt comes with the next version. Those between are lost, but not what they were called.
-    const last = noted.at(-1);
-    if (!isDone && last !== undefined) this.noted = [{ ...last, ...allLabels(noted), after: noted[0].after }, ...this.noted];
+    const last = this.refused.at(-1);
+    if (!isDone && last !== undefined)
+      this.refused = [{ ...last, labels: this.refused.flatMap(({ labels }) => labels).slice(-MOST_LABELS) }];
     return isDone;
   }
 
+  /** @param words null: they can't be loaded; @param waiting where it waits in the store */
   private async add(
     store: VersionStore,
     history: number,
-    { by, labels, time }: Noted,
-    { text, changes }: { readonly text: string; readonly changes: string },
+    { by, labels, time, text }: Noted,
+    words: typeof import('./changes-in-short.ts') | null,
+    waiting: Waiting | null = null,
   ): Promise<void> {
-    const version: NewVersion = { time, by, ...shortened(labels), changes, name: null, check: checkOf(text) };
+    const check = checkOf(text);
     const before = await store.last(history);
-    if (before?.check === version.check) return;
-    if (before !== null) this.base ??= await baseOf(store, history, before);
-    const added = await this.put(store, history, version, text);
+    if (before?.check === check) {
+      if (waiting !== null) await store.forget(waiting);
+      return;
+    }
+    let changes = '';
+    if (before !== null) {
+      this.base ??= await baseOf(store, history, before);
+      const { copies, bases } = await store.texts(history, before);
+      changes = words?.changesInShort(fromStored(copies, bases, before.check) ?? text, text) ?? '';
+    }
+    const version: NewVersion = { time, by, ...shortened(labels), changes, name: null, check };
+    const added = await this.put(store, history, version, text, waiting);
     if (added === null || added.number === before?.number) return;
     const listed = this.store.getState();
     if (listed !== null) this.store.setState(inTime([...listed, added]), true);
@@ -216,10 +230,17 @@ export class RecordedVersions implements LevelVersions {
   }
 
   /** Stores a version; room is made if the database is full. */
-  private async put(store: VersionStore, history: number, version: NewVersion, text: string): Promise<Version | null> {
+  private async put(
+    store: VersionStore,
+    history: number,
+    version: NewVersion,
+    text: string,
+    waiting: Waiting | null = null,
+  ): Promise<Version | null> {
     const put = async () =>
       // another page may have thinned out what it is stored by
-      (await store.add(history, version, toStored(text, this.base))) ?? (await store.add(history, version, wholeText(text)));
+      (await store.add(history, version, toStored(text, this.base), waiting)) ??
+      (await store.add(history, version, wholeText(text), waiting));
     const added = await put().catch(async (error) => {
       if (!isQuota(error)) throw error;
       await this.thinOut(store, history, KEPT_PART);
@@ -254,7 +275,9 @@ export class RecordedVersions implements LevelVersions {
       try {
         if (this.opened?.in !== store) {
           this.base = null;
-          this.opened = { in: store, history: store.open(place) };
+          const opened = { in: store, history: store.open(place), number: null as number | null };
+          this.opened = opened;
+          opened.number = await opened.history;
         }
         await act(store, await this.opened.history);
         this.parts.onStored(null);
@@ -277,7 +300,3 @@ async function baseOf(store: VersionStore, history: number, version: Version): P
   const text = wholeIn((await store.texts(history, version)).bases);
   return text === null ? null : { number: base, text, uses: 1 + number - base };
 }
-
-const allLabels = (noted: readonly Noted[]): Pick<Noted, 'labels'> => ({
-  labels: noted.flatMap(({ labels }) => labels).slice(-50),
-});

@@ -49,7 +49,8 @@ function troubleOf(error: unknown): NonNullable<VersionTrouble> {
 
 /** Keeps the histories of levels: each version that was on disk, and those with names. */
 export function createVersionKeeper({ store, now, whenIdle }: VersionKeeperOptions): VersionKeeper {
-  let kept = store ?? createMemoryVersions();
+  const passing = createMemoryVersions();
+  let kept = store ?? passing;
   let isLasting = store !== null;
   const trouble = createStore<VersionTrouble>(() => (isLasting ? null : MISSING));
   // One queue for all levels and their moves: what was asked for before a move finds the history at its old place, what was
@@ -87,6 +88,9 @@ export function createVersionKeeper({ store, now, whenIdle }: VersionKeeperOptio
       isLasting = true;
       kept = found;
       onStored(null);
+      // what this page has recorded until now
+      void inTurn(() => passing.carryTo(found).catch(onStored));
+      for (const versions of followed) void versions.settled();
     },
   };
 }

@@ -1,9 +1,16 @@
 import { done, openDatabase } from '../database/index.ts';
-import { type StoredText, sizeOf } from './stored-text.ts';
-import type { Version } from './version.ts';
+import { fromStored, type StoredText, sizeOf, wholeText } from './stored-text.ts';
+import { type Noted, VERSION_MAKERS, type Version } from './version.ts';
 
 /** A version that gets its number when it is stored. */
 export type NewVersion = Omit<Version, 'number' | 'base' | 'size'>;
+
+/** A version that waits until it is recorded, and its key. */
+export interface Waiting extends Noted {
+  /** The history that it belongs to, negative: so it stands beside those of the history, and belongs to none yet. */
+  readonly history: number;
+  readonly number: number;
+}
 
 /** A history that goes to another place. */
 export interface Move {
@@ -26,11 +33,16 @@ export interface VersionStore {
   /** The versions of a history, oldest first. */
   list(history: number): Promise<readonly Version[]>;
   last(history: number): Promise<Version | null>;
+  /** Takes what is to be recorded in a history. When this returns, nothing more is needed of the page. */
+  handOver(history: number, noted: Noted): Promise<void>;
+  /** What waits for a history, oldest first. */
+  waiting(history: number): Promise<readonly Waiting[]>;
+  forget(waiting: Waiting): Promise<void>;
   /**
-   * Adds a version, unless the last one has the same text. @returns the new one, or the last one; null if the version that
-   * `text` is stored by is gone
+   * Adds a version, unless the last one has the same text; if it has waited, unless it waits no longer.
+   * @returns the new one, or the last one; null if the version that `text` is stored by is gone
    */
-  add(history: number, version: NewVersion, text: StoredText): Promise<Version | null>;
+  add(history: number, version: NewVersion, text: StoredText, waiting?: Waiting | null): Promise<Version | null>;
   texts(history: number, version: Version): Promise<FoundTexts>;
   /** Removes versions and replaces others, except those that are no longer there. Texts that others are stored by stay. */
   change(history: number, drop: readonly number[], put: readonly Version[]): Promise<void>;
@@ -70,18 +82,43 @@ export function movedHeads(
 const neededTexts = (versions: readonly Version[]): ReadonlySet<number> =>
   new Set(versions.flatMap(({ number, base }) => [number, base]));
 
+/** Tells versions apart that one page notes in the same ms. */
+let turn = 0;
+
+const waits = (history: number, noted: Noted): Waiting => ({
+  ...noted,
+  history: -history,
+  number: 1000 * noted.time + (turn++ % 1000),
+});
+
+/** Whether a stored row is a waiting version, and not damaged. */
+const isWaiting = ({ time, by, labels, text }: Waiting): boolean =>
+  Number.isFinite(time) && VERSION_MAKERS.includes(by) && Array.isArray(labels) && typeof text === 'string';
+
 interface Kept {
   versions: Version[];
   /** Copies by number. */
   readonly texts: Map<number, StoredText[]>;
 }
 
+/** Histories that live as long as the page. */
+interface MemoryVersions extends VersionStore {
+  /** Brings all of them to another store. */
+  carryTo(store: VersionStore): Promise<void>;
+}
+
 /** Histories that live as long as the page, for browsers without a database. */
-export function createMemoryVersions(): VersionStore {
+export function createMemoryVersions(): MemoryVersions {
   const heads = new Map<string, Head>();
   const histories = new Map<number, Kept>();
+  let waiting: Waiting[] = [];
   const of = (history: number): Kept => histories.get(history) as Kept;
+  const texts: VersionStore['texts'] = async (history, { number, base }) => ({
+    copies: of(history).texts.get(number) ?? [],
+    bases: of(history).texts.get(base) ?? [],
+  });
   return {
+    texts,
     async open(place) {
       const known = heads.get(place);
       if (known !== undefined) return known.history;
@@ -92,20 +129,26 @@ export function createMemoryVersions(): VersionStore {
     },
     list: async (history) => [...of(history).versions],
     last: async (history) => of(history).versions.at(-1) ?? null,
-    async add(history, version, text) {
+    async handOver(history, noted) {
+      waiting.push(waits(history, noted));
+    },
+    waiting: async (history) => waiting.filter((one) => one.history === -history),
+    async forget(one) {
+      waiting = waiting.filter((other) => other !== one);
+    },
+    async add(history, version, text, from = null) {
       const kept = of(history);
       const last = kept.versions.at(-1);
-      if (last?.check === version.check) return last;
-      if ('base' in text && !kept.texts.has(text.base)) return null;
+      if (from !== null && !waiting.includes(from)) return last ?? null;
+      const isNew = last?.check !== version.check;
+      if (isNew && 'base' in text && !kept.texts.has(text.base)) return null;
+      waiting = waiting.filter((other) => other !== from);
+      if (!isNew) return last ?? null;
       const number = (last?.number ?? 0) + 1;
       const added: Version = { ...version, number, base: 'base' in text ? text.base : number, size: sizeOf(text) };
       kept.versions.push(added);
       kept.texts.set(number, 'whole' in text ? [text, text] : [text]);
       return added;
-    },
-    async texts(history, { number, base }) {
-      const { texts } = of(history);
-      return { copies: texts.get(number) ?? [], bases: texts.get(base) ?? [] };
     },
     async change(history, drop, put) {
       const kept = of(history);
@@ -120,6 +163,17 @@ export function createMemoryVersions(): VersionStore {
       const moved = movedHeads(heads, moves);
       for (const place of moved?.gone ?? []) heads.delete(place);
       for (const head of moved?.put ?? []) heads.set(head.place, head);
+    },
+    async carryTo(store) {
+      for (const [place, { history }] of heads) {
+        const there = await store.open(place);
+        for (const version of of(history).versions) {
+          const { copies, bases } = await texts(history, version);
+          const text = fromStored(copies, bases, version.check);
+          if (text !== null) await store.add(there, version, wholeText(text));
+        }
+        for (const one of waiting) if (one.history === -history) await store.handOver(there, one);
+      }
     },
   };
 }
@@ -170,12 +224,25 @@ export async function openIndexedDbVersions(
         ((await done(stores(VERSIONS).getAll(rowsOf(history)))) as VersionRow[]).map(versionOf),
       ),
     last: (history) => database.within('readonly', (stores) => lastOf(stores(VERSIONS), history)),
-    add: (history, version, text) =>
+    handOver: (history, noted) =>
+      database.within('readwrite', (stores) => {
+        // two pages may note in the same ms: then the later one is refused, and keeps it
+        stores(VERSIONS).add(waits(history, noted));
+      }),
+    waiting: (history) =>
+      database.within('readonly', async (stores) =>
+        ((await done(stores(VERSIONS).getAll(rowsOf(-history)))) as Waiting[]).filter(isWaiting),
+      ),
+    forget: (waiting) => database.within('readwrite', (stores) => forget(stores(VERSIONS), waiting)),
+    add: (history, version, text, waiting = null) =>
       database.within('readwrite', async (stores) => {
         const [versions, texts] = [stores(VERSIONS), stores(TEXTS)];
         const last = await lastOf(versions, history);
-        if (last?.check === version.check) return last;
-        if ('base' in text && (await done(texts.count(rowsOf(history, text.base)))) === 0) return null;
+        if (waiting !== null && (await done(versions.count([waiting.history, waiting.number]))) === 0) return last;
+        const isNew = last?.check !== version.check;
+        if (isNew && 'base' in text && (await done(texts.count(rowsOf(history, text.base)))) === 0) return null;
+        if (waiting !== null) forget(versions, waiting);
+        if (!isNew) return last;
         const number = (last?.number ?? 0) + 1;
         const added: Version = { ...version, number, base: 'base' in text ? text.base : number, size: sizeOf(text) };
         versions.put({ ...added, history } satisfies VersionRow);
@@ -207,6 +274,10 @@ export async function openIndexedDbVersions(
       }),
     move: (moves) => database.within('readwrite', (stores) => moveHeads(stores(HEADS), moves)),
   };
+}
+
+function forget(versions: IDBObjectStore, { history, number }: Waiting): void {
+  versions.delete([history, number]);
 }
 
 /** The number of what is kept for a place, a new one if there is none yet. @param heads the store of heads, within a transaction */

@@ -29,6 +29,11 @@ export interface Version {
   readonly size: number;
 }
 
+/** A version that is noted, but not recorded yet. */
+export interface Noted extends Pick<Version, 'time' | 'by' | 'labels'> {
+  readonly text: string;
+}
+
 /** A version with its text, as it goes into a file. */
 export interface PastVersion extends Pick<Version, 'time' | 'by' | 'labels' | 'more' | 'changes' | 'name'> {
   readonly text: string;
