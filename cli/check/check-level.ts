@@ -164,11 +164,12 @@ function* replay(file: string, { level, document }: OpenedLevel, settings: Check
   const completing = scripted.findIndex(({ outcome }) => outcome === 'completed');
   const { impossible, searched, found } = completing >= 0 ? NOT_NEEDED : withoutRun(judged, settings);
 
-  const shown = found ?? chosen(level.runs, scripted, judged.shown ?? 0);
-  const { run: shownRun, report } = inWords(scene, shown, settings, budget);
-  if (isLight) yield null;
   const examined = examineInSteps(level, scripted, { scene, budget, found: found?.run });
   const runs = isLight ? yield* examined : atOnce(examined);
+  if (isLight) yield null;
+  // after the examination, so that what is found does not depend on the form of the report
+  const shown = found ?? chosen(level.runs, scripted, judged.shown ?? 0);
+  const { run: shownRun, report } = inWords(scene, shown, settings, budget);
   const isSlackAskedFor = requireSlack !== null || search !== null;
   const asked = settings.proveMinerals ? mineralsToProve(level, runs.collected) : [];
   const isCompleted = completing >= 0 || found !== null;

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { termsOnDisk } from '../../cli/serve/terms-on-disk.ts';
 import { ACCURACIES, type AccuracyName, type Terms, termsOf } from '../../engine/index.ts';
-import { checkReportSchema, type LevelReport } from '../../schema/index.ts';
+import { checkReportSchema, type LevelFile, type LevelReport } from '../../schema/index.ts';
 import { gq, makeFiles } from '../cli/gq.ts';
 import { expectDeep, isDeep, isHunt, itDeep, someOf } from '../depth.ts';
 import { HEAVY_LEVELS } from '../scenes/heavy-levels.ts';
@@ -190,6 +190,35 @@ describe('the page and gq check agree', () => {
       compare(level, termsOf('precise'), allowedMore ?? said[i]);
     }
   });
+
+  it.each(someOf(['precise', 'arcade'] as const, 1))(
+    'at %s about what is left out at small work limits, whatever the form of the report',
+    async (accuracy) => {
+      const level = JSON.parse(readFileSync(join(root, 'levels', '01-first-pull.level.json'), 'utf8')) as LevelFile;
+      const [run] = level.runs ?? [];
+      const asteroids = [...(level.asteroids ?? []), { x: 40, y: 40, radius: 8 }];
+      // the second run is played again for the warning about the asteroid that no run needs
+      const source = JSON.stringify({ ...level, asteroids, runs: [run, { ...run, name: 'again' }] });
+      const folder = makeFiles({ '01.level.json': source });
+      const leftOut = new Set<string>();
+      for (let maxWork = 4; maxWork < 6000; maxWork = Math.ceil(maxWork * (accuracy === 'precise' ? 1.3 : 1.5))) {
+        const args = ['check', '--accuracy', accuracy, '--max-work', String(maxWork), '--jobs', '1', '--no-cache'];
+        const { stdout } = await gq([...args, '--format', 'json', '01.level.json'], { cwd: folder.directory });
+        const [said] = checkReportSchema.parse(JSON.parse(stdout)).levels;
+        const words = (await gq([...args, '01.level.json'], { cwd: folder.directory })).stdout.replaceAll(/\s+/g, ' ');
+        for (const { message } of said.problems) expect(words).toContain(message);
+        expect(words.match(/that takes more/g) ?? []).toHaveLength(said.problems.filter((p) => p.code === 'work-limit').length);
+        compare({ name: 'small limits', source }, { ...termsOf(accuracy), maxWork }, said);
+        for (const { code, message } of said.problems) if (code === 'work-limit') leftOut.add(message.replaceAll(/[\d.]+/g, 'N'));
+      }
+      folder.remove();
+      const by = 'that takes more than the N pieces of motion allowed';
+      // at arcade, other accuracies cost less than the runs themselves
+      if (accuracy === 'precise') expect(leftOut).toContain(`its runs were not compared at every accuracy: ${by}`);
+      expect(leftOut).toContain(`the warnings that depend on its runs were left out: ${by}`);
+      expect([...leftOut].some((message) => message.includes('was not played beyond'))).toBe(true);
+    },
+  );
 
   it('about levels that a worker has to simulate', async () => {
     const all = await checkedAt('precise');

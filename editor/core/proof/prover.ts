@@ -20,14 +20,15 @@ const NOTHING_PROVED = { impossible: null, minerals: [] };
 function findingsIn(known: SceneRecord, level: Level): RunFindings {
   const { scene, terms } = known;
   const counted = level.runs.map(({ holds }) => known.full(joinHolds(holds)));
+  const sum = (looks: (run: (typeof counted)[number], index: number) => number): number =>
+    counted.reduce((all, run, index) => all + looks(run, index), 0);
   const budget = new WorkBudget(terms.maxWork);
-  budget.looks = counted.reduce((sum, { looks }) => sum + looks, 0);
-  if (!budget.isUsedUp)
-    return examineRuns(
-      level,
-      counted.map(({ run }) => run),
-      { scene, budget },
-    );
+  budget.looks = sum(({ looks }) => looks);
+  const runs = counted.map(({ run }) => run);
+  const found = budget.isUsedUp ? null : examineRuns(level, runs, { scene, budget });
+  // what runs come near to costs work, too, and a check, which records only the first one, plays the others again for it
+  budget.looks = sum(({ looks, all }, index) => all.looks + (index === 0 ? 0 : looks));
+  if (found !== null && !budget.isUsedUp) return found;
   const limited = new WorkBudget(terms.maxWork);
   return examineRuns(level, playRuns(scene, limited, level.runs), { scene, budget: limited });
 }
@@ -57,8 +58,8 @@ export function createProver(now: () => number = () => performance.now(), most =
       const nothing: Limit | null = begun !== null ? null : patience === 0 ? 'unchecked' : 'everything';
       const isLate = nothing !== null ? () => true : isPatient ? () => false : () => now() - start > patience;
       const known = begun ?? scenes.still(file, level, terms);
-      const { isCut, looks, ...run } = showRun(known, level, wanted, answer?.run.holds ?? null, isLate);
-      const shown = { ...run, looks, isCut };
+      const { isCut, ...run } = showRun(known, level, wanted, answer?.run.holds ?? null, isLate);
+      const shown = { ...run, isCut };
       const { name: provenBy, ends } = findProvingRun(known, level, shown, isLate);
       const limit: Limit | null = nothing ?? (isCut ? 'run' : ends.some(({ isStopped }) => isStopped) ? 'others' : null);
       const verdict = verdictOfFindings({ ...unproved, ends });
@@ -116,12 +117,12 @@ const endAs = ({ name }: Level['runs'][number], end: RunEnd | null): RunFindings
 /**
  * Finds a run that completes the level: the shown one if possible, else the first. As in a check, the runs share the work that the
  * level may cost, in their order: a run counts if it and those before it do not exceed that.
- * @param shown the shown run, what it costs, and whether it was stopped: then nothing more is simulated
+ * @param shown the shown run, and whether it was stopped: then nothing more is simulated
  */
 function findProvingRun(
   record: SceneRecord,
   { runs }: Level,
-  shown: ShownRun & { readonly looks: number; readonly isCut: boolean },
+  shown: ShownRun & { readonly isCut: boolean },
   isLate: () => boolean,
 ): Proving {
   const { maxWork } = record.terms;
@@ -129,10 +130,13 @@ function findProvingRun(
   /** How run `i` ends; null: it was not simulated to its end. */
   const endOf = (i: number) =>
     shown.isCut ? null : runs[i].name === shown.name ? shown : record.end(joinHolds(runs[i].holds), isLate);
+  /** What a check counts for run `k`, of which it records only the first. */
+  const looksOf = (k: number): number =>
+    endOf(k) === null ? Number.POSITIVE_INFINITY : record.full(joinHolds(runs[k].holds), k === 0).looks;
   /** Whether the runs up to the `i`-th cost no more than allowed. So few that the page simulates them cannot. */
   const isPaidFor = (i: number): boolean => {
     let looks = 0;
-    if (maxWork < MOST_WORK * (i + 1)) for (let k = 0; k <= i; k++) looks += endOf(k)?.looks ?? Number.POSITIVE_INFINITY;
+    if (maxWork < MOST_WORK * (i + 1)) for (let k = 0; k <= i; k++) looks += looksOf(k);
     return looks <= most;
   };
   const own = runs.findIndex(({ name }) => name === shown.name);
@@ -169,16 +173,16 @@ function showRun(
   wanted: string | null,
   shown: readonly Hold[] | null,
   isLate: () => boolean,
-): ShownRun & { readonly isCut: boolean; readonly looks: number } {
+): ShownRun & { readonly isCut: boolean } {
   const run = level.runs.find(({ name }) => name === wanted) ?? level.runs[0];
   const joined = joinHolds(run?.holds ?? []);
   // the same list as before if it is equal, so that subscribers see no change
   const before = shown ?? joined;
   const holds = firstDifference(before, joined) === Number.POSITIVE_INFINITY ? before : joined;
-  const { way, ending, minerals, resumedFrom, isCut, looks } = known.recorder.run(holds, isLate);
+  const { way, ending, minerals, resumedFrom, isCut } = known.recorder.run(holds, isLate);
   const inFrames = known.scene.accuracy.integrator === 'arcade' && minerals.length > 0 && !isCut;
   const taken = inFrames ? takenInFrames(known.full(holds).run) : minerals;
   const tick = Math.max(0, way.count - 1);
   const end: RunEnd = isCut ? { outcome: 'timeout', with: null, time: tick * TICK, tick } : toEnd(ending, known.maxTicks);
-  return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, isCut, looks, ...end };
+  return { name: run?.name ?? null, holds, way, minerals: taken, resumedFrom, isCut, ...end };
 }

@@ -49,8 +49,6 @@ export interface RecordedRun {
   readonly minerals: readonly { readonly index: number; readonly tick: number }[];
   /** The tick from which on it was simulated; earlier ticks were known from the last run. */
   readonly resumedFrom: number;
-  /** What the run costs from the start, in looks. */
-  readonly looks: number;
 }
 
 /** ticks between snapshots; on average, half of them are simulated again */
@@ -71,11 +69,6 @@ export class RunRecorder {
   private played: readonly Hold[] | null = null;
   /** The number of the room's snapshots that belong to the current script. */
   private kept = 0;
-  /** What the current script has cost until each snapshot, and until now, looks. */
-  private readonly costs: number[] = [];
-  private looks = 0;
-  /** What the budget had spent when `looks` was brought up to date. */
-  private counted = 0;
   private count = 0;
   private ticks = 0;
 
@@ -88,7 +81,7 @@ export class RunRecorder {
     readonly scene: Scene,
     readonly maxTicks: number,
     private readonly room = new RecorderRoom(),
-    private readonly budget: WorkBudget = unlimited(),
+    budget: WorkBudget = unlimited(),
   ) {
     this.simulation = createSimulation(scene, budget);
     this.ahead = scene.accuracy.integrator === 'arcade' ? 1 : 0;
@@ -102,7 +95,6 @@ export class RunRecorder {
    */
   run(holds: readonly Hold[], isLate: () => boolean = () => false): RecordedRun {
     const resumedFrom = this.goBack(holds);
-    this.counted = this.budget.looks;
     this.played = holds;
     const { simulation, maxTicks } = this;
     let next = 0;
@@ -123,14 +115,7 @@ export class RunRecorder {
         this.ticks = tick;
         this.count = Math.max(1, this.count);
         this.last.set(this.room.states.subarray(STATE_SIZE * (this.count - 1), STATE_SIZE * this.count));
-        return {
-          way: this.way(),
-          isCut: true,
-          ending: null,
-          minerals: [...this.minerals],
-          resumedFrom,
-          looks: this.countLooks(),
-        };
+        return { way: this.way(), isCut: true, ending: null, minerals: [...this.minerals], resumedFrom };
       }
       this.collect(tick);
       if (this.ahead === 1) this.write();
@@ -142,15 +127,7 @@ export class RunRecorder {
     this.ticks = simulation.tick;
     simulation.readState(this.last);
     const { ending } = simulation;
-    return { way: this.way(), isCut, ending, minerals: [...this.minerals], resumedFrom, looks: this.countLooks() };
-  }
-
-  /** What the script has cost so far. */
-  private countLooks(): number {
-    const { looks } = this.budget;
-    this.looks += looks - this.counted;
-    this.counted = looks;
-    return this.looks;
+    return { way: this.way(), isCut, ending, minerals: [...this.minerals], resumedFrom };
   }
 
   /** @returns false if the budget is used up */
@@ -178,10 +155,8 @@ export class RunRecorder {
     if (index <= 0) {
       this.simulation.reset();
       this.minerals = [];
-      this.looks = 0;
     } else {
       this.simulation.restore(this.room.snapshots[index]);
-      this.looks = this.costs[index];
       this.minerals = this.minerals.filter(({ tick }) => tick < this.simulation.tick);
     }
     this.collected.fill(0);
@@ -193,7 +168,6 @@ export class RunRecorder {
   private keep(index: number): void {
     const { snapshots } = this.room;
     snapshots[index] = this.simulation.snapshot(snapshots[index]);
-    this.costs[index] = this.countLooks();
     this.kept = index + 1;
   }
 

@@ -25,16 +25,13 @@ const STRIDE = 60;
 export const toEnd = (ending: Ending | null, maxTicks: number): RunEnd =>
   ending ?? { outcome: 'timeout', with: null, time: maxTicks * TICK, tick: maxTicks };
 
-/** How a run ends, and what it costs to simulate it from the start. */
-interface CountedEnd extends RunEnd {
-  /** in looks, of which a {@link WorkBudget} counts its work */
-  readonly looks: number;
-}
-
-/** A run in full, with the same cost. */
+/** A run in full, and what it costs to simulate it from the start. */
 interface CountedRun {
   readonly run: Run;
+  /** in looks, of which a {@link WorkBudget} counts its work */
   readonly looks: number;
+  /** Its cost with that of everything that was read of it since. */
+  readonly all: WorkBudget;
 }
 
 /** Everything known about one scene: runs by their holds. */
@@ -45,7 +42,7 @@ export class SceneRecord {
   readonly budget: WorkBudget;
   /** The longest a run may last, ticks. */
   readonly maxTicks: number;
-  private readonly ends = new Map<string, CountedEnd>();
+  private readonly ends = new Map<string, RunEnd>();
   private readonly fulls = new Map<string, CountedRun>();
 
   constructor(
@@ -63,19 +60,18 @@ export class SceneRecord {
   }
 
   /** How a script ends; nothing else is recorded. @param holds sorted and disjoint @returns null if it was stopped */
-  end(holds: readonly Hold[], isLate: () => boolean): CountedEnd | null {
+  end(holds: readonly Hold[], isLate: () => boolean): RunEnd | null {
     const key = holds.join();
     const known = this.ends.get(key);
     if (known !== undefined) return known;
     const { maxTicks } = this;
-    const before = this.budget.looks;
     try {
       const simulation = createSimulation(this.scene, this.budget);
       while (simulation.ending === null && simulation.tick < maxTicks) {
         if (isLate()) return null;
         playScript(simulation, holds, Math.min(maxTicks, simulation.tick + STRIDE));
       }
-      const end = { ...toEnd(simulation.ending, maxTicks), looks: this.budget.looks - before };
+      const end = toEnd(simulation.ending, maxTicks);
       this.ends.set(key, end);
       return end;
     } catch (error) {
@@ -84,14 +80,14 @@ export class SceneRecord {
     }
   }
 
-  /** A run with its events and hash, and its cost, which nothing limits. */
-  full(holds: readonly Hold[]): CountedRun {
-    const key = holds.join();
+  /** A run with its events and hash, and its cost, which nothing limits. @param record whether its recording is kept */
+  full(holds: readonly Hold[], record = true): CountedRun {
+    const key = `${record} ${holds.join()}`;
     const known = this.fulls.get(key);
     if (known !== undefined) return known;
-    const budget = unlimited();
-    const run = simulate(this.scene, holds, { budget });
-    const counted = { run, looks: budget.looks };
+    const all = unlimited();
+    const run = simulate(this.scene, holds, { budget: all, record });
+    const counted = { run, looks: all.looks, all };
     // dragging a hold requests a new run each time
     if (this.fulls.size > 64) this.fulls.clear();
     this.fulls.set(key, counted);
