@@ -272,12 +272,12 @@ describe('the history of a level', () => {
 function mortal(store: VersionStore): { readonly store: VersionStore; die(): void } {
   let isDead = false;
   const never = new Promise<never>(() => {});
-  const act = (of: object, key: string | symbol) => {
+  const get = (of: VersionStore, key: string) => {
     const call = Reflect.get(of, key) as (...given: unknown[]) => Promise<unknown>;
     return (...given: unknown[]) => (isDead ? never : call(...given).then((answer) => (isDead ? never : answer)));
   };
   return {
-    store: new Proxy(store, { get: act }),
+    store: new Proxy<VersionStore>(store, { get: (of, key) => get(of, String(key)) }),
     die() {
       isDead = true;
     },
