@@ -7,11 +7,14 @@ import {
   compile,
   type EffectWork,
   type Mode,
+  type Scene,
   type Work,
   WorkBudget,
   workByEffect,
 } from '../../engine/index.ts';
+import { timeByEffect } from '../../engine/work-precision/index.ts';
 import {
+  type Hold,
   type InspectReport,
   isVariant,
   KINDS,
@@ -29,6 +32,7 @@ import { alignColumns, problemJson, type ShownProblem, showFileProblems } from '
 import { type Colors, colorsFor, visibleLine, widthOf } from '../terminal/index.ts';
 
 interface InspectOptions extends ConfigOptions, TermsOptions {
+  readonly time?: true;
   readonly format: 'pretty' | 'json';
 }
 
@@ -36,18 +40,21 @@ export const help: CommandHelp = {
   description: 'Show what a level calls for: which effects are simulated and which are not, with the reason; counts; warnings.',
   more: `
 Work and modes are those of the level's first run, as far as --max-work lets it go, and so is what each effect costs: guards
-that are followed, roots that are located, and events that happen. arcade does not tell these apart.
+that are followed, roots that are located, and events that happen. --time measures for two seconds what each of them takes
+of the run's time on this machine. arcade does not tell these apart.
 
 Exit code: 0; 1 when the level is invalid; 2 when it could not be read.
 
 Examples:
   $ gq inspect levels/01-first-pull.level.json
+  $ gq inspect levels/01-first-pull.level.json --time
   $ gq inspect levels/01-first-pull.level.json --format json | jq .effects.notCalledFor`,
 };
 
 export function declare(command: Command, finish: (result: CommandResult) => void): void {
   addConfigOptions(addTermsOptions(command))
     .argument('<level>', 'a level file')
+    .option('--time', 'measure what each effect takes of the run')
     .addOption(formatOption('pretty', 'json'))
     .action(async (file: string, options: InspectOptions) => finish(await inspect(file, options)));
 }
@@ -62,6 +69,7 @@ async function inspect(file: string, options: InspectOptions): Promise<CommandRe
   const runs = playRuns(scene, budget);
   const costs = level.runs.length > 0 ? workByEffect(scene, level.runs[0].holds, new WorkBudget(terms.maxWork)) : null;
   const played = runs.filter(({ stopped }) => stopped === null);
+  const times = options.time === true && costs !== null && runs[0]?.stopped === null ? timesOf(scene, level.runs[0].holds) : null;
   const inspection: Inspection = {
     file,
     level: level.name,
@@ -70,12 +78,15 @@ async function inspect(file: string, options: InspectOptions): Promise<CommandRe
       simulated: scene.effects.simulated.map((effect) => ({
         ...effect,
         work: costs?.find(({ name }) => name === effect.name) ?? null,
+        time: times?.effects.find(({ name }) => name === effect.name)?.time ?? null,
       })),
       notCalledFor: scene.effects.notCalledFor,
     },
     counts: countObjects(level),
     modes: runs[0]?.modes ?? [],
     work: runs[0]?.work ?? NO_WORK,
+    time: times?.whole.minimum ?? null,
+    untimed: options.time === true && times === null ? whyUntimed(costs, runs.length > 0) : null,
     problems: withinWork(budget, () => warningsOf(opened, played, terms)) ?? warningsOf(opened, [], terms),
   };
   const output =
@@ -85,23 +96,35 @@ async function inspect(file: string, options: InspectOptions): Promise<CommandRe
   return { output, exitCode: 0 };
 }
 
+/** How long the effects of a run are timed, ms; a sample of them, ms. */
+const TIMING = { budget: 2000, sample: 2 };
+
+const timesOf = (scene: Scene, holds: readonly Hold[]) => timeByEffect(scene, holds, () => performance.now(), TIMING);
+
+const whyUntimed = (costs: readonly EffectWork[] | null, hasRun: boolean): string => {
+  if (!hasRun) return 'the level has no run';
+  return costs === null ? 'arcade examines everything once a frame' : 'the run takes more work than --max-work allows';
+};
+
 const NO_WORK: Work = { pieces: 0, forceEvaluations: 0, guards: 0, roots: 0 };
 
 /** The results of `inspect` as JSON. */
-function inspectJson({ level, terms, effects, counts, modes, work, problems }: Inspection): string {
+function inspectJson({ level, terms, effects, counts, modes, work, time: whole, problems }: Inspection): string {
   const report: InspectReport = {
     version: 1,
     level,
     terms,
     effects: {
-      simulated: effects.simulated.map(({ name, because, work: own }) => {
-        return { name, because, work: own === null ? null : { guards: own.guards, roots: own.roots, events: own.events } };
-      }),
+      simulated: effects.simulated.map(({ name, because, work: own, time }) => ({
+        name,
+        because,
+        work: own && { guards: own.guards, roots: own.roots, events: own.events, ...(time !== null && { time }) },
+      })),
       notCalledFor: [...effects.notCalledFor],
     },
     counts,
     modes: [...modes],
-    work,
+    work: { ...work, ...(whole !== null && { time: whole }) },
     problems: problems.map(problemJson),
   };
   return `${JSON.stringify(report)}\n`;
@@ -109,7 +132,7 @@ function inspectJson({ level, terms, effects, counts, modes, work, problems }: I
 
 /** The results of `inspect` for people. */
 function inspectPretty(
-  { file, level, effects, counts, modes, work, problems }: Inspection,
+  { file, level, effects, counts, modes, work, time, untimed, problems }: Inspection,
   colors: Colors,
   width: number | null = null,
 ): string {
@@ -119,15 +142,21 @@ function inspectPretty(
       .join('');
   const has = COUNTED.filter(({ key }) => counts[key] > 0).map(({ key, one, many }) => plural(counts[key], one, many));
   let text = `${colors.bold(visibleLine(level))}: ${has.length === 0 ? 'only the black hole' : has.join(', ')}\n`;
-  text += `\n${colors.bold('simulated')}\n${list(effects.simulated.map((effect) => [effect.name, effect.because, costOf(effect, work)]))}`;
+  text += `\n${colors.bold('simulated')}\n${list(effects.simulated.map((effect) => [effect.name, effect.because, costOf(effect, work, time)]))}`;
   if (effects.notCalledFor.length > 0)
     text += `\n${colors.bold('not called for')}\n${list(effects.notCalledFor.map(({ name, because }) => [name, because]))}`;
   if (work.pieces > 0) {
     const { pieces, forceEvaluations, guards, roots } = work;
-    text += `\nthe first run takes ${pieces} pieces of motion, ${forceEvaluations} force evaluations, ${guards} guards, ${roots} roots\n`;
+    const counted = [
+      plural(pieces, 'piece of motion', 'pieces of motion'),
+      plural(forceEvaluations, 'force evaluation', 'force evaluations'),
+    ];
+    text += `\nthe first run takes ${[...counted, plural(guards, 'guard', 'guards'), plural(roots, 'root', 'roots')].join(', ')}\n`;
+    if (time !== null) text += `on this machine it takes ${time.toFixed(2)} us per simulated second\n`;
     const spent = modes.map(({ name, share }) => `${(100 * share).toFixed(1)} % ${name}`);
     text += `time by kind of motion: ${spent.join(', ')}\n`;
   }
+  if (untimed !== null) text += `\nnot timed: ${untimed}\n`;
   if (problems.length > 0) text += `\n${showFileProblems(file, problems, colors)}`;
   return text;
 }
@@ -135,14 +164,17 @@ function inspectPretty(
 /** An effect that is simulated, and what it costs in the first run; null if that was not counted. */
 interface SimulatedEffect extends ChosenEffect {
   readonly work: EffectWork | null;
+  /** What it takes of the run's time, microseconds per simulated second; null if that was not measured. */
+  readonly time: number | null;
 }
 
 /** What an effect costs, in words. */
-function costOf({ work: own }: SimulatedEffect, work: Work): string {
+function costOf({ work: own, time }: SimulatedEffect, work: Work, whole: number | null): string {
   if (own === null) return '';
   const { guards, roots, events } = own;
   const share = guards > 0 ? ` (${Math.round((100 * guards) / work.guards)} %)` : '';
-  return `${plural(guards, 'guard', 'guards')}${share}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
+  const counts = `${plural(guards, 'guard', 'guards')}${share}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
+  return time === null || whole === null ? counts : `${counts}, ${Math.round((100 * time) / whole)} % of the time`;
 }
 
 /** The results of `gq inspect` for a level. */
@@ -158,6 +190,10 @@ interface Inspection {
   readonly modes: readonly Mode[];
   /** The cost of the first run. */
   readonly work: Work;
+  /** What it takes, microseconds per simulated second; null if that was not measured. */
+  readonly time: number | null;
+  /** Why it was not timed, though that was asked for. */
+  readonly untimed: string | null;
   readonly problems: readonly ShownProblem[];
 }
 

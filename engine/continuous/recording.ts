@@ -1,7 +1,7 @@
 import type { Hold } from '../../schema/basics/index.ts';
 import { ChangeLog } from '../change-log.ts';
 import { type Clearance, ClearanceTracker } from '../clearance.ts';
-import { ALL_EFFECTS, EFFECTS, EffectSet } from '../effects/index.ts';
+import { ALL_EFFECTS, EFFECTS, type Effect, EffectSet } from '../effects/index.ts';
 import { integratorOf } from '../integrators/index.ts';
 import { awakeAt, type EventRule, type Motion, PackedPieces, RECORDS, type Recorder, SLOTS } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
@@ -181,6 +181,12 @@ export class EventRecorder implements Recorder {
   }
 }
 
+/** The method for every scene and accuracy, with each effect replaced by what `change` makes of it. */
+export const methodWith = (change: (effect: Effect) => Effect): Method => ({
+  ...WHOLE_METHOD,
+  effects: new EffectSet(EFFECTS.map(change), WHOLE_METHOD.effects.indexing),
+});
+
 /** What an effect costs in a run, as counts that are the same on every machine. */
 export interface EffectWork {
   /** Name of the effect. */
@@ -205,11 +211,10 @@ export interface EffectWork {
 export function workByEffect(scene: Scene, holds: readonly Hold[], budget: WorkBudget = unlimited()): EffectWork[] | null {
   if (scene.accuracy.integrator === 'arcade') return null;
   const counts = new Map(scene.effects.simulated.map(({ name }) => [name, { guards: 0, roots: 0, events: 0 }]));
-  const effects = EFFECTS.map((effect) => {
+  const method = methodWith((effect) => {
     const count = counts.get(effect.name);
     return count === undefined ? effect : { ...effect, events: effect.events?.map((rule) => counted(rule, count)) ?? [] };
   });
-  const method = { ...WHOLE_METHOD, effects: new EffectSet(effects, WHOLE_METHOD.effects.indexing) };
   try {
     const simulation = new ContinuousSimulation(method, scene, new PieceRecorder(scene, budget), budget);
     playScript(simulation, joinHolds(holds), maxTicksOf(scene.terms));

@@ -124,7 +124,7 @@ export class EffectSet {
       ),
       chase: chaseOf(effects),
       sliding: effects.find(({ sliding }) => sliding !== undefined)?.sliding ?? null,
-      following: effects.find(({ following }) => following !== undefined)?.following ?? null,
+      following: effects.flatMap(({ following }) => following ?? []).at(-1) ?? null,
       central: forces.filter((force) => force.acts === 'instead'),
       steady: forces.filter((force) => force.acts === 'beside'),
       circles: effects.flatMap(({ circles }) => circles ?? []),

@@ -2,8 +2,15 @@ import type { Hold, Level } from '../../schema/basics/index.ts';
 import type { Accuracy } from '../accuracy.ts';
 import { compile } from '../compile.ts';
 import { TICK } from '../constants.ts';
+import { ContinuousSimulation, methodWith } from '../continuous/index.ts';
+import type { Effect } from '../effects/index.ts';
+import type { EventRule, Motion } from '../motion/index.ts';
+import type { Scene } from '../scene.ts';
 import { joinHolds, playScript } from '../script.ts';
 import { createSimulation } from '../simulate.ts';
+import type { Simulation } from '../simulation.ts';
+import { maxTicksOf } from '../terms.ts';
+import { unlimited } from '../work-budget.ts';
 
 /** Something whose cost per simulated second is measured. */
 export interface Player {
@@ -136,14 +143,85 @@ export function playerOf(
   }));
   return {
     code: accuracy.integrator,
-    play() {
-      let seconds = 0;
-      for (const { simulation, script } of made) {
-        simulation.reset();
-        playScript(simulation, script, maxTicks);
-        seconds += simulation.ending?.time ?? simulation.tick * TICK;
-      }
-      return seconds;
+    play: () => made.reduce((seconds, { simulation, script }) => seconds + secondsOf(simulation, script, maxTicks), 0),
+  };
+}
+
+/** Plays a script from the start; returns the seconds that it simulated. */
+function secondsOf(simulation: Simulation, script: ReturnType<typeof joinHolds>, maxTicks: number): number {
+  simulation.reset();
+  playScript(simulation, script, maxTicks);
+  return simulation.ending?.time ?? simulation.tick * TICK;
+}
+
+/** What an effect takes of a run's time. */
+export interface EffectTime {
+  /** Name of the effect. */
+  readonly name: string;
+  /** Microseconds per simulated second. */
+  readonly time: number;
+}
+
+/** What an effect does is repeated so many times, so that its cost stands out from the noise of the clock. */
+const MORE = 8;
+
+/**
+ * Measures what each effect of a run costs: how much longer the run takes when all that the effect looks for is looked for
+ * twice, and all bodies that it moves are moved twice. That changes no result by more than rounding. What remains is her own
+ * motion. The run must be known to end.
+ *
+ * @param scene - the scene
+ * @param holds - half-open intervals [press, release) in ticks of 1/60 s; overlapping ones are joined
+ * @param now - a clock, ms
+ * @param options - how long to measure
+ * @returns the time of the whole run, and of each simulated effect; null under `arcade`, whose frames examine everything
+ */
+export function timeByEffect(
+  scene: Scene,
+  holds: readonly Hold[],
+  now: () => number,
+  options: CostOptions,
+): { readonly whole: Cost; readonly effects: readonly EffectTime[] } | null {
+  if (scene.accuracy.integrator === 'arcade') return null;
+  const script = joinHolds(holds);
+  const maxTicks = maxTicksOf(scene.terms);
+  const names = scene.effects.simulated.map(({ name }) => name);
+  // the same for all, so that they differ in how often they look, and in nothing else
+  const players = [null, ...names].map((repeated): Player => {
+    const method = methodWith((effect) => lookedFor(effect, effect.name === repeated ? 1 + MORE : 1));
+    const simulation = new ContinuousSimulation(method, scene, null, unlimited());
+    return { code: 'any', play: () => secondsOf(simulation, script, maxTicks) };
+  });
+  const [whole, ...others] = measureCosts(players, now, options);
+  return {
+    whole,
+    effects: names.map((name, i) => ({ name, time: Math.max(0, (others[i].minimum - whole.minimum) / MORE) })),
+  };
+}
+
+/** An effect that looks for its events, and expands what follows her, so many times. For tests. */
+export function lookedFor(effect: Effect, times: number): Effect {
+  const again = <A extends unknown[]>(look: ((m: Motion, ...rest: A) => void) | null) =>
+    look === null
+      ? null
+      : (m: Motion, ...rest: A) => {
+          for (let n = 0; n < times; n++) look(m, ...rest);
+        };
+  const { events, following } = effect;
+  return {
+    ...effect,
+    events: events?.map((rule: EventRule) => ({
+      ...rule,
+      guard: again(rule.guard),
+      first: again(rule.first),
+      always: again(rule.always),
+    })),
+    following: following && {
+      ...following,
+      expand(m, longest) {
+        for (let n = 1; n < times; n++) following.expand(m, longest);
+        return following.expand(m, longest);
+      },
     },
   };
 }

@@ -6,12 +6,14 @@ import { playVerdict, problem, termsReportSchema, version } from './parts.ts';
 const { holds, outcome, time } = runReportSchema.shape;
 const effect = z.strictObject({ name: z.string(), because: z.string().describe('Why it is simulated, or why not.') });
 const count = z.int().min(0);
+const measured = z.number().min(0).optional().describe('With --time: microseconds per simulated second.');
 const simulatedEffect = effect.extend({
   work: z
     .strictObject({
       guards: count.describe('Guards of its events that were followed.'),
       roots: count.describe('Roots of these guards that were located.'),
       events: count.describe('Its events that happened.'),
+      time: measured,
     })
     .nullable()
     .describe('What it costs in the first run; null without a run and under arcade.'),
@@ -28,7 +30,7 @@ export const inspectReportSchema = z.strictObject({
     .array(z.strictObject({ name: z.string(), share: z.number().min(0).max(1) }))
     .describe("Shares of the first run's time in each mode of motion; empty without a run."),
   work: z
-    .strictObject({ pieces: count, forceEvaluations: count, guards: count, roots: count })
+    .strictObject({ pieces: count, forceEvaluations: count, guards: count, roots: count, time: measured })
     .describe('What the first run costs; 0 without a run.'),
   problems: z.array(problem),
 });

@@ -38,6 +38,7 @@ const COMMANDS: readonly [name: ReportName, args: string][] = [
   ['accuracy', 'accuracy good.level.json --max-time 0.1'],
   ['accuracy', 'accuracy good.level.json --cheapest'],
   ['inspect', `inspect ${swing}`],
+  ['inspect', `inspect ${swing} --time`],
   ['explain', 'explain'],
   ['explain', 'explain unknown-key'],
   ['explain', 'explain out-of-range'],
