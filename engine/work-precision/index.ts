@@ -1,2 +1,2 @@
-export { type Cost, type EffectTime, measureCosts, type Player, playerOf, quantile, timeByEffect } from './cost.ts';
+export { type Cost, measureCosts, type Player, playerOf, quantile, timeByEffect } from './cost.ts';
 export * from './measure.ts';
