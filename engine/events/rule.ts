@@ -76,11 +76,14 @@ export function offerAs(m: Motion, time: number, kind: number, a: number, b: num
   } else if (onset !== STANDS) {
     return;
   }
-  s[NEXT] = Math.min(s[NEXT], time);
+  // the instant begins as the earliest of its events does
+  if (onset === STANDS || time <= s[NEXT]) {
+    s[NEXT] = Math.min(s[NEXT], time);
+    s[ONSET] = onset;
+  }
   s[EVENT] = kind;
   s[EVENT_A] = a;
   s[EVENT_B] = b;
-  s[ONSET] = onset;
 }
 
 /** Whether this event has just happened to `a`, at the very start of the piece. Then its guard is 0 there. */

@@ -150,6 +150,20 @@ describe.each(continuousNames)('an exact touch as the gun is held from the first
     expect(later).toBeLessThan(0.15);
   });
 
+  it('waits for the press together with what begins at the same instant and comes before it', () => {
+    // she touches the black hole and moves into it; an alien that comes to meet her touches a corner; the press turns her away
+    const parts: PlainLevel = {
+      astronaut: { vx: -4, vy: 3 },
+      asteroids: [{ x: 0, y: 50, radius: 5 }],
+      range: 50,
+      aliens: [{ x: -13, y: -20, radius: 5 }],
+      blackHole: { x: -40, y: 3, radius: 30 },
+    };
+    const endOf = (holds: readonly Hold[]) => simulate(compile(plainLevel(parts), accuracy), holds, { maxTime: 0.25 });
+    expect(endOf([])).toMatchObject({ outcome: 'collided', time: 0 });
+    expect(endOf([[0, 15]])).toMatchObject({ outcome: 'completed', time: 0 });
+  });
+
   it('gives the same run if the ticks before the press are 0 or more', () => {
     const asteroids = [{ x: -20, y: 0, radius: 2 }];
     const scene = compile(
@@ -269,6 +283,21 @@ describe.each(continuousNames)('a start exactly on a rim, %s', (accuracy) => {
     expect(firstOf('lost', { asteroids, range: 100, astronaut: { vx: -30, vy: -40 } })).toBeLessThan(1e-12);
     const two = [...asteroids, { x: -60, y: 80, radius: 16 }];
     expect(firstOf('target', { asteroids: two, astronaut: { vx: -40 } }, holds)).toBeLessThan(1e-12);
+  });
+
+  it('of the ranges of two asteroids is not lost if she leaves one as she enters the other', () => {
+    const two = [
+      { x: -200, y: 0, radius: 20 },
+      { x: -160, y: 120, radius: 20 },
+    ];
+    const along = plainLevel({ astronaut: { vy: 100 }, asteroids: two, range: 200 });
+    expect(simulate(compile(along, accuracy), [], { maxTime: 0.25 }).outcome).toBe('timeout');
+    const level = plainLevel({
+      astronaut: { x: -50, vx: 100 },
+      asteroids: [-200, 200].map((x) => ({ x, y: 0, radius: 20 })),
+      range: 200,
+    });
+    expect(simulate(compile(level, accuracy), [], { maxTime: 2 }).outcome).toBe('timeout');
   });
 
   it('does not cross it while she rests or moves the other way', () => {

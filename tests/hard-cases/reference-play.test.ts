@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { apart, gauss, type Method, NotCovered, type Played, play, taylor } from '../../engine/work-precision/reference/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { isDeep } from '../depth.ts';
-import { plainLevel } from '../engine/plain-level.ts';
+import { type PlainLevel, plainLevel } from '../engine/plain-level.ts';
 import { pack } from '../levels/shipped-pack.ts';
 import { declareMissing } from '../missing.ts';
 import { propertySettings } from '../property-settings.ts';
@@ -119,6 +119,52 @@ describe.each(METHODS)('the reference by %s', (_, method) => {
     expect([...slides]).toEqual(['field']);
     expect(toNumber(end.at.x)).toBeCloseTo(50 * Math.cos(0.6), 13);
     expect(toNumber(end.at.y)).toBeCloseTo(50 * Math.sin(0.6), 13);
+  });
+
+  it('decides at the start: what overlaps, then overlapping aliens, then the press and what it turns her into, then touches', () => {
+    const endOf = (parts: PlainLevel, holds: Hold[] = [[0, 15]]) => {
+      const { outcome, with: touched, story } = from(method, plainLevel(parts), holds, 15);
+      return [touched?.kind ?? outcome, ...story].join(', ');
+    };
+    const asteroids = [{ x: -50, y: 20, radius: 16 }];
+    const one = { x: -40, y: 0, radius: 30 };
+    const touched = { astronaut: { vx: -20 }, asteroids, aliens: [one, { x: -20, y: -2, radius: 10 }] };
+    expect(endOf(touched)).toBe('timeout, explosion 0 1, press');
+    expect(endOf(touched, [])).toBe('timeout, explosion 0 1');
+    expect(endOf({ ...touched, aliens: [one] })).toBe('alien, press');
+    // the press turns her into one of two that touch
+    const two = [
+      { x: 0, y: 67, radius: 50 },
+      { x: -60, y: 67, radius: 10 },
+    ];
+    expect(endOf({ asteroids: [{ x: -80, y: 60, radius: 5 }], aliens: two })).toBe('alien, press');
+    // of two equally near asteroids the gun turns her to the first, though she moves away from it
+    const equal = [
+      { x: 160, y: -120, radius: 20 },
+      { x: -120, y: -160, radius: 20 },
+    ];
+    expect(endOf({ astronaut: { vx: -4, vy: 3 }, asteroids: equal, novae: [{ x: 0, y: -27, radius: 10 }] })).toBe('nova, press');
+  });
+
+  it('does not touch what she grazes exactly, with nothing to spare', () => {
+    const hot = plainLevel({ astronaut: { vy: 40 }, asteroids: [{ x: 26, y: 1, radius: 16, hot: true }], rules: { pull: 0 } });
+    expect(from(method, hot, [[1, 30]], 30).outcome).toBe('timeout');
+    const mouth = plainLevel({
+      astronaut: { vx: 5 },
+      asteroids: [{ x: -32, y: 0, radius: 20 }],
+      wormholes: [{ x: 0, y: 50, toX: 100, toY: 50, radius: 50 }],
+      range: 200,
+    });
+    expect(from(method, mouth, [[0, 30]], 30).story).toEqual(['press']);
+  });
+
+  it('says where it does not know how to go on: along the very range of an asteroid as she leaves that of another', () => {
+    const asteroids = [
+      { x: 0, y: -50, radius: 20 },
+      { x: 40, y: -30, radius: 20 },
+    ];
+    const level = plainLevel({ astronaut: { vx: 3, vy: 4 }, asteroids, range: 50 });
+    expect(() => from(method, level, [], 15)).toThrow(NotCovered);
   });
 
   it('says where it does not know how to go on: at rest on two rims between a pull inwards and a push outwards', () => {

@@ -1,13 +1,14 @@
-import { chaserTravel, eventRule, justFired, offer, offerContact, quietOutside, rimTime } from '../../events/index.ts';
-import { FOLLOWERS, GOES_ON, type Motion, placeChaser, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
+import { chaserTravel, eventRule, justFired, offer, offerAs, offerContact, quietOutside, rimTime } from '../../events/index.ts';
+import { FOLLOWERS, GOES_ON, type Motion, ONSETS, placeChaser, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import { type Effect, type EngineEffect, whereAny } from '../effect.ts';
 import { AlienCrowd } from './crowd.ts';
 import { NOBODY } from './meetings-of-many.ts';
-import { pairTime } from './pair.ts';
+import { overlapping, pairTime } from './pair.ts';
 
-const { START, NEXT, EVENT, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
+const { START, NEXT, EVENT, ONSET, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
 const { CHASER } = RECORDS;
+const { COMES, STANDS, TOUCHES } = ONSETS;
 
 /** What overlaps at the start has exploded by this time, s. */
 const AT_THE_START = 1e-9;
@@ -99,8 +100,12 @@ const explode = eventRule({
   },
 });
 
+/** The explosion of two that overlap at the start stands; of two that only touch it waits for the button, as her contacts do. */
 function offerPair(m: Motion, i: number, j: number, from: number): void {
-  offer(m, pairTime(m, i, j, from), explode.kind, i, j);
+  const time = pairTime(m, i, j, from);
+  let onset: number = COMES;
+  if (time === from) onset = m.s[START] === 0 && overlapping(m, i, j) ? STANDS : TOUCHES;
+  offerAs(m, time, explode.kind, i, j, onset);
 }
 
 /** Offers events of awake aliens and of pairs with one of them; at the start also of pairs that overlap. */
@@ -113,8 +118,10 @@ function offerAwake(m: Motion, from: number): void {
   const h = s[LENGTH_H];
   // the first two that overlap at their places in the level, asleep; an awake one is handled with its pairs
   let overlap = explosions.length > 0 ? crowd.overlapAtStart() : -1;
-  // once two that touch at once are found, all other pairs come later
-  const isEnough = (): boolean => s[EVENT] <= explode.kind && s[NEXT] - m.sameInstant <= from;
+  const mayStand = s[START] === 0 && explosions.length > 0;
+  // once two that touch at once are found, all other pairs come later, unless one may stand
+  const isEnough = (): boolean =>
+    s[EVENT] <= explode.kind && s[NEXT] - m.sameInstant <= from && (!mayStand || s[ONSET] === STANDS);
   const visit = (i: number, j: number): void => {
     if (overlap >= 0 && explosions[overlap] <= i) {
       offerPair(m, explosions[overlap], explosions[overlap + 1], from);

@@ -1,6 +1,7 @@
 import type { SpatialIndex } from '../../indexed-circles.ts';
 import { ALERTNESS, type Crowd, type Motion, RECORDS, SLOTS, type Vicinity } from '../../motion/index.ts';
 import { ascending, MANY_AWAKE, MARGIN, MeetingsOfMany, NOBODY } from './meetings-of-many.ts';
+import { overlapping } from './pair.ts';
 
 const { AWAKE_COUNT } = SLOTS;
 const { CHASER } = RECORDS;
@@ -45,7 +46,7 @@ export class AlienCrowd implements Crowd {
   /** Index in the list of explosions of the first pair that sleeps, overlapping; -1 if there is none. */
   overlapAtStart(): number {
     const { s, chasers, scene } = this.m;
-    const { explosions, r } = scene.aliens;
+    const { explosions } = scene.aliens;
     let isFirst = true;
     for (let k = this.explosion; k < explosions.length; k += 2) {
       const a = chasers + CHASER * explosions[k];
@@ -56,8 +57,7 @@ export class AlienCrowd implements Crowd {
       }
       isFirst = false;
       if (s[a + 4] !== ASLEEP || s[b + 4] !== ASLEEP) continue;
-      const reach = r[explosions[k]] + r[explosions[k + 1]];
-      if ((s[a] - s[b]) * (s[a] - s[b]) + (s[a + 1] - s[b + 1]) * (s[a + 1] - s[b + 1]) < reach * reach) return k;
+      if (overlapping(this.m, explosions[k], explosions[k + 1])) return k;
     }
     return -1;
   }

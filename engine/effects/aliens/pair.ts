@@ -24,6 +24,14 @@ const dx = new Float64Array(LONGEST_SERIES);
 const dy = new Float64Array(LONGEST_SERIES);
 const guard = new Float64Array(2 * LONGEST_SERIES);
 
+/** Whether two aliens overlap where the piece begins. */
+export function overlapping({ s, chasers, scene }: Motion, i: number, j: number): boolean {
+  const a = chasers + CHASER * i;
+  const b = chasers + CHASER * j;
+  const reach = scene.aliens.r[i] + scene.aliens.r[j];
+  return (s[a] - s[b]) * (s[a] - s[b]) + (s[a + 1] - s[b + 1]) * (s[a + 1] - s[b + 1]) < reach * reach;
+}
+
 /**
  * When two aliens begin to touch: safe steps, which after PATIENCE evaluations continue by the coefficients of the guard, a
  * polynomial. An overlap below FLOOR may be overlooked.

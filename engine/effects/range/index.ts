@@ -1,11 +1,24 @@
 import { eventRule, offerAs, quietWithin, rimTime } from '../../events/index.ts';
-import { distanceSquared, GOES_ON, type Motion, nearest, ONSETS, placeRock, RECORDS, SLOTS } from '../../motion/index.ts';
+import {
+  distanceSquared,
+  GOES_ON,
+  type Motion,
+  nearest,
+  ONSETS,
+  placeRock,
+  RECORDS,
+  relativeAt,
+  SLOTS,
+} from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import type { Effect } from '../effect.ts';
 
 const { START, COVER, HELD, BASE } = SLOTS;
 const { ROCK } = RECORDS;
-const { COMES, STANDS } = ONSETS;
+const { COMES, STANDS, TOUCHES } = ONSETS;
+
+/** Of a squared distance; {@link rimTime} counts her as inside as far as that. */
+const ROUNDING = 1e-12;
 
 /** Room for the rounding of a time, and for what is at the same instant. */
 const LATE = 1.001;
@@ -29,8 +42,9 @@ const leaveRange = eventRule({
     if (within > 0 && dx * dx + dy * dy < within * within) return;
     placeRock(m, cover);
     const time = rimTime(m, range, false, m.kappa, from, false);
-    const isOut = time === 0 && s[START] === 0 && isOutOfRange(m, cover);
-    offerAs(m, time, leaveRange.kind, cover, 0, isOut ? STANDS : COMES);
+    let onset: number = COMES;
+    if (time === from) onset = time === 0 && s[START] === 0 && isOutOfRange(m, cover) ? STANDS : TOUCHES;
+    offerAs(m, time, leaveRange.kind, cover, 0, onset);
   },
   latest(m) {
     const { s, ux, uy, px, py } = m;
@@ -48,12 +62,27 @@ const leaveRange = eventRule({
     return quietWithin(m, left, -m.path.speed, time);
   },
   fire(m, cover) {
-    const other = nearest(m);
-    if (other < 0 || other === cover || isOutOfRange(m, other)) return 0;
+    let other = nearest(m);
+    if (other < 0 || other === cover || isOutOfRange(m, other)) other = enteredAtOnce(m, cover);
+    if (other < 0) return 0;
     m.s[COVER] = other;
     return GOES_ON;
   },
 });
+
+/** An asteroid whose range she enters as she leaves that of `left`, or -1. */
+function enteredAtOnce(m: Motion, left: number): number {
+  const { toCircle } = m;
+  const { level, targets } = m.scene;
+  const beyond = level.range * level.range * (1 + ROUNDING);
+  for (let i = 0; i < targets.count; i++) {
+    if (i === left || distanceSquared(m, i) > beyond) continue;
+    placeRock(m, i);
+    relativeAt(m, 0);
+    if (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] < 0) return i;
+  }
+  return -1;
+}
 
 function isOutOfRange(m: Motion, target: number): boolean {
   const { range } = m.scene.level;

@@ -17,7 +17,7 @@ import {
 } from './double-double.ts';
 import { speedAcross } from './forces.ts';
 import { gapTo, type Happening, KINDS, type Margins, NotCovered } from './stretch.ts';
-import { isIn, NO_LENGTH, nearest, placeOf, secondMouth, type World } from './world.ts';
+import { isIn, NO_LENGTH, nearer, nearest, placeOf, secondMouth, type World } from './world.ts';
 
 /** How a run ends. */
 export interface Ending {
@@ -48,9 +48,18 @@ export class Instants {
   /** The button changes. */
   press(held: boolean): void {
     this.story.push(held ? 'press' : 'release');
-    if (held && toNumber(this.#world.time) === 0) this.#explodeAtStart();
     this.#world.held = held;
-    if (held) this.#world.target = nearest(this.#world);
+    if (!held) return;
+    this.#aim();
+    this.#settle(true);
+  }
+
+  /** The gun finds its target, and the box turns to it at once. */
+  #aim(): void {
+    const world = this.#world;
+    world.target = nearest(world);
+    const u = world.target < 0 ? NOWHERE : minus(world.asteroids[world.target].at, world.her.at);
+    if (!isShort(u, NO_LENGTH)) world.box = direction(u);
   }
 
   /** Decides what is the case at the start, before a press at tick 0. */
@@ -58,9 +67,10 @@ export class Instants {
     this.#noteStart();
     this.#orient(false);
     this.#settle(this.#findAnchor(false));
+    this.#explodeAtStart();
   }
 
-  /** Aliens that overlap at the start are gone before a press at tick 0 turns her. */
+  /** Aliens that overlap at the start are gone before a press at tick 0 turns her, and before what she only touches counts. */
   #explodeAtStart(): void {
     const { aliens, level } = this.#world;
     for (const [i, one] of aliens.entries()) {
@@ -70,6 +80,7 @@ export class Instants {
         if (subtract(length(minus(one.at, other.at)), reach).hi >= 0) continue;
         one.gone = true;
         other.gone = true;
+        this.#tell('explosion', i, j);
       }
     }
   }
@@ -150,24 +161,32 @@ export class Instants {
     });
   }
 
-  /** Finds an asteroid in whose range she is and stays. @param leaving - whether being at the very range is not enough */
-  #findAnchor(leaving: boolean): boolean {
+  /**
+   * Finds an asteroid in whose range she is and stays.
+   * @param leaving - whether being at the very range is not enough
+   * @param left - the asteroid whose range she leaves, or -1
+   */
+  #findAnchor(leaving: boolean, left = -1): boolean {
     const world = this.#world;
     const r2 = times(dd(world.level.range), world.level.range);
     let deepest = Number.NEGATIVE_INFINITY;
     let anchor = -1;
+    let alongRange = false;
     world.asteroids.forEach(({ at, velocity }, i) => {
       const u = minus(at, world.her.at);
       const depth = subtract(r2, dot(u, u)).hi;
       const rounding = 1e-24 * r2.hi;
-      const stays = !leaving || dot(u, minus(velocity, world.her.velocity)).hi < 0;
-      if (depth > rounding || (depth >= -rounding && stays)) {
+      const closing = dot(u, minus(velocity, world.her.velocity)).hi;
+      const isAtRange = Math.abs(depth) <= rounding;
+      if (isAtRange && leaving && i !== left && Math.abs(closing) < NO_LENGTH) alongRange = true;
+      if (depth > rounding || (isAtRange && (!leaving || closing < 0))) {
         if (depth > deepest) {
           deepest = depth;
           anchor = i;
         }
       }
     });
+    if (anchor < 0 && alongRange) throw new NotCovered('along the very range of an asteroid');
     world.anchor = anchor;
     return anchor >= 0;
   }
@@ -204,7 +223,7 @@ export class Instants {
         this.ending = { outcome: 'completed', with: { kind, index: 0 } };
         return;
       } else if (kind === 'range') {
-        if (!this.#findAnchor(true)) {
+        if (!this.#findAnchor(true, world.anchor)) {
           this.ending = { outcome: 'lost', with: null };
           return;
         }
@@ -217,7 +236,7 @@ export class Instants {
         this.#change(happening, targets.length);
       }
     }
-    if (world.held && targets.length > 1) world.target = nearest(world);
+    if (world.held && targets.length > 1) world.target = nearer(world);
   }
 
   #jump(mouth: number): void {
@@ -228,11 +247,7 @@ export class Instants {
     world.slide = null;
     this.#orient(true);
     world.mouths[mouth >> 1] = mouth % 2 === 0 ? 2 : 1;
-    if (world.held) {
-      world.target = nearest(world);
-      const u = world.target < 0 ? NOWHERE : minus(world.asteroids[world.target].at, world.her.at);
-      if (!isShort(u, NO_LENGTH)) world.box = direction(u);
-    }
+    if (world.held) this.#aim();
     this.#settle(this.#findAnchor(true));
   }
 

@@ -106,8 +106,14 @@ export function isIn(world: World, centre: Vector, radius: number, moving: boole
   return moving && dot(u, world.her.velocity).hi < 0;
 }
 
-/** The nearest asteroid; of those that are equally near the one that comes nearer, then the first. */
-export function nearest(world: World): number {
+/** The nearest asteroid; of those that are equally near the first. */
+export const nearest = (world: World): number => nearestOf(world, () => false);
+
+/** The same of those that become the nearest at one instant: of equally near ones that which comes nearer. */
+export const nearer = (world: World): number =>
+  nearestOf(world, (closing, than, speed) => subtract(closing, than).hi < -1e-22 * speed);
+
+function nearestOf(world: World, isNearer: (closing: Dd, than: Dd, speed: number) => boolean): number {
   let best = -1;
   let least = ZERO;
   let approach = ZERO;
@@ -119,9 +125,8 @@ export function nearest(world: World): number {
     const closing = dot(u, relative);
     const gap = subtract(d2, least).hi;
     const same = Math.abs(gap) <= 1e-24 * (d2.hi + least.hi);
-    const slower = subtract(closing, approach).hi;
     const speed = roughLength(relative.x.hi, relative.y.hi) * Math.sqrt(d2.hi);
-    if (best < 0 || (same ? slower < -1e-22 * speed : gap < 0)) {
+    if (best < 0 || (same ? isNearer(closing, approach, speed) : gap < 0)) {
       best = i;
       least = d2;
       approach = closing;

@@ -17,7 +17,7 @@ import { CLOSE, EXACT, type Happening, type Kind, type Margins } from '../stretc
 import { placeOf, secondMouth, type World } from '../world.ts';
 import type { Flow } from './flow.ts';
 import { type Path, standing } from './path.ts';
-import { crossings, firstBelow, opened } from './roots.ts';
+import { crossings, firstBelow, NOTHING, opened } from './roots.ts';
 import { about, eachOf, product, type Series, valueAt } from './series.ts';
 
 /** Finds what happens in a stretch. */
@@ -121,10 +121,17 @@ export class Guards {
   }
 
   #first(guard: Series, from: Dd, end: Dd, size: number, slope: number, counted: boolean): Dd | null {
+    const noise = NOTHING * (size + sumAfterFirst(guard, this.#whole));
     if (from.hi > 0) {
-      const whole = size + sumAfterFirst(guard, this.#whole);
-      if (Math.abs(valueAt(guard, from).hi) > 1e-24 * whole)
-        return firstBelow(guard, from, end, (value) => this.#missed(value, slope));
+      if (Math.abs(valueAt(guard, from).hi) > noise) {
+        return firstBelow(
+          guard,
+          from,
+          end,
+          () => noise,
+          (value) => this.#missed(value, slope),
+        );
+      }
       // it may be exactly 0 there
       const later = this.#first(about(guard, from), ZERO, subtract(end, from), size, slope, counted);
       return later === null ? null : add(later, from);
@@ -132,7 +139,14 @@ export class Guards {
     const open = opened(guard, this.#whole, size);
     if (counted && (open === null || open.zeros > 0)) this.#margins.exact++;
     if (open === null) return null;
-    return firstBelow(open.guard, from, end, (value) => this.#missed(open.zeros === 0 ? value : slope, slope));
+    const noiseAt = (at: number, zeros: number): number => (zeros === 0 ? noise : noiseAt(at, zeros - 1) / at);
+    return firstBelow(
+      open.guard,
+      from,
+      end,
+      (at) => noiseAt(toNumber(at), open.zeros),
+      (value) => this.#missed(open.zeros === 0 ? value : slope, slope),
+    );
   }
 
   /** Her centre crosses a circle. */

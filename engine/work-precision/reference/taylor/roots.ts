@@ -3,7 +3,7 @@ import { NotCovered } from '../stretch.ts';
 import { DEGREE, degreeOf, derivative, Series, valueAt } from './series.ts';
 
 /** A coefficient below this share of a guard's size is 0: 24 of 32 digits agree, and only an exact tie does that. */
-const NOTHING = 1e-24;
+export const NOTHING = 1e-24;
 
 /** Intervals shorter than this share of the whole are not divided any more. */
 const SHORTEST = 1 / 281_474_976_710_656; // 2^-48
@@ -48,17 +48,24 @@ export function opened(guard: Series, end: number, size: number): Opened | null 
  * The first moment from which a guard is below 0.
  * @param from - where to begin; at 0 the guard should be {@link opened}
  * @param end - where to stop
- * @param miss - is told the smallest values above 0 at which the guard turns round
+ * @param noise - how far from 0 rounding can take a value that is exactly 0, at a moment
+ * @param miss - is told the smallest values not below 0 at which the guard turns round
  * @returns the moment, or null if there is none up to `end`
  */
-export function firstBelow(guard: Series, from: Dd, end: Dd, miss: (value: number) => void): Dd | null {
+export function firstBelow(
+  guard: Series,
+  from: Dd,
+  end: Dd,
+  noise: (at: Dd) => number,
+  miss: (value: number) => void,
+): Dd | null {
   const degree = degreeOf(guard);
   if (valueAt(guard, from, degree).hi < 0) return from;
   const slope = derivative(guard);
   for (const piece of monotonePieces(guard, slope, from, end, true)) {
     const b = valueAt(guard, piece.to, degree);
-    if (b.hi < 0) return crossing(guard, slope, piece, degree);
-    if (compare(piece.to, end) < 0) miss(toNumber(b));
+    if (b.hi < -noise(piece.to)) return crossing(guard, slope, piece, degree);
+    if (compare(piece.to, end) < 0) miss(Math.max(0, toNumber(b)));
   }
   return null;
 }
