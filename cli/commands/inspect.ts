@@ -7,14 +7,12 @@ import {
   compile,
   type EffectWork,
   type Mode,
-  type Scene,
   type Work,
   WorkBudget,
   workByEffect,
 } from '../../engine/index.ts';
-import { timeByEffect } from '../../engine/work-precision/index.ts';
+import { EFFECT_TIMING, timeByEffect } from '../../engine/work-precision/index.ts';
 import {
-  type Hold,
   type InspectReport,
   isVariant,
   KINDS,
@@ -69,7 +67,10 @@ async function inspect(file: string, options: InspectOptions): Promise<CommandRe
   const runs = playRuns(scene, budget);
   const costs = level.runs.length > 0 ? workByEffect(scene, level.runs[0].holds, new WorkBudget(terms.maxWork)) : null;
   const played = runs.filter(({ stopped }) => stopped === null);
-  const times = options.time === true && costs !== null && runs[0]?.stopped === null ? timesOf(scene, level.runs[0].holds) : null;
+  const times =
+    options.time === true && costs !== null && runs[0]?.stopped === null
+      ? timeByEffect(scene, level.runs[0].holds, () => performance.now(), EFFECT_TIMING)
+      : null;
   const inspection: Inspection = {
     file,
     level: level.name,
@@ -95,11 +96,6 @@ async function inspect(file: string, options: InspectOptions): Promise<CommandRe
       : inspectPretty(inspection, colorsFor(process.stdout), widthOf(process.stdout));
   return { output, exitCode: 0 };
 }
-
-/** How long the effects of a run are timed, ms; a sample of them, ms. */
-const TIMING = { budget: 2000, sample: 2 };
-
-const timesOf = (scene: Scene, holds: readonly Hold[]) => timeByEffect(scene, holds, () => performance.now(), TIMING);
 
 const whyUntimed = (costs: readonly EffectWork[] | null, hasRun: boolean): string => {
   if (!hasRun) return 'the level has no run';

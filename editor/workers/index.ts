@@ -20,6 +20,7 @@ export {
   type SettingError,
   type Solving,
   type Thumbnail,
+  type TimedEffects,
 } from './jobs/index.ts';
 export {
   CELL_NUMBERS,

@@ -162,6 +162,9 @@ export interface EffectTime {
   readonly time: number;
 }
 
+/** How long effects are timed, and a sample of them, ms. */
+export const EFFECT_TIMING: CostOptions = { budget: 2000, sample: 2 };
+
 /** What an effect does is repeated so many times, so that its cost stands out from the noise of the clock. */
 const MORE = 8;
 

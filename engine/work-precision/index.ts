@@ -1,2 +1,11 @@
-export { type Cost, measureCosts, type Player, playerOf, quantile, timeByEffect } from './cost.ts';
+export {
+  type Cost,
+  EFFECT_TIMING,
+  type EffectTime,
+  measureCosts,
+  type Player,
+  playerOf,
+  quantile,
+  timeByEffect,
+} from './cost.ts';
 export * from './measure.ts';

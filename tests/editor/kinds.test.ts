@@ -31,10 +31,9 @@ import {
   setRadius,
 } from '../../editor/core/document/index.ts';
 import { TOOLS } from '../../editor/core/session/index.ts';
-import { withoutEffect } from '../../editor/features/effects/survey.ts';
 import { fieldsOf } from '../../editor/features/inspector/fields.ts';
 import { objectRows } from '../../editor/features/outliner/object-rows.ts';
-import { boxOf, EFFECTS } from '../../engine/index.ts';
+import { boxOf } from '../../engine/index.ts';
 import { type Brush, DRAWINGS } from '../../phaser/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {
@@ -50,7 +49,6 @@ import {
   PLACEABLES,
   placedAs,
   readLevel,
-  resolveLevel,
 } from '../../schema/index.ts';
 import { arbitraryFile } from './arbitrary-file.ts';
 
@@ -235,32 +233,6 @@ describe.each(PLACEABLES)('a new %s', (placeable) => {
     const both = mergeLevels(file, mine, theirs);
     expect(both.conflicts).toEqual([]);
     expect(both.file).toEqual(fileAfter(mine, setRadius([found.key], 99)));
-  });
-});
-
-describe('effects, as the editor names them', () => {
-  // two of everything: a single alien meets no other
-  const file = [...PLACEABLES, ...PLACEABLES].reduce(
-    (made: LevelFile, placeable, i) => fileAfter(made, addObject(placeable, 300 * i, 0)),
-    { ...BARE, recoil: true },
-  );
-  const level = resolveLevel(file);
-
-  it.each(PLACEABLES)('%s: a level without its effect has none of them', (placeable) => {
-    const { kind, flag } = placedAs(placeable);
-    const without = EFFECTS.flatMap(({ name }) => withoutEffect(level, name) ?? []);
-    const isThere = (list: readonly object[]) => list.some((object) => flag === null || (object as { [flag]?: boolean })[flag]);
-    expect(isThere(level[listOf(kind)])).toBe(true);
-    // no run is possible without asteroids
-    expect(without.some((one) => !isThere(one[listOf(kind)]))).toBe(placeable !== 'asteroid');
-  });
-
-  it('a switched-off effect is not called for any more', () => {
-    for (const { name, calledFor } of EFFECTS) {
-      const without = withoutEffect(level, name);
-      expect(calledFor(level).called, name).toBe(true);
-      if (without !== null) expect(calledFor(without).called, name).toBe(false);
-    }
   });
 });
 

@@ -1,12 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { timeInTurns } from '../../editor/core/figures/index.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
 import { drawSettings } from '../../editor/features/accuracy/measured-settings.ts';
 import { otherEndOf } from '../../editor/features/accuracy/OtherAccuracy.tsx';
-import { costOf, savingOf, withoutEffect } from '../../editor/features/effects/survey.ts';
-import { compile, DEFAULT_TERMS, EFFECTS, simulate, termsOf } from '../../engine/index.ts';
+import { surveyOf } from '../../editor/features/effects/survey.ts';
+import { EFFECTS, termsOf, workByEffect } from '../../engine/index.ts';
 import { METHODS } from '../../engine/work-precision/index.ts';
-import { type Level, type LevelFile, resolveLevel } from '../../schema/index.ts';
+import type { LevelFile } from '../../schema/index.ts';
 
 const FILE: LevelFile = {
   version: 1,
@@ -28,99 +27,28 @@ const FILE: LevelFile = {
   winds: [{ x: -200, y: -200, radius: 40 }],
   wormholes: [{ x: -300, y: -100, toX: -300, toY: 100, radius: 20 }],
 };
-const LEVEL: Level = resolveLevel(FILE);
 const HOLDS = [[10, 200]] as const;
 
 describe('what an effect costs', () => {
-  it('is measured in a level that does not call for the effect, and is otherwise the same', () => {
-    const called = (level: Level) =>
-      compile(level)
-        .effects.simulated.map(({ name }) => name)
-        .sort();
-    const left = EFFECTS.map(({ name }) => name).filter((name) => withoutEffect(LEVEL, name) !== null);
-    expect(left.sort()).toEqual([
-      'alien-chase',
-      'hot-asteroids',
-      'minerals',
-      'novae',
-      'recoil',
-      'repulsor',
-      'winds',
-      'wormholes',
-    ]);
-    for (const name of left) {
-      const without = withoutEffect(LEVEL, name) as Level;
-      const gone = name === 'alien-chase' ? [name, 'alien-explosion'] : [name];
-      expect(called(without)).toEqual(called(LEVEL).filter((other) => !gone.includes(other)));
-      expect(withoutEffect(without, name)).toEqual(without);
-    }
+  const live = (accuracy: 'arcade' | 'precise') =>
+    createProver(() => 0).prove({
+      file: { ...FILE, runs: [{ name: 'swing', holds: [[10, 200]] }] },
+      run: null,
+      terms: termsOf(accuracy),
+      patience: Number.POSITIVE_INFINITY,
+    });
+
+  it('is told for every effect that is simulated, as `gq inspect` has it', () => {
+    const proof = live('precise');
+    const survey = surveyOf(proof);
+    expect(survey?.simulated.map(({ work }) => work)).toEqual(workByEffect(proof.scene, HOLDS));
+    expect(survey?.simulated.map(({ name }) => name)).toEqual(proof.scene.effects.simulated.map(({ name }) => name));
+    expect(survey?.simulated.reduce((sum, { work }) => sum + (work?.guards ?? 0), 0)).toBe(survey?.work.guards);
+    expect(survey?.notCalledFor).toEqual([]);
   });
 
-  it('is the saved work if her path is the same, and unknown if it differs', () => {
-    const full = simulate(compile(LEVEL), HOLDS);
-    const nova = costOf(LEVEL, DEFAULT_TERMS, HOLDS, full, 'novae');
-    expect(nova.kind).toBe('same');
-    const without = simulate(compile(withoutEffect(LEVEL, 'novae') as Level), HOLDS);
-    if (nova.kind === 'same') expect(nova.saved.guards).toBe(full.work.guards - without.work.guards);
-    expect(costOf(LEVEL, DEFAULT_TERMS, HOLDS, full, 'recoil').kind).toBe('other');
-    expect(costOf(LEVEL, DEFAULT_TERMS, HOLDS, full, 'gun').kind).toBe('always');
-  });
-
-  it('is reported with its uncertainty', () => {
-    const slow = (round: number) => (round % 5 === 0 ? 40 : 0);
-    const base = Array.from({ length: 24 }, (_, i) => 12 + slow(i));
-    const clear = savingOf(
-      base,
-      Array.from({ length: 24 }, (_, i) => 9 + slow(i + 2)),
-    );
-    expect(clear).toEqual({ all: 12, saved: 3, low: 3, high: 3 });
-    // half of the rounds show a gain, the others a loss
-    const noise = savingOf(
-      base,
-      Array.from({ length: 24 }, (_, i) => (i % 2 === 0 ? 11 : 13)),
-    );
-    expect(noise.low).toBeLessThan(0);
-    expect(noise.high).toBeGreaterThan(0);
-  });
-});
-
-describe('timing in turns', () => {
-  const player = (clock: { time: number }, cost: number) => ({
-    code: 'fake',
-    play() {
-      clock.time += cost;
-      return 2;
-    },
-  });
-
-  it('measures the time of each player per simulated second, independent of the others, also with a coarse clock', () => {
-    const clock = { time: 0 };
-    const timing = timeInTurns(
-      [player(clock, 0.03), player(clock, 0.5), player(clock, 7)],
-      () => Math.floor(10 * clock.time) / 10,
-    );
-    let step = timing.next();
-    while (step.done !== true) step = timing.next();
-    expect(step.value).toHaveLength(3);
-    // ms a play / 2 s a play, in microseconds
-    for (const [i, expected] of [15, 250, 3500].entries()) {
-      expect(step.value[i].length).toBeGreaterThan(0);
-      for (const sample of step.value[i]) expect(Math.abs(sample / expected - 1)).toBeLessThan(0.06);
-    }
-  });
-
-  it('pauses after every sample, and samples are not much longer than necessary', () => {
-    const clock = { time: 0 };
-    let last = 0;
-    let longest = 0;
-    let pauses = 0;
-    for (const _ of timeInTurns([player(clock, 0.3)], () => clock.time)) {
-      longest = Math.max(longest, clock.time - last);
-      last = clock.time;
-      pauses++;
-    }
-    expect(longest).toBeLessThan(2.5);
-    expect(pauses).toBe(27);
+  it('is not told apart under arcade', () => {
+    expect(surveyOf(live('arcade'))?.simulated.map(({ work }) => work)).toEqual(EFFECTS.map(() => null));
   });
 });
 

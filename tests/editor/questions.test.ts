@@ -19,6 +19,7 @@ import { namedQuestion } from '../../editor/features/accuracy/named-results.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';
 import { comparedOf, trajectoryQuestion } from '../../editor/features/compare/compared.ts';
+import { effectsQuestion } from '../../editor/features/effects/Effects.tsx';
 import { comparisonQuestion } from '../../editor/features/history/use-comparison.ts';
 import { leewayQuestion } from '../../editor/features/leeway/watch-leeway.ts';
 import { lossesQuestion, lostQuestion } from '../../editor/features/lost/watch-lost.ts';
@@ -122,6 +123,7 @@ const STAGES: Readonly<Record<string, Stage>> = {
   checkQuestion: following(checkQuestion as never, tooMuch),
   comparisonQuestion: wanted(comparisonQuestion as never, asked),
   difficultyQuestion: onDemand(difficultyQuestion as never, asked),
+  effectsQuestion: onDemand(effectsQuestion as never, (level, terms) => ({ level, terms, holds: [] })),
   fanQuestion: following(fanQuestion as never, ({ proof }) => ({ proof, withMinerals: createStore(() => false) })),
   fixQuestion: onDemand(fixQuestion as never, asked),
   gradeQuestion: onDemand(gradeQuestion as never, asked),

@@ -87,6 +87,12 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     completes: ({ settings }) => settings.some(({ outcome }) => outcome === 'completed'),
     dependsOn: ['maxTime', 'rules'],
   },
+  effects: {
+    ask: runOf,
+    // arcade tells no effects apart
+    completes: (timed) => timed !== null,
+    dependsOn: ['accuracy'],
+  },
   check: {
     ask: playedOf,
     completes: ({ ends }) => ends.some(({ outcome }) => outcome === 'completed'),

@@ -1,7 +1,5 @@
 import type { EdgeSlack } from '../../../solver/index.ts';
 
-export { timeInTurns } from './time-in-turns.ts';
-
 /** `3 presses`, `1 press` */
 export const plural = (count: number, one: string, many = `${one}s`): string =>
   `${count.toLocaleString('en')} ${count === 1 ? one : many}`;

@@ -1,15 +1,18 @@
 import { Timer } from 'lucide-react';
-import { useEffect, useState } from 'react';
-import { outcomeAsPredicate } from '../../../check/words/index.ts';
-import { inSlices } from '../../core/ask/index.ts';
-import { useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
+import { useEffect, useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { plural } from '../../../check/words/index.ts';
+import type { EffectWork, Work } from '../../../engine/index.ts';
+import { onDemand } from '../../core/ask/index.ts';
+import { useEditor, useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
 import { type Fact, percent } from '../../core/figures/index.ts';
 import { Facts, Section } from '../../core/panel/index.ts';
-import { limitInWords } from '../../core/proof/index.ts';
+import { limitInWords, withoutRuns } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
-import { type EffectTime, type SimulatedEffect, type Survey, surveyOf, timeEffects } from './survey.ts';
+import { jobs, type TimedEffects } from '../../workers/index.ts';
+import { type SimulatedEffect, type Survey, surveyOf } from './survey.ts';
 
-/** ms: each effect that can be left out is one more run to simulate */
+/** ms: the run is played once more, to count */
 const WAIT = 300;
 
 /** The effects that the level calls for and those it does not, and what each costs in the shown run. */
@@ -20,30 +23,29 @@ export function Effects() {
   return <p className="panel__body part__note">{limit === null ? 'Loading…' : limitInWords(limit)}</p>;
 }
 
+/** What each effect takes of a run's time. */
+export const effectsQuestion = onDemand(jobs.effects);
+
 function Surveyed({ survey }: { readonly survey: Survey }) {
+  const { desk } = useEditor();
   const { proof } = useLevel();
-  const [measured, setMeasured] = useState<{ readonly key: string; readonly times: Times } | null>(null);
-  /** Stops a measurement; null: there is none. */
-  const [stop, setStop] = useState<(() => void) | null>(null);
-  useEffect(() => stop ?? undefined, [stop]);
+  const [measured, setMeasured] = useState<{ readonly key: string; readonly timed: TimedEffects } | null>(null);
+  const question = useMemo(() => effectsQuestion(desk), [desk]);
+  useEffect(() => question.close, [question]);
+  const { phase, message } = useStore(question.store);
   const { simulated, notCalledFor, key } = survey;
-  const times = measured?.key === key ? measured.times : null;
+  const timed = measured?.key === key ? measured.timed : null;
 
   const measure = () => {
-    const { level, terms, run } = proof.proof();
-    const asked = surveyOf(proof.proof());
+    const now = proof.proof();
+    const asked = surveyOf(now);
     if (asked === null) return;
-    const without = new Map(
-      asked.simulated.flatMap(({ name, cost }) => (cost.kind === 'same' ? [[name, cost.level] as const] : [])),
-    );
-    const onDone = (found: Times) => {
-      setStop(null);
-      setMeasured({ key: asked.key, times: found });
-    };
-    const measuring = inSlices(timeEffects(level, terms, run.holds, without), { wait: 0, slice: 0, onDone });
-    setStop(() => measuring);
+    question.ask({ level: withoutRuns(now.level), terms: now.terms, holds: now.run.holds }, ({ answer }) => {
+      if (answer !== null) setMeasured({ key: asked.key, timed: answer });
+    });
   };
-  const canMeasure = simulated.some(({ cost }) => cost.kind === 'same');
+  const isMeasuring = phase === 'asking';
+  const canMeasure = simulated.some(({ work }) => work !== null);
 
   return (
     <div className="panel__body effects">
@@ -52,18 +54,23 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
         aside={
           canMeasure && (
             <Button
-              hint={stop !== null ? 'Stop' : 'Time the run with and without each effect, in this page'}
+              hint={isMeasuring ? 'Stop' : "Measure for two seconds, in a worker, what each effect takes of the run's time"}
               icon={<Timer size={14} />}
-              onClick={() => (stop === null ? measure() : setStop(null))}
+              onClick={isMeasuring ? question.forget : measure}
             >
-              {stop === null ? 'Measure time' : 'Cancel'}
+              {isMeasuring ? 'Cancel' : 'Measure time'}
             </Button>
           )
         }
       >
+        {phase === 'failed' && (
+          <p className="tone--bad" role="alert">
+            The measurement failed: {message}. Try again.
+          </p>
+        )}
         <ul className="effects__list" aria-label="Simulated effects">
           {simulated.map((effect) => (
-            <EffectRow key={effect.name} effect={effect} survey={survey} time={times?.get(effect.name)} />
+            <EffectRow key={effect.name} effect={effect} survey={survey} timed={timed} />
           ))}
         </ul>
       </Section>
@@ -88,44 +95,37 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
   );
 }
 
-type Times = ReadonlyMap<string, EffectTime>;
+interface EffectRowProps {
+  readonly effect: SimulatedEffect;
+  readonly survey: Survey;
+  readonly timed: TimedEffects | null;
+}
 
-function EffectRow({ effect, survey, time }: { effect: SimulatedEffect; survey: Survey; time: EffectTime | undefined }) {
-  const { proof } = useLevel();
-  const { name, because, summary, cost } = effect;
-  const share = cost.kind === 'same' ? Math.max(0, cost.saved.guards / Math.max(1, survey.work.guards)) : null;
+function EffectRow({ effect: { name, because, summary, work }, survey, timed }: EffectRowProps) {
+  const time = timed?.effects.find((effect) => effect.name === name)?.time;
   return (
     <li className="effect">
       <p className="effect__head">
         <b>{name}</b> <span className="part__note">{because}</span>
       </p>
       <p className="part__note">{summary}</p>
-      {share !== null && (
+      {work !== null && (
         <span className="effect__bar" aria-hidden title="its share of the guards">
-          <span style={{ width: `${100 * share}%` }} />
+          <span style={{ width: `${(100 * work.guards) / Math.max(1, survey.work.guards)}%` }} />
         </span>
       )}
-      <p className="effect__cost numbers">{countText(effect, survey, proof.proof().level.range)}</p>
-      {time !== undefined && cost.kind === 'same' && <p className="effect__cost numbers">{timeText(time)}</p>}
+      <p className="effect__cost numbers">{work === null ? 'examined once a frame' : countText(work, survey.work)}</p>
+      {timed !== null && time !== undefined && <p className="effect__cost numbers">{timeText(time, timed.whole)}</p>}
     </li>
   );
 }
 
-/** the cost in counts: `118 of 430 guards` */
-function countText({ name, cost }: SimulatedEffect, { work }: Survey, range: number): string {
-  if (cost.kind === 'always') return name === 'alien-explosion' ? 'part of the aliens: see alien-chase' : 'always simulated';
-  if (cost.kind === 'other') return `without it the run differs: she ${outcomeAsPredicate(cost.run, range)}`;
-  const parts = (['guards', 'pieces', 'roots'] as const)
-    .filter((what) => cost.saved[what] !== 0)
-    .map((what) => `${cost.saved[what]} of ${work[what]} ${what}`);
-  return parts.length === 0 ? 'no cost in this run' : parts.join(', ');
-}
+/** What an effect costs, in counts: `118 of 430 guards, 2 roots, 1 event`. */
+const countText = ({ guards, roots, events }: EffectWork, work: Work): string =>
+  `${guards} of ${plural(work.guards, 'guard', 'guards')}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
 
-function timeText({ all, saved, low, high }: EffectTime): string {
-  const between = `${low.toFixed(2)} to ${high.toFixed(2)} in the two halves of the rounds`;
-  if (low <= 0) return `time: too small to measure (${between}, µs per simulated second)`;
-  return `time: ${saved.toFixed(2)} of ${all.toFixed(2)} µs per simulated second, ${percent(saved / all)} (${between})`;
-}
+const timeText = (time: number, whole: number): string =>
+  `time: ${time.toFixed(2)} of ${whole.toFixed(2)} µs per simulated second, ${percent(time / whole)}`;
 
 /** How the time of the run is divided, as a bar and in words. */
 function Modes({ survey }: { readonly survey: Survey }) {

@@ -3,6 +3,7 @@ export * from './accuracy.ts';
 export * from './check.ts';
 export * from './compare.ts';
 export * from './difficulty.ts';
+export * from './effects.ts';
 export * from './fix.ts';
 export * from './leeway.ts';
 export * from './lost.ts';
