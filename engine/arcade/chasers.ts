@@ -137,6 +137,11 @@ export class Chasers {
     this.apartUntil = -1;
   }
 
+  /** Whether, after {@link lookAhead}, none of them moves, wakes or touches before she has moved by `room`. */
+  get rest(): boolean {
+    return this.moving === 0 && this.room > NEAR;
+  }
+
   /** Whether none of them moves, wakes or touches while she is in her cell. */
   restWhileIn(cell: Neighbourhood): boolean {
     if (this.s[ROUSED] === 0 && cell.unseen) return true;
@@ -164,6 +169,7 @@ export class Chasers {
     // two that touch at their places in the level explode in the first frame, though they rest
     if (frame === 0) {
       this.ahead = 0;
+      this.room = 0;
       return;
     }
     const vx = s[VX];

@@ -48,10 +48,11 @@ export class Encounters {
   }
 
   /**
-   * Makes some frames among objects; stops where she leaves the cell or the run ends.
+   * Makes some frames among objects; stops where she leaves the bounds or the run ends.
+   * @param bounds - left, right, top and bottom within which the neighbourhood holds, px
    * @param alert - whether a chaser matters
    */
-  meet(cell: Neighbourhood, until: number, held: boolean, alert: boolean): void {
+  meet(cell: Neighbourhood, bounds: Float64Array, until: number, held: boolean, alert: boolean): void {
     const { recorder } = this;
     const {
       s,
@@ -75,7 +76,11 @@ export class Encounters {
     const pull = numbers[PULL];
     const kickback = numbers[RECOIL];
     const speedLimit = numbers[LIMIT];
-    const { left, right, top, bottom, rivals, deadly, discs } = cell;
+    const left = bounds[0];
+    const right = bounds[1];
+    const top = bounds[2];
+    const bottom = bounds[3];
+    const { rivals, deadly, discs } = cell;
     const near = cell.collectables;
     const rangeSquared = range * range;
     const limit = Math.min(until, s[FRAME] + (alert ? FRAMES_ALERT : FRAMES_AMONG));

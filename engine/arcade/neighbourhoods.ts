@@ -14,6 +14,9 @@ const FREE = [40, 64, 96];
 /** How far recoil may move an asteroid from its original place before its neighbourhoods become invalid, px. */
 export const DRIFT = 16;
 
+/** A level with so few things is one neighbourhood. */
+const FEW = 24;
+
 /**
  * Cells are kept on a torus of 2^bits by 2^bits. Most runs come to few cells, so it begins small, and grows: in a level smaller
  * than 2048 px no two of them share a slot of the largest torus.
@@ -75,11 +78,13 @@ function slotOf(column: number, row: number, bits: number): number {
 export class Neighbourhoods {
   /** A neighbourhood that leaves nothing out, for places and times that the cells do not cover. */
   readonly everything: Neighbourhood;
-  private bits = FIRST_BITS;
-  private cells = emptyTorus(FIRST_BITS);
+  private bits = FIRST_BITS - 1;
+  private cells: (Cell | null)[] = [];
   /** How many cells were made since the torus has had its size. */
   private made = 0;
   private readonly square: Square;
+  /** Whether there is so little in the level that leaving out what is far away takes longer than to look at it. */
+  readonly isOne: boolean;
   /** The cell that was made last. */
   private last: Cell | null = null;
 
@@ -96,18 +101,22 @@ export class Neighbourhoods {
   ) {
     const { targets, level } = scene;
     this.square = new Square(scene, chasers, lists, level.recoil ? DRIFT : 0);
-    const deadly = [0];
-    for (const { from, first, circles } of lists) for (let i = first; i < circles.count; i++) deadly.push(from + i);
+    const deadly = new Int32Array(lists.reduce((sum, { first, circles }) => sum + circles.count - first, 1));
+    let at = 1;
+    for (const { from, first, circles } of lists) for (let i = first; i < circles.count; i++) deadly[at++] = from + i;
+    const discCounts = discs.map(({ count }) => count);
+    this.isOne = discCounts.reduce((sum, count) => sum + count, targets.count + deadly.length + collectables.count) <= FEW;
     this.everything = {
       left: Number.NEGATIVE_INFINITY,
       right: Number.POSITIVE_INFINITY,
       top: Number.NEGATIVE_INFINITY,
       bottom: Number.POSITIVE_INFINITY,
       rivals: below(targets.count),
-      deadly: Int32Array.from(deadly),
+      deadly,
       collectables: below(collectables.count),
-      discs: discs.map(({ count }) => below(count)),
-      things: deadly.length + collectables.count + this.looks(discs.map(({ count }) => count)),
+      discs: discCounts.map(below),
+      // among few things a frame costs about as much as among none
+      things: this.isOne ? 0 : deadly.length + collectables.count + this.looks(discCounts),
       quiet: false,
       freeLeft: 0,
       freeRight: 0,
@@ -121,7 +130,7 @@ export class Neighbourhoods {
   at(x: number, y: number): Neighbourhood {
     const column = Math.floor(x / SIDE);
     const row = Math.floor(y / SIDE);
-    const kept = this.cells[slotOf(column, row, this.bits)];
+    const kept = this.cells[slotOf(column, row, this.bits)] ?? null;
     if (kept !== null && kept.column === column && kept.row === row) return kept;
     const cell = this.make(column, row);
     this.keep(cell);
@@ -129,7 +138,7 @@ export class Neighbourhoods {
   }
 
   private keep(cell: Cell): void {
-    // when it is a quarter full, cells begin to take each other's slots
+    // it is made with the first cell; when it is a quarter full, cells begin to take each other's slots
     if (++this.made > this.cells.length >> 2 && this.bits < LAST_BITS) {
       const before = this.cells;
       this.bits++;

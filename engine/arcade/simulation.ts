@@ -33,7 +33,8 @@ const FEW_FRAMES = 3;
  * places of the previous frame. Within a frame, velocities come first, then the gun and the checks on the old places (lost,
  * completed, burned: the first counts), then chasers and fields set accelerations, then everything moves.
  *
- * Each frame examines only what is near enough to matter (`neighbourhoods.ts`); the bits are those of examining everything.
+ * Each frame examines only what is near enough to matter (`neighbourhoods.ts`), or no object at all where all are far
+ * (`flight.ts`); the bits are those of examining everything.
  */
 export class ArcadeSimulation implements Simulation {
   readonly scene: Scene;
@@ -174,18 +175,25 @@ export class ArcadeSimulation implements Simulation {
       const cell = surroundings.here();
       const start = s[FRAME];
       if (hasChasers) chasers.lookAhead(cell);
-      if (recorder === null && chasers.ahead >= FEW_FRAMES && !this.world.isBusy && surroundings.isAway(cell, chasers.room)) {
+      if (
+        recorder === null &&
+        chasers.ahead >= FEW_FRAMES &&
+        !this.world.isBusy &&
+        surroundings.isAway(cell, chasers.room, held)
+      ) {
         const frame = s[FRAME];
         const chased = chasers.moving > 0;
         flight.fly(chased ? Math.min(until, frame + chasers.ahead) : until, held, chased);
         if (chased) chasers.follow(flight.path, frame, s[FRAME] - frame);
       } else {
-        const alert = hasChasers && !chasers.restWhileIn(cell);
-        this.encounters.meet(cell, until, held, alert);
+        const alert = hasChasers && !(surroundings.isOne ? chasers.rest : chasers.restWhileIn(cell));
+        surroundings.stayIn(cell, surroundings.isOne && !alert ? chasers.room : Number.POSITIVE_INFINITY);
+        this.encounters.meet(cell, surroundings.bounds, until, held, alert);
         const things = cell.things + (alert ? chasers.count : 0);
         budget.look((s[FRAME] - start) * (3 + things / 8));
       }
-      budget.look((s[FRAME] - start) * (1 + (cell.rivals.length + s[MOVED]) / 8) + chasers.looked / 8);
+      const rivals = surroundings.isOne ? 0 : cell.rivals.length;
+      budget.look((s[FRAME] - start) * (1 + (rivals + s[MOVED]) / 8) + chasers.looked / 8);
     }
     const advanced = s[FRAME] - from;
     if (held) s[HELD_FRAMES] += advanced;

@@ -1,11 +1,14 @@
 import type { IndexedCircles } from '../indexed-circles.ts';
-import { MOVED, STRAYED, X, Y } from './layout.ts';
+import { MOVED, STRAYED, VX, VY, X, Y } from './layout.ts';
 import { type Neighbourhood, Neighbourhoods } from './neighbourhoods.ts';
 import { ROCK_LEEWAY } from './rocks.ts';
 import type { World } from './world.ts';
 
 /** This far from every object nothing matters to her, px. */
 const AWAY = 1.5;
+
+/** In a small level, a target is followed alone from this lead on, px: for less, it takes longer to find out than it saves. */
+const CLEAR_LEAD = 16;
 
 const NONE = new Int32Array(0);
 
@@ -19,6 +22,8 @@ export class Surroundings {
   private readonly discs: readonly IndexedCircles[];
   private readonly neighbourhoods: Neighbourhoods;
   private cell: Neighbourhood;
+  /** Whether the whole level is one neighbourhood. */
+  readonly isOne: boolean;
 
   constructor(private readonly world: World) {
     this.discs = world.frameRules.map((rule) => rule.discs(world.scene));
@@ -31,6 +36,7 @@ export class Surroundings {
       world.frameRules.map(({ isWork }) => isWork === true),
     );
     this.cell = this.neighbourhoods.everything;
+    this.isOne = this.neighbourhoods.isOne;
   }
 
   /** The neighbourhood of her place. */
@@ -39,7 +45,7 @@ export class Surroundings {
     const { s } = this.world;
     const x = s[X];
     const y = s[Y];
-    if (s[STRAYED] !== 0) this.cell = this.neighbourhoods.everything;
+    if (this.isOne || s[STRAYED] !== 0) this.cell = this.neighbourhoods.everything;
     else if (cell === this.neighbourhoods.everything || !(x >= cell.left && x < cell.right && y >= cell.top && y < cell.bottom))
       this.cell = this.neighbourhoods.at(x, y);
     return this.cell;
@@ -49,45 +55,62 @@ export class Surroundings {
    * Whether only the gun acts for a while. If so, `bounds` and `rivals` say where, and towards what.
    * @param room - how far she may move for other reasons, px
    */
-  isAway(cell: Neighbourhood, room: number): boolean {
+  isAway(cell: Neighbourhood, room: number, held: boolean): boolean {
     const { bounds } = this;
     const { s, recoil } = this.world;
     this.rivals = cell.rivals;
     let half = room * 0.7 - 1e-3;
+    if (half < AWAY) return false;
     if (cell.quiet) {
       bounds[0] = cell.freeLeft;
       bounds[1] = cell.freeRight;
       bounds[2] = cell.freeTop;
       bounds[3] = cell.freeBottom;
     } else {
-      bounds[0] = cell.left;
-      bounds[1] = cell.right;
-      bounds[2] = cell.top;
-      bounds[3] = cell.bottom;
-      half = Math.min(half, this.gap(cell) - 1e-3);
+      this.stayIn(cell, Number.POSITIVE_INFINITY);
+      half = this.keepClear(cell, half);
+      if (half < AWAY) return false;
     }
-    if (half < AWAY) return false;
-    if (recoil && cell.rivals.length > 1 && s[MOVED] > 0) {
+    const moved = recoil && s[MOVED] > 0;
+    if (cell.rivals.length > 1 && (moved || (held && this.isOne))) {
       const lead = this.lead(cell.rivals);
-      if (lead >= AWAY) {
+      if (lead >= (this.isOne ? CLEAR_LEAD : AWAY)) {
         half = Math.min(half, lead);
         this.rivals = this.nearest;
       }
     }
-    if (half === Number.POSITIVE_INFINITY) return true;
-    // a square around her
-    const x = s[X];
-    const y = s[Y];
+    this.limit(half);
+    return true;
+  }
+
+  /**
+   * Sets `bounds` to those of a neighbourhood.
+   * @param room - how far she may move, px
+   */
+  stayIn(cell: Neighbourhood, room: number): void {
+    const { bounds } = this;
+    bounds[0] = cell.left;
+    bounds[1] = cell.right;
+    bounds[2] = cell.top;
+    bounds[3] = cell.bottom;
+    this.limit(room * 0.7);
+  }
+
+  /** Limits the bounds to a square around her. @param half - half its side, px */
+  private limit(half: number): void {
+    if (half === Number.POSITIVE_INFINITY) return;
+    const { bounds } = this;
+    const x = this.world.s[X];
+    const y = this.world.s[Y];
     if (x - half > bounds[0]) bounds[0] = x - half;
     if (x + half < bounds[1]) bounds[1] = x + half;
     if (y - half > bounds[2]) bounds[2] = y - half;
     if (y + half < bounds[3]) bounds[3] = y + half;
-    return true;
   }
 
   /** How far she can move along each axis before another asteroid than `nearest` can be the nearest, px. */
   private lead(rivals: Int32Array): number {
-    const { s, places, placesFrom, placesStep, rocks } = this.world;
+    const { s, recoil, places, placesFrom, placesStep, rocks } = this.world;
     let best = Number.POSITIVE_INFINITY;
     let second = Number.POSITIVE_INFINITY;
     for (let k = 0; k < rivals.length; k++) {
@@ -103,18 +126,22 @@ export class Surroundings {
         second = d2;
       }
     }
-    const leeway = s[STRAYED] === 0 ? ROCK_LEEWAY : rocks.leeway();
+    const leeway = !recoil ? 0 : s[STRAYED] === 0 ? ROCK_LEEWAY : rocks.leeway();
     return ((Math.sqrt(second) * (1 - 1e-9) - Math.sqrt(best) * (1 + 1e-9)) / 2 - leeway) * 0.7 - 1e-3;
   }
 
-  /** How far she can move along each axis before anything in the neighbourhood can matter, px. */
-  private gap(cell: Neighbourhood): number {
+  /**
+   * Makes the bounds end before whatever in the neighbourhood can matter.
+   * @param room - how far she may move along each axis for other reasons, px
+   * @returns how far she can move along each axis within the bounds, px; less than {@link AWAY} if something is too near
+   */
+  private keepClear(cell: Neighbourhood, room: number): number {
     const { s, range, recoil, rocks, places, placesFrom, placesStep, deadlyX, deadlyY, deadlyR, firstTarget } = this.world;
     const { collectableX, collectableY, collectableR, collected, box } = this.world;
     const { halfDiagonal } = box;
-    const { rivals, deadly } = cell;
+    const { rivals, deadly, collectables } = cell;
     if (rivals.length === 0) return 0;
-    const leeway = s[STRAYED] === 0 ? ROCK_LEEWAY : rocks.leeway();
+    const leeway = !recoil ? 0 : s[STRAYED] === 0 ? ROCK_LEEWAY : rocks.leeway();
     const x = s[X];
     const y = s[Y];
     // the range depends on the distance
@@ -123,32 +150,65 @@ export class Surroundings {
       const o = placesFrom + placesStep * rivals[k];
       const dx = places[o] - x;
       const dy = places[o + 1] - y;
-      best = Math.min(best, dx * dx + dy * dy);
+      const d2 = dx * dx + dy * dy;
+      if (d2 < best) best = d2;
     }
-    let gap = (range - Math.sqrt(best) * (1 + 1e-9)) * 0.7 - leeway;
-    for (let k = 0; k < deadly.length && gap >= AWAY; k++) {
+    const inRange = (range - Math.sqrt(best) * (1 + 1e-9)) * 0.7 - leeway - 1e-3;
+    let half = inRange < room ? inRange : room;
+    for (let k = 0; k < deadly.length && half >= AWAY; k++) {
       const code = deadly[k];
       const moves = recoil && code >= firstTarget;
       const o = placesFrom + placesStep * (code - firstTarget);
-      const dx = Math.abs((moves ? places[o] : deadlyX[code]) - x);
-      const dy = Math.abs((moves ? places[o + 1] : deadlyY[code]) - y);
-      gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - deadlyR[code] - leeway);
+      const dx = (moves ? places[o] : deadlyX[code]) - x;
+      const dy = (moves ? places[o + 1] : deadlyY[code]) - y;
+      const reach = halfDiagonal + deadlyR[code] + leeway + 1e-3;
+      if (Math.abs(dx) < reach + half && Math.abs(dy) < reach + half) half = this.leaveOut(dx, dy, reach, half);
     }
-    for (let k = 0; k < cell.collectables.length && gap >= AWAY; k++) {
-      const i = cell.collectables[k];
+    for (let k = 0; k < collectables.length && half >= AWAY; k++) {
+      const i = collectables[k];
       if (s[collected + i] !== 0) continue;
-      const dx = Math.abs(collectableX[i] - x);
-      const dy = Math.abs(collectableY[i] - y);
-      gap = Math.min(gap, (dx > dy ? dx : dy) - halfDiagonal - collectableR[i]);
+      const dx = collectableX[i] - x;
+      const dy = collectableY[i] - y;
+      const reach = halfDiagonal + collectableR[i] + 1e-3;
+      if (Math.abs(dx) < reach + half && Math.abs(dy) < reach + half) half = this.leaveOut(dx, dy, reach, half);
     }
-    for (let k = 0; k < cell.discs.length && gap >= AWAY; k++) {
+    for (let k = 0; k < cell.discs.length && half >= AWAY; k++) {
       const { x: discX, y: discY, r } = this.discs[k];
-      for (const i of cell.discs[k]) {
-        const dx = Math.abs(discX[i] - x);
-        const dy = Math.abs(discY[i] - y);
-        gap = Math.min(gap, (dx > dy ? dx : dy) - r[i]);
+      const near = cell.discs[k];
+      for (let n = 0; n < near.length; n++) {
+        const dx = discX[near[n]] - x;
+        const dy = discY[near[n]] - y;
+        const reach = r[near[n]] + 1e-3;
+        if (Math.abs(dx) < reach + half && Math.abs(dy) < reach + half) half = this.leaveOut(dx, dy, reach, half);
       }
     }
-    return gap;
+    return half;
+  }
+
+  /**
+   * Makes the bounds end before a circle, on the side that she approaches more slowly.
+   * @param dx - x of its centre minus hers, px
+   * @param dy - likewise
+   * @param reach - its radius, px
+   * @param half - how far she may move along each axis, px
+   * @returns how far she may still move along each axis, px
+   */
+  private leaveOut(dx: number, dy: number, reach: number, half: number): number {
+    const { bounds } = this;
+    const { s } = this.world;
+    const besideX = Math.abs(dx) - reach;
+    const besideY = Math.abs(dy) - reach;
+    if (besideX < AWAY && besideY < AWAY) return Math.min(half, (Math.sqrt(dx * dx + dy * dy) - reach) * 0.7);
+    const towardsX = Math.max(1, dx > 0 ? s[VX] : -s[VX]);
+    const towardsY = Math.max(1, dy > 0 ? s[VY] : -s[VY]);
+    if (besideY < AWAY || (besideX >= AWAY && besideX * towardsY > besideY * towardsX)) {
+      if (dx > 0) bounds[1] = Math.min(bounds[1], s[X] + besideX);
+      else bounds[0] = Math.max(bounds[0], s[X] - besideX);
+    } else if (dy > 0) {
+      bounds[3] = Math.min(bounds[3], s[Y] + besideY);
+    } else {
+      bounds[2] = Math.max(bounds[2], s[Y] - besideY);
+    }
+    return half;
   }
 }

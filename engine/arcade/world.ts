@@ -1,3 +1,4 @@
+import type { Disc } from '../../schema/basics/index.ts';
 import { type HazardList, hazardCount } from '../clearance.ts';
 import type { Box } from '../contact.ts';
 import { ALL_EFFECTS } from '../effects/index.ts';
@@ -99,29 +100,38 @@ export class World {
     this.placesFrom = this.recoil ? HEAD : 0;
     this.placesStep = this.recoil ? ROCK : 2;
     this.hazards = ALL_EFFECTS.hazardsOf(scene);
-    const { blackHole } = level;
+    // loops and one pass: a level is often played once, and lists take longer to make than such a run
+    const deadly: DeadlyList[] = [];
     let from = 1;
-    this.deadly = this.hazards.flatMap(({ kind, circles, first, movedBy }, k) => {
-      if (movedBy === 'chase') return [];
-      const at = from;
+    for (let k = 0; k < this.hazards.length; k++) {
+      const { kind, circles, first, movedBy } = this.hazards[k];
+      if (movedBy === 'chase') continue;
+      deadly.push({ kind, circles, first, movedBy, from, outcome: COLLIDED + k });
       from += circles.count;
-      return [{ kind, circles, first, movedBy, from: at, outcome: COLLIDED + k }];
-    });
-    this.deadlyX = inARow(
-      blackHole.x,
-      this.deadly.map(({ circles }) => circles.x),
-    );
-    this.deadlyY = inARow(
-      blackHole.y,
-      this.deadly.map(({ circles }) => circles.y),
-    );
-    this.deadlyR = inARow(
-      blackHole.radius,
-      this.deadly.map(({ circles }) => circles.r),
-    );
+    }
+    this.deadly = deadly;
+    this.deadlyX = new Float64Array(from);
+    this.deadlyY = new Float64Array(from);
+    this.deadlyR = new Float64Array(from);
+    this.placeDeadly(level.blackHole);
     this.firstTarget = this.deadly.find(({ movedBy }) => movedBy === 'recoil')?.from ?? from;
     this.layOut();
     this.reset();
+  }
+
+  private placeDeadly({ x, y, radius }: Disc): void {
+    const { deadly, deadlyX, deadlyY, deadlyR } = this;
+    deadlyX[0] = x;
+    deadlyY[0] = y;
+    deadlyR[0] = radius;
+    for (let k = 0; k < deadly.length; k++) {
+      const { from, circles } = deadly[k];
+      for (let i = 0; i < circles.count; i++) {
+        deadlyX[from + i] = circles.x[i];
+        deadlyY[from + i] = circles.y[i];
+        deadlyR[from + i] = circles.r[i];
+      }
+    }
   }
 
   private layOut(): void {
@@ -182,18 +192,6 @@ export class World {
     copy(snapshot, this.s);
     this.chasers.forget();
   }
-}
-
-/** One number after the other: that of the black hole, then those of the lists. */
-function inARow(hole: number, lists: readonly Float64Array[]): Float64Array {
-  const all = new Float64Array(lists.reduce((sum, { length }) => sum + length, 1));
-  all[0] = hole;
-  let at = 1;
-  for (const list of lists) {
-    all.set(list, at);
-    at += list.length;
-  }
-  return all;
 }
 
 function copy(from: Float64Array, to: Float64Array): void {
