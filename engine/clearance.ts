@@ -22,6 +22,9 @@ export interface Clearance {
 export class ClearanceTracker {
   best: Clearance | null = null;
 
+  /** The smallest gap is known to be less than this, px. */
+  most = Number.POSITIVE_INFINITY;
+
   /** The number of hazards. */
   readonly count: number;
 
@@ -33,9 +36,9 @@ export class ClearanceTracker {
     this.count = hazardCount(lists);
   }
 
-  /** The smallest gap so far, px; Infinity before the first. */
+  /** The smallest gap so far, px; before the first, what it is known to be less than. */
   get least(): number {
-    return this.best === null ? Number.POSITIVE_INFINITY : this.best.distance;
+    return this.best === null ? this.most : this.best.distance;
   }
 
   /**

@@ -180,9 +180,12 @@ class SimulatedRun implements Run {
     this.minerals = events.flatMap((e) => (e.type === 'mineral' ? [{ index: e.index, time: e.time }] : []));
     this.events = events;
     this.final = { x: end[0], y: end[1], vx: end[2], vy: end[3], cos: end[4], sin: end[5] };
-    this.work = simulation.work;
+    // the simulation goes on to read the recording
+    const { pieces, forceEvaluations, guards, roots } = simulation.work;
+    this.work = { pieces, forceEvaluations, guards, roots };
     this.modes = simulation.modes;
     this.stopped = stopped;
+    if (recorder instanceof PieceRecorder && simulation instanceof ContinuousSimulation) recorder.readWith(simulation);
     this.#recorder = recorder;
     this.#budget = budget;
     this.#again = again;

@@ -101,9 +101,12 @@ export class FarHazards {
   private readonly looks: number;
   /** Place, velocity and bound of the acceleration, as {@link PackedPieces.startOf} writes them. */
   private readonly start = new Float64Array(5);
+  /** As {@link PackedPieces.chordOf} writes it. */
+  private readonly chord = new Float64Array(3);
 
   private constructor(
     private readonly scene: Scene,
+    private readonly pieces: PackedPieces,
     lists: readonly HazardList[],
   ) {
     this.still = lists.filter(({ movedBy }) => movedBy !== 'chase');
@@ -112,18 +115,27 @@ export class FarHazards {
   }
 
   /** @returns null where recoil may move some hazard, or there are many */
-  static of(scene: Scene, lists: readonly HazardList[]): FarHazards | null {
+  static of(scene: Scene, pieces: PackedPieces, lists: readonly HazardList[]): FarHazards | null {
     if (scene.level.recoil) return null;
     const some = lists.filter(({ circles, first }) => circles.count > first);
-    return some.every(({ circles }) => circles.spatial === null) ? new FarHazards(scene, some) : null;
+    return some.every(({ circles }) => circles.spatial === null) ? new FarHazards(scene, pieces, some) : null;
+  }
+
+  /** The gap to one that stands still, where a piece begins, is less than this, px: the box has a disc in it. */
+  gapAtStart(piece: number): number {
+    const { start, still } = this;
+    const { halfWidth, halfHeight } = this.scene.box;
+    this.pieces.startOf(piece, start);
+    const { x, y } = this.scene.level.astronaut;
+    return Math.max(0, distanceTo(still, x + start[0], y + start[1], 0, 0) - Math.min(halfWidth, halfHeight)) + MARGIN;
   }
 
   /**
-   * Whether {@link approachHazards} would find nothing on a piece. If so, the budget is as if it had looked.
+   * Whether {@link approachHazards} would find nothing nearer than `least` px on a piece. If so, the budget is as if it had looked.
    * @param motion - the state has the chasers as they are when the piece begins; null if there are none
    */
-  areOn(pieces: PackedPieces, piece: number, length: number, least: number, budget: WorkBudget, motion: Motion | null): boolean {
-    const { start, scene, still } = this;
+  areOn(piece: number, length: number, least: number, budget: WorkBudget, motion: Motion | null): boolean {
+    const { start, scene, pieces } = this;
     pieces.startOf(piece, start);
     const x = scene.level.astronaut.x + start[0];
     const y = scene.level.astronaut.y + start[1];
@@ -132,12 +144,7 @@ export class FarHazards {
     const reach = least + (speed + (start[4] / 2) * length) * length + scene.box.halfDiagonal + 2e-6;
     const dx = x - this.x;
     const dy = y - this.y;
-    if (!(this.distance - Math.sqrt(dx * dx + dy * dy) > reach)) {
-      this.x = x;
-      this.y = y;
-      this.distance = distanceTo(still, x, y);
-      if (!(this.distance > reach)) return false;
-    }
+    if (!(this.distance - Math.sqrt(dx * dx + dy * dy) > reach) && !this.areBesideWay(piece, length, least, reach)) return false;
     let looks = 0;
     for (let i = 0; motion !== null && i < this.chasers.count; i++) {
       const { s } = motion;
@@ -150,17 +157,42 @@ export class FarHazards {
     budget.look(this.looks + looks);
     return true;
   }
+
+  /** Whether those that stand still are far from the whole way of a piece, which `start` has been read of. */
+  private areBesideWay(piece: number, length: number, least: number, reach: number): boolean {
+    const { start, chord, scene, still } = this;
+    const { x, y } = scene.level.astronaut;
+    this.x = x + start[0];
+    this.y = y + start[1];
+    this.distance = distanceTo(still, this.x, this.y, 0, 0);
+    if (this.distance > reach) return true;
+    if (!(this.distance > least + scene.box.halfDiagonal + MARGIN)) return false;
+    this.pieces.chordOf(piece, length, chord);
+    const away = distanceTo(still, this.x, this.y, chord[0] - start[0], chord[1] - start[1]);
+    return away > least + chord[2] + scene.box.halfDiagonal + MARGIN;
+  }
 }
 
-/** Distance of a place, px in the level, to the edge of the nearest hazard, where all of them stand still. */
-function distanceTo(lists: readonly HazardList[], atX: number, atY: number): number {
+/** Far above what rounding, and the line that she is kept on, may change of a place, px. */
+const MARGIN = 1e-3;
+
+/**
+ * Distance of a straight way to the edge of the nearest hazard, where all of them stand still.
+ * @param x - where it begins, px in the level
+ * @param wayX - how far it leads, px
+ */
+function distanceTo(lists: readonly HazardList[], x: number, y: number, wayX: number, wayY: number): number {
+  const square = wayX * wayX + wayY * wayY;
   let least = Number.POSITIVE_INFINITY;
   for (const { circles, first } of lists) {
-    const { x, y, r, count } = circles;
-    for (let i = first; i < count; i++) {
-      const dx = x[i] - atX;
-      const dy = y[i] - atY;
-      least = Math.min(least, Math.sqrt(dx * dx + dy * dy) - r[i]);
+    for (let i = first; i < circles.count; i++) {
+      const dx = circles.x[i] - x;
+      const dy = circles.y[i] - y;
+      const share = square > 0 ? Math.min(1, Math.max(0, (dx * wayX + dy * wayY) / square)) : 0;
+      const offX = dx - share * wayX;
+      const offY = dy - share * wayY;
+      const d = Math.sqrt(offX * offX + offY * offY) - circles.r[i];
+      if (!(d >= least)) least = d;
     }
   }
   return least;

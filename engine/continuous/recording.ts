@@ -34,9 +34,10 @@ export class PieceRecorder implements Recorder, Trajectory {
   private starts: number[] = [];
   private lengths: number[] = [];
   private end = 0;
-  /** A simulation on the piece that was last read; created at the first read. */
+  /** A simulation on the piece that was last read. */
   private reader: ContinuousSimulation | null = null;
   private readerAt = -1;
+  private played: ContinuousSimulation | null = null;
 
   /**
    * @param budget - limits the work and memory of the recording, and the work of computing the clearance
@@ -120,9 +121,17 @@ export class PieceRecorder implements Recorder, Trajectory {
     return Math.min(this.lengths[piece], Math.max(0, time - this.starts[piece]));
   }
 
+  /** Takes the simulation that it has recorded for its reader: to make one takes as long as some pieces. */
+  readWith(simulation: ContinuousSimulation): void {
+    if (this.keeps) this.played = simulation;
+  }
+
   /** The reader, on a piece. */
   private open(piece: number): ContinuousSimulation {
-    this.reader ??= new ContinuousSimulation(WHOLE_METHOD, this.scene, null, this.budget);
+    if (this.reader === null) {
+      this.played?.reset();
+      this.reader = this.played ?? new ContinuousSimulation(WHOLE_METHOD, this.scene, null, this.budget);
+    }
     if (this.readerAt === piece) return this.reader;
     this.readerAt = piece;
     this.reader.resumePiece(this.pieces, piece, this.chasers, this.rocks);
@@ -130,9 +139,8 @@ export class PieceRecorder implements Recorder, Trajectory {
   }
 
   /** The motion of the reader, on any piece, but with the chasers of this one. */
-  private motionWithChasers(piece: number, chasers: ChangeLog): Motion | null {
-    if (this.reader === null) return null;
-    const { motion } = this.reader;
+  private motionWithChasers(piece: number, chasers: ChangeLog): Motion {
+    const { motion } = this.reader ?? this.open(piece);
     this.readerAt = -1;
     chasers.seek(piece, motion.s.subarray(motion.chasers, motion.rocks));
     return motion;
@@ -140,10 +148,9 @@ export class PieceRecorder implements Recorder, Trajectory {
 
   /** Shows `tracker` how near to hazards she comes on a piece within `length` seconds. */
   private approach(piece: number, length: number, tracker: ClearanceTracker, far: FarHazards | null): void {
-    // the first piece is opened
-    if (far !== null && tracker.best !== null) {
+    if (far !== null && tracker.least < Number.POSITIVE_INFINITY) {
       const motion = this.chasers === null ? null : this.motionWithChasers(piece, this.chasers);
-      if (far.areOn(this.pieces, piece, length, tracker.least, this.budget, motion)) return;
+      if (far.areOn(piece, length, tracker.least, this.budget, motion)) return;
     }
     const { motion } = this.open(piece);
     approachHazards(motion, motion.s[START], length, tracker);
@@ -151,14 +158,15 @@ export class PieceRecorder implements Recorder, Trajectory {
 
   /** The smallest gap to a hazard. */
   clearance(): Clearance | null {
-    const { scene, events } = this;
+    const { scene, events, starts } = this;
     const near = new ClearanceTracker(scene, WHOLE_METHOD.effects.hazardsOf(scene));
     if (near.count === 0) return null;
-    const far = FarHazards.of(scene, near.lists);
+    const far = FarHazards.of(scene, this.pieces, near.lists);
     // first a few samples all along the run: they spare most of the search for hazards farther away than the nearest sample
-    const stride = Math.ceil(this.starts.length / FIRST_LOOKS);
-    for (let i = 0; i < this.starts.length; i += stride) this.approach(i, 0, near, far);
-    for (let i = 0; i < this.starts.length; i++) this.approach(i, this.lengths[i], near, far);
+    const stride = Math.ceil(starts.length / FIRST_LOOKS);
+    if (far !== null) for (let i = 0; i < starts.length; i += stride) near.most = Math.min(near.most, far.gapAtStart(i));
+    for (let i = 0; i < starts.length; i += stride) this.approach(i, 0, near, far);
+    for (let i = 0; i < starts.length; i++) this.approach(i, this.lengths[i], near, far);
     const { best } = near;
     if (best === null || scene.accuracy.contact === 'frame') return best;
     // rounding must not contradict the run: it ended with the contact, or there was none

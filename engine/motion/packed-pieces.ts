@@ -74,6 +74,32 @@ export class PackedPieces {
     out[4] = block[at + ACCELERATION];
   }
 
+  /**
+   * Reads where piece `i` leads within `t` s, if no recoil acts on it: writes her place then, relative to the origin, to out[0..1],
+   * and to out[2] an upper bound of how far she is from the straight way there, px.
+   */
+  chordOf(i: number, t: number, out: Float64Array): void {
+    const block = this.blocks[this.blockOf[i]];
+    const at = this.from[i];
+    const degree = block[at + DEGREE];
+    const x = at + HEAD;
+    const y = x + degree + 1;
+    let toX = block[at + BASE_X] + block[x];
+    let toY = block[at + BASE_Y] + block[y];
+    let bend = 0;
+    for (let k = 1, power = t; k <= degree; k++, power *= t) {
+      const dx = block[x + k] * power;
+      const dy = block[y + k] * power;
+      toX += dx;
+      toY += dy;
+      // c t^k strays from its own chord by at most c t^k; by a quarter of that where k is 2
+      if (k > 1) bend += (Math.abs(dx) + Math.abs(dy)) * (k === 2 ? 0.25 : 1);
+    }
+    out[0] = toX;
+    out[1] = toY;
+    out[2] = bend;
+  }
+
   /** A block with room for `size` more numbers. */
   private blockFor(size: number): Float64Array {
     const { blocks } = this;
