@@ -3,7 +3,7 @@ import { foreignKind, hintForKind, isUtf16, unmarkedUtf16 } from './foreign-file
 import { mergeMarkers, pointerFile } from './git-leftovers.ts';
 import { createLocator, createPlaceFinder, type Locator } from './locate.ts';
 import { explainMistake } from './mistakes.ts';
-import { scanJson } from './scan.ts';
+import { readPlain, scanJson } from './scan.ts';
 import { decodeUtf8 } from './utf8.ts';
 
 /** A JSON document, or what is wrong with it. `text` has no byte order mark. */
@@ -166,6 +166,8 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
       text,
     );
   }
+  const plain = readPlain(text);
+  if (plain !== null) return { ok: true, text, value: plain[0], locator: createLocator(text), hasExtensions: false, findings: marks };
   const { failure, repeated, hasExtensions } = scanJson(text);
   const findings = [...marks, ...repeated.map((mistake) => explainMistake(text, mistake))];
   if (failure !== null) return toPlacedProblems([...findings, failureOf(text, explainMistake(text, failure))], text);

@@ -58,6 +58,43 @@ export function scanJson(text: string): Scan {
   return { failure, repeated: brackets.repeated, hasExtensions: brackets.hasExtensions };
 }
 
+/**
+ * Reads a JSON text of which {@link scanJson} would find nothing to tell, in a fraction of its time.
+ * @returns the value in a list of its own; null where the text has to be scanned: it is no JSON, or has what needs a second look
+ */
+export function readPlain(text: string): readonly [value: unknown] | null {
+  // with escapes, characters of the text and of its values differ
+  if (text.includes('\\')) return null;
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return null;
+  }
+  let colons = 0;
+  for (let i = 0; i < text.length; i++) if (text.charCodeAt(i) === COLON) colons++;
+  // each key has a colon; there are more where an equal key came later, whose value alone is kept, or where keys have some
+  return colons === colonsOf(value, 0) ? [value] : null;
+}
+
+/** How many colons stand in the text of a value, at least; NaN if anything else needs a second look. */
+function colonsOf(value: unknown, depth: number): number {
+  if (typeof value === 'number') return Number.isFinite(value) ? 0 : Number.NaN;
+  if (typeof value === 'string') return value.includes(':') ? value.split(':').length - 1 : 0;
+  if (typeof value !== 'object' || value === null) return 0;
+  if (depth === MAX_DEPTH) return Number.NaN;
+  let colons = 0;
+  if (Array.isArray(value)) {
+    for (let i = 0; i < value.length; i++) colons += colonsOf(value[i], depth + 1);
+    return colons;
+  }
+  for (const key of Object.keys(value)) {
+    if (key.startsWith('x-')) return Number.NaN;
+    colons += 1 + colonsOf((value as Record<string, unknown>)[key], depth + 1);
+  }
+  return colons;
+}
+
 /** @returns the first error, or null */
 function scan(text: string, brackets: OpenBrackets): Mistake | null {
   let mode: Expected = 'value';
