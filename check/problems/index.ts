@@ -42,6 +42,7 @@ export function problemsOf(findings: Findings, hints: Hints): LevelProblem[] {
     ...(cuts.nearness === null ? [] : [nearnessCut(cuts.nearness, hints)]),
     ...stillToBeWarnedOf(findings),
   ];
+  if (Object.keys(findings.allow).length === 0) return problems;
   // a warning that gives way to a proof is still there
   return [...problems, ...unusedAllows(findings, new Set([...problems, ...findings.warnings].map(({ code }) => code)))];
 }
@@ -68,7 +69,8 @@ function ofTheLevel(findings: Findings, hints: Hints): LevelProblem<CheckCode>[]
 }
 
 /** The warnings, without those that say less than a proof. */
-function stillToBeWarnedOf({ warnings, impossible, lost }: Findings): LevelProblem[] {
+function stillToBeWarnedOf({ warnings, impossible, lost }: Findings): readonly LevelProblem[] {
+  if (warnings.length === 0) return warnings;
   const outdone = impossible === null ? undefined : OUTDONE_WARNINGS[impossible.code];
   const proved = new Set(lost.map(({ index }) => `/minerals/${index}`));
   const isGuess = ({ code, pointer }: LevelProblem): boolean =>

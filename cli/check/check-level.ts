@@ -4,6 +4,7 @@ import {
   brief,
   completingRuns,
   examineInSteps,
+  type Findings,
   findingsOf,
   type Hints,
   mineralsToProve,
@@ -102,7 +103,7 @@ function* checkInSteps(file: string, settings: CheckSettings, cacheKey: string |
     const bytes = content ?? readBytes(file);
     clock.ms += performance.now() - start;
     const { level, isAnywhere, isSettled } = yield* timed(judge(file, bytes, settings), clock);
-    const whole = { ...level, ms: clock.ms };
+    const whole = Object.assign(level, { ms: clock.ms });
     return {
       level: isAnywhere ? atFile(whole, file) : whole,
       kept: cacheKey !== null && isAnywhere && isSettled ? keptLevel(cacheKey, bytes, whole) : null,
@@ -189,7 +190,7 @@ function* replay(file: string, { level, document }: OpenedLevel, settings: Check
   });
   const run = settings.forLock && shownRun !== null ? { ...shownRun, ...lockedRun(scene, shown!, document, budget) } : shownRun;
   const isAnywhere = !mayMention(document.text);
-  const hints = commandHints(isAnywhere ? ANYWHERE : shellPath(file));
+  const hints = isAnywhere ? HINTS_ANYWHERE : commandHints(shellPath(file));
   const problems = problemsOf(findings, hints).map((problem) => placed(problem, document));
   const checked: CheckedLevel = {
     file,
@@ -200,15 +201,29 @@ function* replay(file: string, { level, document }: OpenedLevel, settings: Check
     found: found?.holds ?? null,
     report,
     mineralCount: level.minerals.length,
-    ...(settings.softlocks !== undefined && {
-      softlocks: findings.softlocks === null ? null : softlockReport(findings.softlocks, level),
-    }),
-    ...(level.allow !== undefined && { allow: level.allow }),
+    ...optionalParts(level, findings, settings),
     problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text) : [],
     unreadable: false,
     ms: 0,
   };
   return { level: checked, isAnywhere, isSettled: searched?.isOutOfTime !== true };
+}
+
+const NO_PARTS = {};
+
+/** The members of a report that few levels have. */
+function optionalParts(
+  level: Level,
+  findings: Findings,
+  { softlocks }: CheckSettings,
+): Pick<CheckedLevel, 'softlocks' | 'allow'> {
+  if (softlocks === undefined && level.allow === undefined) return NO_PARTS;
+  return {
+    ...(softlocks !== undefined && {
+      softlocks: findings.softlocks === null ? null : softlockReport(findings.softlocks, level),
+    }),
+    ...(level.allow !== undefined && { allow: level.allow }),
+  };
 }
 
 /** Holds and their simulated run. */
@@ -319,6 +334,9 @@ export function commandHints(path: string): Hints {
     },
   };
 }
+
+/** Those for nearly every level. */
+const HINTS_ANYWHERE = commandHints(ANYWHERE);
 
 /** What a search found. */
 interface LevelSearch extends Searched {

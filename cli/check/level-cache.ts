@@ -90,6 +90,7 @@ export const mayMention = (json: string): boolean => json.includes('\\u0000');
 export function atFile(level: CheckedLevel, file: string): CheckedLevel {
   // a file that is not a valid level has no other name than its own, and its problems no path
   if (level.verdict === 'invalid') return { ...level, file, name: nameOfFile(file) };
+  if (level.problems.length === 0) return level.file === file ? level : { ...level, file };
   const path = shellPath(file);
   const here = (text: string): string => (text.includes(ANYWHERE) ? text.replaceAll(ANYWHERE, () => path) : text);
   return {

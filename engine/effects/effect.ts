@@ -142,9 +142,10 @@ export interface EngineEffect extends Effect {
 }
 
 /** Calls for an effect where the level has at least one object in `list`. */
-export const whereAny =
-  (list: ObjectList, one: string) =>
-  (level: Level): { called: boolean; because: string } => {
+export function whereAny(list: ObjectList, one: string): Effect['calledFor'] {
+  const notCalled = { called: false, because: `no ${list}` };
+  return (level) => {
     const n = level[list].length;
-    return n > 0 ? { called: true, because: `${n} ${n === 1 ? one : list}` } : { called: false, because: `no ${list}` };
+    return n > 0 ? { called: true, because: `${n} ${n === 1 ? one : list}` } : notCalled;
   };
+}

@@ -31,6 +31,32 @@ export interface Body {
   readonly staysPut: boolean;
 }
 
+/** A body whose name is made when somebody reads it: few are named. */
+class LevelBody implements Body {
+  readonly x: number;
+  readonly y: number;
+  readonly radius: number;
+  readonly isHazard: boolean;
+  readonly #object: Disc;
+
+  constructor(
+    readonly kind: ListedKind,
+    readonly index: number,
+    object: Disc,
+    readonly staysPut: boolean,
+  ) {
+    this.x = object.x;
+    this.y = object.y;
+    this.radius = object.radius;
+    this.isHazard = appearanceOfObject(kind, object).deadly;
+    this.#object = object;
+  }
+
+  get name(): string {
+    return objectName(this.kind, this.index, this.#object);
+  }
+}
+
 /** The kinds of which an object can be deadly: all their objects are drawn solid. */
 const SOLID = LISTED_KINDS.filter((kind) => KINDS[kind].deadly || KINDS[kind].variant?.deadly === true);
 
@@ -41,11 +67,8 @@ export function bodiesOf(level: Level): Body[] {
     const chases = ALL_EFFECTS.hasChaser(kind);
     // recoil moves what the gun targets
     const stays = !chases && !(kind === 'asteroid' && level.recoil);
-    for (const [index, object] of objectsIn(level, kind).entries()) {
-      const { x, y, radius } = object;
-      const isHazard = appearanceOfObject(kind, object).deadly;
-      bodies.push({ kind, x, y, radius, index, name: objectName(kind, index, object), isHazard, staysPut: stays });
-    }
+    const objects = objectsIn(level, kind);
+    for (let i = 0; i < objects.length; i++) bodies.push(new LevelBody(kind, i, objects[i], stays));
   }
   const { x, y, radius } = level.blackHole;
   bodies.push({ kind: 'blackHole', x, y, radius, index: 0, name: 'the black hole', isHazard: false, staysPut: true });
@@ -76,11 +99,14 @@ export type Copies = Readonly<Record<ObjectList, ReadonlyMap<number, number>>>;
 
 const NONE: ReadonlyMap<number, number> = new Map();
 
+const copiesBy = (find: (list: ObjectList) => ReadonlyMap<number, number>): Copies =>
+  Object.fromEntries(OBJECT_LISTS.map((list) => [list, find(list)])) as Record<ObjectList, ReadonlyMap<number, number>>;
+
+/** Those of nearly every level. */
+const NO_COPIES: Copies = copiesBy(() => NONE);
+
 export const copiesOf = (level: Level): Copies =>
-  Object.fromEntries(OBJECT_LISTS.map((list) => [list, copiesIn(level[list])])) as Record<
-    ObjectList,
-    ReadonlyMap<number, number>
-  >;
+  OBJECT_LISTS.every((list) => copiesIn(level[list]) === NONE) ? NO_COPIES : copiesBy((list) => copiesIn(level[list]));
 
 function copiesIn(list: readonly Place[]): ReadonlyMap<number, number> {
   if (list.length < INDEX_FROM && !hasCopies(list)) return NONE;

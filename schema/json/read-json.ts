@@ -167,7 +167,8 @@ export function readJson(source: Uint8Array | string, byteOrderMark: 'refuse' | 
     );
   }
   const plain = readPlain(text);
-  if (plain !== null) return { ok: true, text, value: plain[0], locator: createLocator(text), hasExtensions: false, findings: marks };
+  if (plain !== null)
+    return { ok: true, text, value: plain[0], locator: createLocator(text), hasExtensions: false, findings: marks };
   const { failure, repeated, hasExtensions } = scanJson(text);
   const findings = [...marks, ...repeated.map((mistake) => explainMistake(text, mistake))];
   if (failure !== null) return toPlacedProblems([...findings, failureOf(text, explainMistake(text, failure))], text);
