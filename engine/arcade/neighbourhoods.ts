@@ -105,7 +105,8 @@ export class Neighbourhoods {
     let at = 1;
     for (const { from, first, circles } of lists) for (let i = first; i < circles.count; i++) deadly[at++] = from + i;
     const discCounts = discs.map(({ count }) => count);
-    this.isOne = discCounts.reduce((sum, count) => sum + count, targets.count + deadly.length + collectables.count) <= FEW;
+    const others = targets.count + deadly.length + collectables.count + chasers.circles.count;
+    this.isOne = discCounts.reduce((sum, count) => sum + count, others) <= FEW;
     this.everything = {
       left: Number.NEGATIVE_INFINITY,
       right: Number.POSITIVE_INFINITY,

@@ -192,7 +192,7 @@ export class ArcadeSimulation implements Simulation {
         const things = cell.things + (alert ? chasers.count : 0);
         budget.look((s[FRAME] - start) * (3 + things / 8));
       }
-      const rivals = surroundings.isOne ? 0 : cell.rivals.length;
+      const rivals = surroundings.isOne ? 1 : cell.rivals.length;
       budget.look((s[FRAME] - start) * (1 + (rivals + s[MOVED]) / 8) + chasers.looked / 8);
     }
     const advanced = s[FRAME] - from;

@@ -1,7 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compile, createSimulation, DEFAULT_BOX } from '../../engine/index.ts';
+import { compile, createSimulation, DEFAULT_BOX, joinHolds, playScript, simulate } from '../../engine/index.ts';
 import type { Level } from '../../schema/index.ts';
+import { mixedScene } from '../scenes/mixed-scene.ts';
+import { randomScene } from '../scenes/random-scene.ts';
+import { windyScene } from '../scenes/windy-scene.ts';
 import { arbitraryLevel, arbitraryPlayableLevel } from './arbitrary-level.ts';
 import { arbitraryRules } from './arbitrary-rules.ts';
 import { plainFrames } from './arcade-plain-loop.ts';
@@ -80,6 +83,24 @@ describe('arcade has the same bits as a loop that checks every object in every f
   ] as const)('on %s levels with rules of their own', (_, level) => {
     const ruled = fc.record({ level, rules: arbitraryRules }).map((made) => ({ ...made.level, rules: made.rules }));
     fc.assert(fc.property(ruled, plan, compareWithPlain), { numRuns: 40 });
+  });
+
+  it('with every effect: a recorded run takes no frame for granted', () => {
+    fc.assert(
+      fc.property(fc.nat(2 ** 31 - 1), fc.constantFrom(mixedScene, windyScene, randomScene), (seed, of) => {
+        const { level, holds, maxTime } = of(seed);
+        const scene = compile(level, 'arcade');
+        const { final, tick, minerals } = simulate(scene, holds, { maxTime });
+        const simulation = createSimulation(scene);
+        playScript(simulation, joinHolds(holds), Math.round(60 * maxTime));
+        const state = new Float64Array(6);
+        simulation.readState(state);
+        expect([...state]).toEqual([final.x, final.y, final.vx, final.vy, final.cos, final.sin]);
+        expect(simulation.ending?.tick ?? simulation.tick).toBe(tick);
+        expect(simulation.mineralCount).toBe(minerals.length);
+      }),
+      { numRuns: 120 },
+    );
   });
 
   it('if an alien that starts from rest is less than 2 px away', () => {

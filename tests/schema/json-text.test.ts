@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { fromPointer, toPointer } from '../../schema/basics/problem.ts';
 import { createLocator, createPlaceFinder } from '../../schema/json/locate.ts';
-import { scanJson } from '../../schema/json/scan.ts';
+import { readPlain, scanJson } from '../../schema/json/scan.ts';
 import { decodeUtf8 } from '../../schema/json/utf8.ts';
 import { expectDeep } from '../depth.ts';
 
@@ -57,6 +57,25 @@ describe('the scan of a JSON text', () => {
     );
     // otherwise the property would be trivial
     expectDeep(refused).toBeGreaterThan(200);
+  });
+
+  test('is left out only if it would tell nothing', () => {
+    let plain = 0;
+    const repeated = fc.array(fc.constantFrom('a', ':', 'b:c', 'x-y', '__proto__', '\\u003a')).map((keys) => {
+      return `{${keys.map((key, i) => `"${key}":${i % 3 === 0 ? '1e999' : i % 3 === 1 ? '":"' : '[{}]'}`).join()}}`;
+    });
+    const deep = fc.nat({ max: 80 }).map((depth) => '['.repeat(depth) + ']'.repeat(depth));
+    fc.assert(
+      fc.property(fc.oneof({ arbitrary: nearJson, weight: 6 }, repeated, deep), (text) => {
+        const read = readPlain(text);
+        if (read === null) return;
+        plain++;
+        expect(scanJson(text)).toEqual({ failure: null, repeated: [], hasExtensions: false });
+        expect(read[0]).toEqual(JSON.parse(text));
+      }),
+      { numRuns: 1200 },
+    );
+    expectDeep(plain).toBeGreaterThan(100);
   });
 
   test.each([
