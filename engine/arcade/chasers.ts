@@ -6,7 +6,7 @@ import type { ChaserCircles } from '../motion/index.ts';
 import type { Scene } from '../scene.ts';
 import type { WorkBudget } from '../work-budget.ts';
 import { COS, FRAME, limitSpeed, ROUSED, SIN, VX, VY, X, Y } from './layout.ts';
-import { liesWithin, type Neighbourhood } from './neighbourhoods.ts';
+import type { Neighbourhood } from './neighbourhoods.ts';
 import type { FrameRecorder } from './recording.ts';
 
 /** Doubles per chaser: place, velocity, acceleration, and what it is doing. */
@@ -140,12 +140,6 @@ export class Chasers {
   /** Whether, after {@link lookAhead}, none of them moves, wakes or touches before she has moved by `room`. */
   get rest(): boolean {
     return this.moving === 0 && this.room > NEAR;
-  }
-
-  /** Whether none of them moves, wakes or touches while she is in her cell. */
-  restWhileIn(cell: Neighbourhood): boolean {
-    if (this.s[ROUSED] === 0 && cell.unseen) return true;
-    return liesWithin(cell, this.calmX, this.calmY, this.calm);
   }
 
   /**

@@ -1,15 +1,9 @@
 import type { IndexedCircles } from '../indexed-circles.ts';
 import type { Scene } from '../scene.ts';
-import { type Deadly, DIAGONAL, NONE, Square, type Watchers } from './square.ts';
+import { type Deadly, NONE, Square, type Watchers } from './square.ts';
 
 /** Side of a cell, px. */
 const SIDE = 32;
-
-/** No place in a cell is farther than this from its centre, px. */
-const REACH = (SIDE / 2) * DIAGONAL;
-
-/** Half sides of squares around a quiet cell that may be as quiet, px, ascending; the largest such square is used. */
-const FREE = [40, 64, 96];
 
 /** How far recoil may move an asteroid from its original place before its neighbourhoods become invalid, px. */
 export const DRIFT = 16;
@@ -39,8 +33,6 @@ export interface Neighbourhood {
   readonly discs: readonly Int32Array[];
   /** How many of all these a frame here looks at. */
   readonly things: number;
-  /** Only the gun acts: nothing can be touched, there is no field, and the range does not end. */
-  readonly quiet: boolean;
   /** Chasers at their places in the level neither see nor touch her. */
   readonly unseen: boolean;
   /** Bounds of the cell, px: from `left` and `top` inclusive to `right` and `bottom` exclusive. */
@@ -48,11 +40,6 @@ export interface Neighbourhood {
   readonly right: number;
   readonly top: number;
   readonly bottom: number;
-  /** Bounds of a larger area around a quiet cell in which it is as quiet, with the same rivals and the same `unseen`, px. */
-  readonly freeLeft: number;
-  readonly freeRight: number;
-  readonly freeTop: number;
-  readonly freeBottom: number;
 }
 
 interface Cell extends Neighbourhood {
@@ -118,11 +105,6 @@ export class Neighbourhoods {
       discs: discCounts.map(below),
       // among few things a frame costs about as much as among none
       things: this.isOne ? 0 : deadly.length + collectables.count + this.looks(discCounts),
-      quiet: false,
-      freeLeft: 0,
-      freeRight: 0,
-      freeTop: 0,
-      freeBottom: 0,
       unseen: false,
     };
   }
@@ -166,10 +148,6 @@ export class Neighbourhoods {
     });
     square.addRivals();
     const rivals = square.taken(last?.rivals ?? NONE);
-    const quiet =
-      square.isInRange && deadly.length === 0 && collectables.length === 0 && discs.every(({ length }) => length === 0);
-    const unseen = square.isUnseen;
-    const free = quiet ? this.freeAround(rivals.length, unseen) : SIDE / 2;
     // written out: V8 gives copies made with `...` hidden classes of their own, which makes every access slow
     const cell: Cell = {
       column,
@@ -179,16 +157,11 @@ export class Neighbourhoods {
       collectables,
       discs,
       things: deadly.length + collectables.length + this.looks(discs.map(({ length }) => length)),
-      quiet,
-      unseen,
+      unseen: square.isUnseen,
       left: column * SIDE,
       right: (column + 1) * SIDE,
       top: row * SIDE,
       bottom: (row + 1) * SIDE,
-      freeLeft: x - free,
-      freeRight: x + free,
-      freeTop: y - free,
-      freeBottom: y + free,
     };
     this.last = cell;
     return cell;
@@ -198,42 +171,4 @@ export class Neighbourhoods {
   private looks(counts: readonly number[]): number {
     return counts.reduce((sum, count, k) => (this.areWork[k] ? sum + count : sum), 0);
   }
-
-  /** Half the side of the largest square around a quiet cell that is as quiet, with as many rivals and the same `unseen`, px. */
-  private freeAround(rivals: number, unseen: boolean): number {
-    const { square } = this;
-    let free = SIDE / 2;
-    for (const half of FREE) {
-      square.resize(half);
-      // what is in a square is in every larger one
-      if (!this.isQuiet() || this.rivalsIn() !== rivals || square.isUnseen !== unseen) return free;
-      free = half;
-    }
-    return free;
-  }
-
-  /** Whether only the gun acts in the square. */
-  private isQuiet(): boolean {
-    const { square } = this;
-    if (!square.isInRange) return false;
-    square.addDeadly();
-    if (square.counted() > 0) return false;
-    square.addTouching(this.collectables);
-    if (square.counted() > 0) return false;
-    for (const list of this.discs) square.addDiscs(list);
-    return square.counted() === 0;
-  }
-
-  private rivalsIn(): number {
-    this.square.addRivals();
-    return this.square.counted();
-  }
-}
-
-/** Whether the whole cell lies within `radius` of (x, y), px; false where rounding could decide. */
-export function liesWithin({ left, right, top, bottom }: Neighbourhood, x: number, y: number, radius: number): boolean {
-  const dx = (left + right) / 2 - x;
-  const dy = (top + bottom) / 2 - y;
-  const inner = radius - REACH;
-  return inner > 0 && dx * dx + dy * dy < inner * inner;
 }

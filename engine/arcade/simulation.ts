@@ -186,8 +186,8 @@ export class ArcadeSimulation implements Simulation {
         flight.fly(chased ? Math.min(until, frame + chasers.ahead) : until, held, chased);
         if (chased) chasers.follow(flight.path, frame, s[FRAME] - frame);
       } else {
-        const alert = hasChasers && !(surroundings.isOne ? chasers.rest : chasers.restWhileIn(cell));
-        surroundings.stayIn(cell, surroundings.isOne && !alert ? chasers.room : Number.POSITIVE_INFINITY);
+        const alert = hasChasers && !chasers.rest;
+        surroundings.stayIn(cell, alert ? Number.POSITIVE_INFINITY : chasers.room);
         this.encounters.meet(cell, surroundings.bounds, until, held, alert);
         const things = cell.things + (alert ? chasers.count : 0);
         budget.look((s[FRAME] - start) * (3 + things / 8));

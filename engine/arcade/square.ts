@@ -4,7 +4,7 @@ import type { Circles, IndexedCircles, SpatialIndex } from '../indexed-circles.t
 import type { Scene } from '../scene.ts';
 
 /** A square's half diagonal divided by half its side, rounded up. */
-export const DIAGONAL = 1.4143;
+const DIAGONAL = 1.4143;
 
 export const NONE = new Int32Array(0);
 
@@ -36,7 +36,6 @@ export class Square {
   // levels are objects of many shapes: see `world.ts`
   private readonly hole: Disc;
   private readonly halfDiagonal: number;
-  private readonly range: number;
   private readonly targets: IndexedCircles;
 
   /** @param drift - how far recoil may have moved an asteroid, px */
@@ -49,7 +48,6 @@ export class Square {
     const { x, y, radius } = level.blackHole;
     this.hole = { x, y, radius };
     this.halfDiagonal = box.halfDiagonal;
-    this.range = level.range;
     this.targets = targets;
   }
 
@@ -59,11 +57,6 @@ export class Square {
     this.y = y;
     this.toCorner = half * DIAGONAL;
     this.closest = this.nearestTarget();
-  }
-
-  /** Changes its size, px. */
-  resize(half: number): void {
-    this.toCorner = half * DIAGONAL;
   }
 
   /**
@@ -84,13 +77,6 @@ export class Square {
     for (let k = 0; k < list.length; k++) list[k] = found[k];
     found.length = 0;
     return list;
-  }
-
-  /** Empties the list and returns how many it had. */
-  counted(): number {
-    const count = this.found.length;
-    this.found.length = 0;
-    return count;
   }
 
   /** Adds what ends the run by touch, by its code; 0 is the black hole. */
@@ -123,11 +109,6 @@ export class Square {
       const i = near === null ? k : near[k];
       if (this.within(this.distance(targets.x[i], targets.y[i]), reach)) found.push(i);
     }
-  }
-
-  /** Whether she is within the range of a target wherever she is in the square. */
-  get isInRange(): boolean {
-    return !(this.closest * (1 + 1e-9) + this.toCorner + this.drift + 1e-3 >= this.range);
   }
 
   /** Whether chasers at their places in the level neither see nor touch her. */

@@ -56,30 +56,21 @@ export class Surroundings {
    * @param room - how far she may move for other reasons, px
    */
   isAway(cell: Neighbourhood, room: number, held: boolean): boolean {
-    const { bounds } = this;
+    const { bounds, isOne } = this;
     const { s, recoil } = this.world;
     this.rivals = cell.rivals;
     let half = room * 0.7 - 1e-3;
+    this.within(cell.left, cell.right, cell.top, cell.bottom, half);
+    if (half >= AWAY) half = this.keepClear(cell, half);
     if (half < AWAY) return false;
-    if (cell.quiet) {
-      bounds[0] = cell.freeLeft;
-      bounds[1] = cell.freeRight;
-      bounds[2] = cell.freeTop;
-      bounds[3] = cell.freeBottom;
-    } else {
-      this.stayIn(cell, Number.POSITIVE_INFINITY);
-      half = this.keepClear(cell, half);
-      if (half < AWAY) return false;
-    }
-    const moved = recoil && s[MOVED] > 0;
-    if (cell.rivals.length > 1 && (moved || (held && this.isOne))) {
+    if (cell.rivals.length > 1 && ((recoil && s[MOVED] > 0) || (held && isOne))) {
       const lead = this.lead(cell.rivals);
-      if (lead >= (this.isOne ? CLEAR_LEAD : AWAY)) {
+      if (lead >= (isOne ? CLEAR_LEAD : AWAY)) {
         half = Math.min(half, lead);
         this.rivals = this.nearest;
       }
     }
-    this.limit(half);
+    this.within(bounds[0], bounds[1], bounds[2], bounds[3], half);
     return true;
   }
 
@@ -87,25 +78,18 @@ export class Surroundings {
    * Sets `bounds` to those of a neighbourhood.
    * @param room - how far she may move, px
    */
-  stayIn(cell: Neighbourhood, room: number): void {
-    const { bounds } = this;
-    bounds[0] = cell.left;
-    bounds[1] = cell.right;
-    bounds[2] = cell.top;
-    bounds[3] = cell.bottom;
-    this.limit(room * 0.7);
+  stayIn({ left, right, top, bottom }: Neighbourhood, room: number): void {
+    this.within(left, right, top, bottom, room * 0.7);
   }
 
-  /** Limits the bounds to a square around her. @param half - half its side, px */
-  private limit(half: number): void {
-    if (half === Number.POSITIVE_INFINITY) return;
+  /** Sets the bounds to what is also in a square around her. @param half - half its side, px */
+  private within(left: number, right: number, top: number, bottom: number, half: number): void {
     const { bounds } = this;
-    const x = this.world.s[X];
-    const y = this.world.s[Y];
-    if (x - half > bounds[0]) bounds[0] = x - half;
-    if (x + half < bounds[1]) bounds[1] = x + half;
-    if (y - half > bounds[2]) bounds[2] = y - half;
-    if (y + half < bounds[3]) bounds[3] = y + half;
+    const { s } = this.world;
+    bounds[0] = Math.max(left, s[X] - half);
+    bounds[1] = Math.min(right, s[X] + half);
+    bounds[2] = Math.max(top, s[Y] - half);
+    bounds[3] = Math.min(bottom, s[Y] + half);
   }
 
   /** How far she can move along each axis before another asteroid than `nearest` can be the nearest, px. */
@@ -159,46 +143,37 @@ export class Surroundings {
       const code = deadly[k];
       const moves = recoil && code >= firstTarget;
       const o = placesFrom + placesStep * (code - firstTarget);
-      const dx = (moves ? places[o] : deadlyX[code]) - x;
-      const dy = (moves ? places[o + 1] : deadlyY[code]) - y;
-      const reach = halfDiagonal + deadlyR[code] + leeway + 1e-3;
-      if (Math.abs(dx) < reach + half && Math.abs(dy) < reach + half) half = this.leaveOut(dx, dy, reach, half);
+      const atX = moves ? places[o] : deadlyX[code];
+      const atY = moves ? places[o + 1] : deadlyY[code];
+      half = this.leaveOut(atX, atY, halfDiagonal + deadlyR[code] + leeway, half);
     }
     for (let k = 0; k < collectables.length && half >= AWAY; k++) {
       const i = collectables[k];
       if (s[collected + i] !== 0) continue;
-      const dx = collectableX[i] - x;
-      const dy = collectableY[i] - y;
-      const reach = halfDiagonal + collectableR[i] + 1e-3;
-      if (Math.abs(dx) < reach + half && Math.abs(dy) < reach + half) half = this.leaveOut(dx, dy, reach, half);
+      half = this.leaveOut(collectableX[i], collectableY[i], halfDiagonal + collectableR[i], half);
     }
     for (let k = 0; k < cell.discs.length && half >= AWAY; k++) {
       const { x: discX, y: discY, r } = this.discs[k];
       const near = cell.discs[k];
-      for (let n = 0; n < near.length; n++) {
-        const dx = discX[near[n]] - x;
-        const dy = discY[near[n]] - y;
-        const reach = r[near[n]] + 1e-3;
-        if (Math.abs(dx) < reach + half && Math.abs(dy) < reach + half) half = this.leaveOut(dx, dy, reach, half);
-      }
+      for (let n = 0; n < near.length; n++) half = this.leaveOut(discX[near[n]], discY[near[n]], r[near[n]], half);
     }
     return half;
   }
 
   /**
    * Makes the bounds end before a circle, on the side that she approaches more slowly.
-   * @param dx - x of its centre minus hers, px
-   * @param dy - likewise
-   * @param reach - its radius, px
    * @param half - how far she may move along each axis, px
    * @returns how far she may still move along each axis, px
    */
-  private leaveOut(dx: number, dy: number, reach: number, half: number): number {
+  private leaveOut(atX: number, atY: number, r: number, half: number): number {
     const { bounds } = this;
     const { s } = this.world;
-    const besideX = Math.abs(dx) - reach;
-    const besideY = Math.abs(dy) - reach;
-    if (besideX < AWAY && besideY < AWAY) return Math.min(half, (Math.sqrt(dx * dx + dy * dy) - reach) * 0.7);
+    const dx = atX - s[X];
+    const dy = atY - s[Y];
+    const besideX = Math.abs(dx) - r - 1e-3;
+    const besideY = Math.abs(dy) - r - 1e-3;
+    if (besideX >= half || besideY >= half) return half;
+    if (besideX < AWAY && besideY < AWAY) return Math.min(half, (Math.sqrt(dx * dx + dy * dy) - r) * 0.7 - 1e-3);
     const towardsX = Math.max(1, dx > 0 ? s[VX] : -s[VX]);
     const towardsY = Math.max(1, dy > 0 ? s[VY] : -s[VY]);
     if (besideY < AWAY || (besideX >= AWAY && besideX * towardsY > besideY * towardsX)) {

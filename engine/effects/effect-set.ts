@@ -20,7 +20,6 @@ export class EffectSet {
   private readonly all: readonly EngineEffect[];
   /** Those whose objects end the run by touch. */
   private readonly deadly: readonly EngineEffect[];
-  private readonly collecting: EngineEffect | undefined;
   private readonly rules: readonly EventRule[];
   // found again by the choice itself: a level is simulated more than once, at more than one accuracy
   private readonly chosen = new WeakMap<EffectChoice, Chosen>();
@@ -38,7 +37,6 @@ export class EffectSet {
     const rules = effects.flatMap(({ events }) => events ?? []);
     this.all = byName(effects, EFFECTS_IN_ORDER);
     this.deadly = byName(this.all, HAZARDS_IN_ORDER);
-    this.collecting = this.all.find(({ collects }) => collects !== undefined);
     this.rules = byName(rules, EVENTS_IN_ORDER);
     const missing = [...effects, ...rules].find((one) => ![...this.all, ...this.rules].includes(one as never));
     if (missing !== undefined) throw new Error(`expected a place for "${missing.name}" in engine/effects/order.ts, found none`);
@@ -97,7 +95,7 @@ export class EffectSet {
 
   /** The objects of a scene that she collects by touch. */
   collectedOf(scene: Scene): IndexedCircles {
-    return this.collecting?.collects?.(scene) ?? NO_CIRCLES;
+    return this.all.find(({ collects }) => collects !== undefined)?.collects?.(scene) ?? NO_CIRCLES;
   }
 
   private chosenBy(choice: EffectChoice): Chosen {
