@@ -1,5 +1,5 @@
 import { type Flow, LINEAR, pairAt } from '../motion/index.ts';
-import { dragQuadratic, fixedStep, glideBy, type Whole } from './fixed-step.ts';
+import { dragByStart, fixedStep, glideBy, type Whole } from './fixed-step.ts';
 
 // working memory: an acceleration
 const a = new Float64Array(2);
@@ -34,7 +34,7 @@ export const euler = fixedStep(
   1,
   true,
   eulerStep,
-  dragQuadratic,
+  dragByStart,
   (_flow, x, y, t, out) => pairAt(x, y, 2, t, out, 0),
   glideBy(eulerWhole),
 );

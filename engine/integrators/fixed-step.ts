@@ -24,14 +24,14 @@ export function fixedStep(
       const h = closePass(flow, x, y, longest);
       step(flow, x, y, h);
       if (px !== null && py !== null) {
-        if (kappa > 0) drag(px, py, x, y, degree, kappa, false, h);
+        if (kappa > 0) drag(px, py, x, y, degree, kappa, false, h, true);
         else for (let k = 2; k <= degree; k++) px[k] = py[k] = 0;
       }
       return h;
     },
     tolerance: 0,
-    chase(qx, qy, ax, ay, kappa, h) {
-      drag(qx, qy, ax, ay, degree, kappa, true, h);
+    chase(qx, qy, ax, ay, kappa, h, recoils) {
+      drag(qx, qy, ax, ay, degree, kappa, true, h, recoils);
       return h;
     },
     acceleration(_flow, x, y, h) {
@@ -76,7 +76,10 @@ export function untilGrid(start: number, rate: number): number {
 const a = new Float64Array(8);
 const gain = new Float64Array(4);
 
-/** Advances a body that is dragged by another one: q'' = kappa d / |d|, with d read from a known piece. */
+/**
+ * Advances a body that is dragged by another one: q'' = kappa d / |d|, with d read from a known piece. `recoils` says that it
+ * is the target and no chaser.
+ */
 type DragStep = (
   qx: Float64Array,
   qy: Float64Array,
@@ -86,6 +89,7 @@ type DragStep = (
   kappa: number,
   chase: boolean,
   h: number,
+  recoils: boolean,
 ) => void;
 
 function drag(x: number, y: number, kappa: number, at: number): void {
@@ -125,13 +129,32 @@ export const dragRungeKutta: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h
   cubicFrom(gain, qx, qy, h);
 };
 
-/** The same with constant acceleration, that at the start of the step: for Euler and Verlet. */
-export const dragQuadratic: DragStep = (qx, qy, ax, ay, _degree, kappa, chase) => {
+/** The same with constant acceleration, that at the start of the step: first order. */
+export const dragByStart: DragStep = (qx, qy, ax, ay, degree, kappa, chase) =>
+  dragUniformly(qx, qy, ax, ay, degree, kappa, chase, 0);
+
+/** With that in the middle of the step a target that recoils is moved to second order; chasers are to first. */
+export const dragByMiddle: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h, recoils) =>
+  dragUniformly(qx, qy, ax, ay, degree, kappa, chase, recoils ? h / 2 : 0);
+
+/** The same with the acceleration that the body has after `t` s of straight motion. */
+function dragUniformly(
+  qx: Float64Array,
+  qy: Float64Array,
+  ax: Float64Array,
+  ay: Float64Array,
+  degree: number,
+  kappa: number,
+  chase: boolean,
+  t: number,
+): void {
   const own = chase ? 1 : 0;
-  drag(ax[0] - own * qx[0], ay[0] - own * qy[0], kappa, 0);
+  const x = t > 0 ? valueAt(ax, degree, t) : ax[0];
+  const y = t > 0 ? valueAt(ay, degree, t) : ay[0];
+  drag(x - own * (qx[0] + qx[1] * t), y - own * (qy[0] + qy[1] * t), kappa, 0);
   qx[2] = a[0] / 2;
   qy[2] = a[1] / 2;
-};
+}
 
 /**
  * The cubic of a step of length `h`, from what the step adds to straight motion. Working with the differences loses no digits.

@@ -1,6 +1,6 @@
 import { CENTRAL, type Flow, type Glide } from '../motion/index.ts';
 import { HEAD_ON } from '../tolerances.ts';
-import { dragQuadratic, fixedStep, glideBy, stepNear, untilGrid } from './fixed-step.ts';
+import { dragByMiddle, fixedStep, glideBy, stepNear, untilGrid } from './fixed-step.ts';
 
 // working memory: accelerations at both ends
 const a = new Float64Array(4);
@@ -63,4 +63,4 @@ const glideVerlet: Glide = (flow, xs, ys, start, end, rate, count) => {
 };
 
 /** Velocity Verlet: second order. */
-export const verlet = fixedStep(2, 1, false, verletStep, dragQuadratic, verletEnd, glideVerlet);
+export const verlet = fixedStep(2, 1, false, verletStep, dragByMiddle, verletEnd, glideVerlet);

@@ -136,9 +136,18 @@ export interface Integrator {
   /**
    * Expands a body that accelerates at `kappa` px/s² towards the place (ax, ay), and returns the length for which it holds, s.
    * null if its power series does; see `chaserSeries`.
+   * @param recoils - whether it is the target, and no chaser
    */
   readonly chase:
-    | ((qx: Float64Array, qy: Float64Array, ax: Float64Array, ay: Float64Array, kappa: number, h: number) => number)
+    | ((
+        qx: Float64Array,
+        qy: Float64Array,
+        ax: Float64Array,
+        ay: Float64Array,
+        kappa: number,
+        h: number,
+        recoils: boolean,
+      ) => number)
     | null;
   /** Upper bound of |u''| over the piece, px/s². */
   acceleration(flow: Flow, x: Float64Array, y: Float64Array, h: number): number;

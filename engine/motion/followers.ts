@@ -116,7 +116,7 @@ function expandOne(m: Motion, i: number, pull: number, longest: number): number 
   const { chase, tolerance } = m.integrator;
   const qx = m.chaserX[i];
   const qy = m.chaserY[i];
-  if (chase !== null) return Math.min(longest, chase(qx, qy, m.wx, m.wy, pull, longest));
+  if (chase !== null) return Math.min(longest, chase(qx, qy, m.wx, m.wy, pull, longest, i === m.chaserCount));
   chaserSeries(qx, qy, m.wx, m.wy, pull);
   return Math.min(longest, taylorStep(qx, qy, tolerance, Math.min(longest, LONGEST_TAYLOR)));
 }

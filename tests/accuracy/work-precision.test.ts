@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { ACCURACIES, accuracyOf, compile, createSimulation } from '../../engine/index.ts';
+import { ACCURACIES, type Accuracy, accuracyOf, compile, createSimulation } from '../../engine/index.ts';
 import {
   cheapestGoodEnough,
   compareWith,
@@ -24,8 +24,23 @@ const ROUNDING = 1e-11;
 const HOLDS = [[0, 600]] as const;
 const reference = referenceOf(SWING, HOLDS, TICKS);
 
-const fixed = (integrator: 'euler' | 'verlet' | 'rk4', rate: number) =>
-  compareWith(reference, SWING, HOLDS, accuracyOf({ integrator, rate, tolerance: null, contact: 'swept' }), TICKS).error;
+type FixedSteps = 'euler' | 'verlet' | 'rk4';
+
+const fixed = (integrator: FixedSteps, rate: number, level = SWING, truth = reference) =>
+  compareWith(truth, level, HOLDS, accuracyOf({ integrator, rate, tolerance: null, contact: 'swept' }), TICKS).error;
+
+/** The same swing about a light asteroid, which follows her; and from within a field, which hides the pull but not the recoil. */
+const LIGHT: Level = { ...SWING, recoil: true, asteroids: [{ ...SWING.asteroids[0], radius: 0.5 }] };
+const DRAGGED: Level = { ...LIGHT, repulsors: [{ id: null, x: 2000, y: 0, radius: 5000 }], range: 5000 };
+
+/** Where the asteroid is at the end. */
+function rockAt(level: Level, accuracy: Accuracy): [x: number, y: number] {
+  const simulation = createSimulation(compile(level, accuracy));
+  simulation.advance(TICKS, true);
+  const at = new Float64Array(2);
+  simulation.readAsteroids(at);
+  return [at[0], at[1]];
+}
 
 /** Slope of log error over log step by least squares. */
 function order(rates: readonly number[], errors: readonly number[]): number {
@@ -48,6 +63,29 @@ describe('errors on a smooth swing', () => {
     expect(order(rates, errors)).toBeGreaterThan(expected - 0.15);
     expect(order(rates, errors)).toBeLessThan(expected + 0.15);
   });
+
+  it.each([
+    ['euler', 1],
+    ['verlet', 2],
+    ['rk4', 4],
+  ] as const)(
+    'of %s do so with recoil, too, and those of an asteroid that is dragged from within a field',
+    (integrator, expected) => {
+      const rates = RATES.slice(2, 6);
+      const truth = referenceOf(LIGHT, HOLDS, TICKS);
+      expect(truth.doubt).toBeNull();
+      const errors = rates.map((rate) => fixed(integrator, rate, LIGHT, truth));
+      expect(order(rates, errors)).toBeGreaterThan(expected - 0.15);
+      // at higher rates only rounding is left of the error of rk4
+      const slow = RATES.slice(0, 3);
+      const [x, y] = rockAt(DRAGGED, ACCURACIES.precise);
+      const beside = slow.map((rate) => {
+        const [at, up] = rockAt(DRAGGED, accuracyOf({ integrator, rate, tolerance: null, contact: 'swept' }));
+        return Math.hypot(at - x, up - y);
+      });
+      expect(order(slow, beside)).toBeGreaterThan(expected - 0.15);
+    },
+  );
 
   it('of taylor stay below the tolerance times the seconds, down to what rounding leaves', () => {
     for (const tolerance of TOLERANCES) {

@@ -38,7 +38,7 @@ it('of a third of the runs whose hashes are committed', () => {
   const scenes = third.map(({ level, holds }) => ({ level, holds, maxTime: 60 }));
   expect(workOf(scenes, accuracyNames)).toEqual({
     arcade: '106263 31489 389719 0 446401.25',
-    fast: '35663 36464 16067 375 610152',
+    fast: '35663 36464 16067 375 610178',
     precise: '4053 3868 3091 388 75274',
     standard: '35664 145860 16066 375 610041',
   });
@@ -46,7 +46,7 @@ it('of a third of the runs whose hashes are committed', () => {
 
 it('of random scenes', () => {
   expect(workOf(some(150, randomScene), continuousNames)).toEqual({
-    fast: '26797 31199 30155 1302 539498',
+    fast: '26798 31200 30155 1302 539426',
     precise: '4150 3576 10889 1889 112360',
     standard: '26799 124804 30157 1301 539905',
   });
@@ -54,7 +54,7 @@ it('of random scenes', () => {
 
 it('of scenes that depend on the last digits', () => {
   expect(workOf(some(60, degenerateScene), continuousNames)).toEqual({
-    fast: '34524 45771 33915 4569 799693',
+    fast: '34016 45401 34048 4606 793535',
     precise: '19135 31554 24382 7631 535404',
     standard: '34531 166447 33204 4231 797755',
   });
@@ -103,7 +103,7 @@ it('of crowds', () => {
     return { level, holds: [[2, 20 + i] as const, [60, 90] as const, [120, 400] as const], maxTime: 8 };
   });
   expect(workOf(scenes, continuousNames)).toEqual({
-    fast: '848 13048 1603 169 304083',
+    fast: '848 13048 1603 169 304082',
     precise: '439 6903 2273 308 186141',
     standard: '848 52268 1603 168 304263',
   });

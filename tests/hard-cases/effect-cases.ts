@@ -267,7 +267,7 @@ const recoil = (): EffectCase[] => [
       asteroids: [rock(150, 0, 10, true)],
       novae: [disc(119, 83, 5)],
     },
-    { sensitivity: 10, fast: 'timeout' },
+    { sensitivity: 10 },
   ),
   effectCase(
     'two asteroids as near as each other',
@@ -279,7 +279,7 @@ const recoil = (): EffectCase[] => [
       asteroids: [rock(-100, 0, 10), rock(100, 0, 10)],
       novae: [disc(-97, 96, 10)],
     },
-    { sensitivity: 10, fast: 'timeout' },
+    { sensitivity: 10 },
   ),
   effectCase(
     'a light asteroid',
@@ -291,7 +291,7 @@ const recoil = (): EffectCase[] => [
       asteroids: [rock(100, 0, 4)],
       blackHole: disc(36, 114, 5),
     },
-    { sensitivity: 10, fast: 'timeout' },
+    { sensitivity: 10 },
   ),
   effectCase(
     'released and caught again',
@@ -309,7 +309,6 @@ const recoil = (): EffectCase[] => [
         [180, 360],
       ],
       sensitivity: 20,
-      fast: 'timeout',
     },
   ),
   effectCase(
@@ -462,7 +461,7 @@ const mixtures = (): EffectCase[] => [
       aliens: [disc(0, 140, 25)],
       blackHole: disc(209, 133, 10),
     },
-    { sensitivity: 10, fast: 'lost' },
+    { sensitivity: 10 },
   ),
   effectCase(
     'wind, wormhole and field',
@@ -489,7 +488,7 @@ const mixtures = (): EffectCase[] => [
       repulsors: [disc(110, 10, 30)],
       blackHole: disc(178, 144, 5),
     },
-    { sensitivity: 10, fast: 'timeout' },
+    { sensitivity: 10 },
   ),
   effectCase(
     'limit, wormhole, recoil and wind',
@@ -504,7 +503,7 @@ const mixtures = (): EffectCase[] => [
       winds: [wind(100, 0, 200, 5, 5)],
       blackHole: disc(145, 97, 10),
     },
-    { sensitivity: 10, fast: 'timeout' },
+    { sensitivity: 10 },
   ),
   effectCase(
     'everything',
