@@ -129,32 +129,22 @@ export const dragRungeKutta: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h
   cubicFrom(gain, qx, qy, h);
 };
 
-/** The same with constant acceleration, that at the start of the step: first order. */
-export const dragByStart: DragStep = (qx, qy, ax, ay, degree, kappa, chase) =>
-  dragUniformly(qx, qy, ax, ay, degree, kappa, chase, 0);
+/**
+ * The same with constant acceleration. For a target that recoils it is that after `part` of the step: half of it makes second
+ * order. For chasers it is that at the start, which is first order.
+ */
+const dragQuadratic =
+  (part: number): DragStep =>
+  (qx, qy, ax, ay, degree, kappa, chase, h, recoils) => {
+    const own = chase ? 1 : 0;
+    const t = recoils ? part * h : 0;
+    drag(valueAt(ax, degree, t) - own * (qx[0] + qx[1] * t), valueAt(ay, degree, t) - own * (qy[0] + qy[1] * t), kappa, 0);
+    qx[2] = a[0] / 2;
+    qy[2] = a[1] / 2;
+  };
 
-/** With that in the middle of the step a target that recoils is moved to second order; chasers are to first. */
-export const dragByMiddle: DragStep = (qx, qy, ax, ay, degree, kappa, chase, h, recoils) =>
-  dragUniformly(qx, qy, ax, ay, degree, kappa, chase, recoils ? h / 2 : 0);
-
-/** The same with the acceleration that the body has after `t` s of straight motion. */
-function dragUniformly(
-  qx: Float64Array,
-  qy: Float64Array,
-  ax: Float64Array,
-  ay: Float64Array,
-  degree: number,
-  kappa: number,
-  chase: boolean,
-  t: number,
-): void {
-  const own = chase ? 1 : 0;
-  const x = t > 0 ? valueAt(ax, degree, t) : ax[0];
-  const y = t > 0 ? valueAt(ay, degree, t) : ay[0];
-  drag(x - own * (qx[0] + qx[1] * t), y - own * (qy[0] + qy[1] * t), kappa, 0);
-  qx[2] = a[0] / 2;
-  qy[2] = a[1] / 2;
-}
+export const dragByStart = dragQuadratic(0);
+export const dragByMiddle = dragQuadratic(1 / 2);
 
 /**
  * The cubic of a step of length `h`, from what the step adds to straight motion. Working with the differences loses no digits.

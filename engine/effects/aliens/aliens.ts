@@ -118,10 +118,9 @@ function offerAwake(m: Motion, from: number): void {
   const h = s[LENGTH_H];
   // the first two that overlap at their places in the level, asleep; an awake one is handled with its pairs
   let overlap = explosions.length > 0 ? crowd.overlapAtStart() : -1;
-  const mayStand = s[START] === 0 && explosions.length > 0;
   // once two that touch at once are found, all other pairs come later, unless one may stand
   const isEnough = (): boolean =>
-    s[EVENT] <= explode.kind && s[NEXT] - m.sameInstant <= from && (!mayStand || s[ONSET] === STANDS);
+    s[EVENT] <= explode.kind && s[NEXT] - m.sameInstant <= from && (s[START] > 0 || s[ONSET] === STANDS);
   const visit = (i: number, j: number): void => {
     if (overlap >= 0 && explosions[overlap] <= i) {
       offerPair(m, explosions[overlap], explosions[overlap + 1], from);
