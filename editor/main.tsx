@@ -2,15 +2,11 @@ import './core/ui/theme.css';
 import './core/ui/ui.css';
 import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
-import * as z from 'zod';
 import { App, createEditor, openFirstLevel } from './app/index.ts';
 import { loadParts } from './core/panel/index.ts';
 import { FEATURES } from './features/index.ts';
 import './core/ui/touch.css';
 import './core/ui/contrast.css';
-
-// the strict content security policy forbids code made from text
-z.config({ jitless: true });
 
 /** Not awaited by this module: what is loaded later would wait for it. */
 async function open(): Promise<void> {

@@ -70,7 +70,38 @@ export {
   type Verdict,
 } from './basics/index.ts';
 export * from './config/index.ts';
-export * from './edit-api.ts';
+export {
+  CHALLENGE,
+  type DeleteRequest,
+  type DeleteResponse,
+  EDIT_API,
+  EDIT_ERRORS,
+  type EditErrorCode,
+  type EditEvent,
+  type ErrorResponse,
+  type FolderTerms,
+  LEVEL_ID_PART,
+  type LevelEntry,
+  type ListResponse,
+  type OrderRequest,
+  type OrderResponse,
+  type PackOnDisk,
+  type PackRequest,
+  type PackResponse,
+  type PublishRequest,
+  type PublishResponse,
+  type ReadResponse,
+  type RefusedLevel,
+  type RenameRequest,
+  type RestoreRequest,
+  runMessage,
+  type TrashEntry,
+  type TrashResponse,
+  tokenMessage,
+  type WriteRequest,
+  type WriteResponse,
+} from './edit-api/index.ts';
+export * from './edit-schemas.ts';
 export * from './exchange/index.ts';
 export { codeFrame, isSame, type TextPlace } from './json/index.ts';
 export * from './json-schema.ts';

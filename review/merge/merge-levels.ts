@@ -6,10 +6,10 @@ import {
   type LevelFile,
   LIMITS,
   notesInOrder,
-  OBJECT_SCHEMAS,
   type RunNote,
   SINGLE_KINDS,
 } from '../../schema/index.ts';
+import { fits as fitsShape, shapeOfObject } from '../../schema/level/index.ts';
 import { namedNotes } from '../notes.ts';
 import { type Choices, type Conflict, conflictKey, ORDER } from './conflict.ts';
 import {
@@ -48,11 +48,8 @@ function entriesOf(lists: readonly MergedList[], file: Json): Entries {
   return entries;
 }
 
-/** Whether an object can belong to a list of another kind, apart from keys that begin with x-. */
-function fits(list: string, entry: Json): boolean {
-  const plain = Object.entries(entry).filter(([key]) => !key.startsWith('x-'));
-  return OBJECT_SCHEMAS[kindOfList(list as never)].safeParse(Object.fromEntries(plain)).success;
-}
+/** Whether an object can belong to a list of another kind. */
+const fits = (list: string, entry: Json): boolean => fitsShape(entry, shapeOfObject(kindOfList(list as never)));
 
 class Merge {
   readonly conflicts: Conflict[] = [];

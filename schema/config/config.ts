@@ -1,21 +1,7 @@
 import * as z from 'zod';
 import { ADJUSTABLE_CODES, type AdjustableCode, LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/index.ts';
 import { rulesSchema } from '../level-schema.ts';
-
-/** The accuracies that a configuration can name. */
-export const ACCURACY_NAMES = ['arcade', 'fast', 'standard', 'precise'] as const;
-
-/** The formats of reports that a configuration can name. */
-export const REPORTER_NAMES = ['pretty', 'json', 'github', 'junit', 'sarif', 'markdown'] as const;
-
-/** The name of a format of reports. */
-export type ReporterName = (typeof REPORTER_NAMES)[number];
-
-/** The severities that a configuration can set. */
-export const SEVERITIES = ['error', 'warning', 'off'] as const;
-
-/** A severity that a configuration can set. */
-export type ConfiguredSeverity = (typeof SEVERITIES)[number];
+import { ACCURACY_NAMES, type ConfiguredSeverity, REPORTER_NAMES, SEVERITIES } from './names.ts';
 
 /** The severity of problems, by their codes; codes that are left out keep their own. */
 export type SeverityMap = { readonly [code in AdjustableCode]?: ConfiguredSeverity };

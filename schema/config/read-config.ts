@@ -25,7 +25,8 @@ import {
   unknownValue,
   wrongType,
 } from '../level/index.ts';
-import { ACCURACY_NAMES, type ConfigFile, configSchema, REPORTER_NAMES, SEVERITIES, schemaOf } from './config.ts';
+import { type ConfigFile, configSchema, schemaOf } from './config.ts';
+import { ACCURACY_NAMES, REPORTER_NAMES, SEVERITIES } from './names.ts';
 
 /** The outcome of {@link readConfig}: with `ok` true the configuration, otherwise the problems. */
 export type ConfigReading =

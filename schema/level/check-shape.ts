@@ -1,6 +1,6 @@
 import { type Finding, MAX_FINDINGS, OBJECT_LISTS, type Path, quote, toWords } from '../basics/index.ts';
 import { isObject } from '../json/index.ts';
-import { type Contradiction, contradictionsIn, type Fault, findFaults, fitsLevel } from './faults.ts';
+import { type Contradiction, contradictionsIn, type Fault, findFaults, fits } from './faults.ts';
 import { LEVEL_SHAPE, type Shape } from './shape.ts';
 import { found, named, tellFaults, wrongType } from './shape-findings.ts';
 
@@ -61,7 +61,7 @@ function checkRuns(runs: readonly unknown[], level: unknown, into: Finding[]): v
  * @param value - any JSON value
  */
 export function checkShape(value: unknown): Finding[] {
-  if (fitsLevel(value)) return [];
+  if (fits(value, LEVEL_SHAPE)) return [];
   const findings: Finding[] = [];
   if (!isObject(value)) return [wrongType([], 'object', value)];
   checkPart(hollow(value, [...LISTS, 'runs']), LEVEL_SHAPE, [], value, findings);

@@ -1,30 +1,42 @@
 import { OBJECT_LISTS, type Path } from '../basics/index.ts';
 import { isObject } from '../json/index.ts';
-import { LEVEL_SHAPE, type Shape, type ShapesByKey } from './shape.ts';
+import type { Shape, ShapesByKey, ValueOf } from './shape.ts';
 
 type Test = (value: unknown) => boolean;
 
-let test: Test | null = null;
+/** The tests of the shapes that somebody has asked about. */
+const tests = new WeakMap<Shape, Test>();
 
 /**
- * Whether a JSON value has the shape of a level file: keys, types, limits. The functions that test this are made once, of the
- * shape. Nearly every file fits, so only the others are looked through for their faults, which takes several times as long.
+ * Whether a JSON value has a shape: keys, types, limits. The functions that test this are made once, of the shape. Nearly every
+ * file fits, so only the others are looked through for their faults, which takes several times as long.
  */
-export function fitsLevel(value: unknown): boolean {
-  test ??= testOf(LEVEL_SHAPE);
+export function fits<S extends Shape>(value: unknown, shape: S): value is ValueOf<S> & typeof value {
+  let test = tests.get(shape);
+  if (test === undefined) {
+    test = testOf(shape);
+    tests.set(shape, test);
+  }
   return test(value);
 }
 
-function testOf({
+function testOf({ nullable, ...shape }: Shape): Test {
+  const test = bareTestOf(shape);
+  return nullable === true ? (value) => value === null || test(value) : test;
+}
+
+function bareTestOf({
   type,
   least = Number.NEGATIVE_INFINITY,
   most = Number.POSITIVE_INFINITY,
   only,
+  among,
   pattern,
   each,
   keys,
 }: Shape): Test {
   if (only !== undefined) return (value) => value === only;
+  if (among !== undefined) return (value) => among.includes(value as string);
   switch (type) {
     case undefined:
       return () => true;
@@ -91,9 +103,10 @@ function isOfType({ type, only }: Shape, value: unknown): boolean {
 
 /** What is wrong with a value itself; null if that may be said of its entries and keys only. */
 function ownFault(value: unknown, shape: Shape): Fault['what'] | null {
-  const { only, least = Number.NEGATIVE_INFINITY, most = Number.POSITIVE_INFINITY, pattern } = shape;
+  const { only, among, least = Number.NEGATIVE_INFINITY, most = Number.POSITIVE_INFINITY, pattern } = shape;
   if (!isOfType(shape, value)) return 'wrong-type';
   if (only !== undefined) return value === only ? null : 'other-value';
+  if (among !== undefined) return among.includes(value as string) ? null : 'other-value';
   const size = typeof value === 'number' ? value : ((value as { readonly length?: number } | null)?.length ?? 0);
   if (shape.type !== undefined && shape.type !== 'object' && shape.type !== 'boolean') {
     if (size < least) return 'too-small';
@@ -109,6 +122,7 @@ function ownFault(value: unknown, shape: Shape): Fault['what'] | null {
  * @param tell - gets each fault; it may throw to end the search
  */
 export function findFaults(value: unknown, shape: Shape, path: Path, tell: (fault: Fault) => void): void {
+  if (value === null && shape.nullable) return;
   const own = ownFault(value, shape);
   if (own !== null) {
     tell({ what: own, path, value, shape });

@@ -43,6 +43,10 @@ export interface Shape {
   readonly most?: number;
   /** The only value that may stand here. */
   readonly only?: unknown;
+  /** Of a text: the only ones that may stand here. */
+  readonly among?: readonly string[];
+  /** Whether null may stand here, too. */
+  readonly nullable?: true;
   /** A regular expression that a text must match. */
   readonly pattern?: string;
   /** The shape of every entry of a list. */
@@ -58,17 +62,20 @@ export interface Shape {
 /** The shapes of an object's values. */
 export type ShapesByKey = { readonly [key: string]: Shape };
 
-const number = (least: number, most: number) => ({ type: 'number', least, most }) as const;
-const whole = (least: number, most: number) => ({ type: 'integer', least, most }) as const;
-const text = (least?: number, most?: number, pattern?: RegExp) =>
+export const number = (least: number, most: number) => ({ type: 'number', least, most }) as const;
+export const whole = (least: number, most: number) => ({ type: 'integer', least, most }) as const;
+export const text = (least?: number, most?: number, pattern?: RegExp) =>
   ({ type: 'string', least, most, pattern: pattern?.source }) as const;
-const listOf = <S extends Shape>(each: S, most: number) => ({ type: 'array', most, each }) as const;
+export const listOf = <S extends Shape>(each: S, most: number) => ({ type: 'array', most, each }) as const;
 const pairOf = <S extends Shape>(each: S) => ({ type: 'array', least: 2, most: 2, each }) as const;
-const object = <K extends ShapesByKey>(keys: K) => ({ type: 'object', keys }) as const;
-const flag = { type: 'boolean' } as const;
+export const object = <K extends ShapesByKey>(keys: K) => ({ type: 'object', keys }) as const;
+export const flag = { type: 'boolean' } as const;
 const any = {} as const;
 
-const optional = <S extends Shape>(shape: S, usual?: unknown) => ({ ...shape, optional: true as const, usual });
+export const oneOf = <const T extends string>(among: readonly T[]) => ({ type: 'string', among }) as const;
+export const orNull = <S extends Shape>(shape: S) => ({ ...shape, nullable: true as const });
+
+export const optional = <S extends Shape>(shape: S, usual?: unknown) => ({ ...shape, optional: true as const, usual });
 
 /** The shapes of an object's values, made from its keys. */
 function byKey<K extends string, S extends Shape>(keys: readonly K[], shapeOf: (key: K) => S) {
@@ -146,21 +153,24 @@ export const LEVEL_SHAPE = object({
 });
 
 /** What a value of a shape is. */
-type ValueOf<S> = S extends { readonly only: infer V }
+export type ValueOf<S> = S extends { readonly nullable: true } ? BareValueOf<S> | null : BareValueOf<S>;
+type BareValueOf<S> = S extends { readonly only: infer V }
   ? V
-  : S extends { readonly type: 'number' | 'integer' }
-    ? number
-    : S extends { readonly type: 'boolean' }
-      ? boolean
-      : S extends { readonly type: 'string' }
-        ? string
-        : S extends { readonly least: 2; readonly each: infer E }
-          ? [ValueOf<E>, ValueOf<E>]
-          : S extends { readonly each: infer E }
-            ? ValueOf<E>[]
-            : S extends { readonly keys: infer K }
-              ? ObjectOf<K>
-              : unknown;
+  : S extends { readonly among: readonly (infer V)[] }
+    ? V
+    : S extends { readonly type: 'number' | 'integer' }
+      ? number
+      : S extends { readonly type: 'boolean' }
+        ? boolean
+        : S extends { readonly type: 'string' }
+          ? string
+          : S extends { readonly least: 2; readonly each: infer E }
+            ? [ValueOf<E>, ValueOf<E>]
+            : S extends { readonly each: infer E }
+              ? ValueOf<E>[]
+              : S extends { readonly keys: infer K }
+                ? ObjectOf<K>
+                : unknown;
 type OptionalIn<K> = { [key in keyof K]: K[key] extends { readonly optional: true } ? key : never }[keyof K];
 type ObjectOf<K> = Flat<
   { -readonly [key in Exclude<keyof K, OptionalIn<K>>]: ValueOf<K[key]> } & {
@@ -171,6 +181,12 @@ type Flat<T> = { [key in keyof T]: T[key] };
 
 /** The content of a level file: what may be left out may be missing. */
 export type LevelFile = ValueOf<typeof LEVEL_SHAPE>;
+
+/** The shape of an object of a kind in a level file. */
+export function shapeOfObject<K extends ObjectKind>(kind: K): ObjectShape<K> {
+  const shape: Shape = (LEVEL_SHAPE.keys as ShapesByKey)[KINDS[kind].list ?? kind];
+  return (shape.each ?? shape) as unknown as ObjectShape<K>;
+}
 
 /** The objects of a kind in a level file, as they are written. */
 export function objectsOfFile(file: LevelFile, kind: ObjectKind): readonly Json[] {

@@ -1,64 +1,6 @@
-import * as z from 'zod';
+import type * as z from 'zod';
 import { block, entriesOf, inline } from '../json/index.ts';
-
-/** The version of the pack file that this toolkit reads and writes. */
-export const PACK_VERSION = 1;
-
-/** The name of the file that says in which order the levels of its folder are played. */
-export const PACK_NAME = 'pack.json';
-
-/** Limits of a pack file. */
-export const PACK_LIMITS = {
-  /** characters of the name of a pack or a chapter */
-  name: 120,
-  /** characters of the id of a level */
-  id: 4096,
-  /** entries of the list */
-  entries: 20_000,
-  /** things that a level introduces */
-  introduces: 50,
-} as const;
-
-/** Some visible characters on one line. */
-const name = z
-  .string()
-  .max(PACK_LIMITS.name)
-  .regex(/^(?=.*\S)[^\p{Cc}\p{Zl}\p{Zp}]*$/su);
-
-const id = z
-  .string()
-  .min(1)
-  .max(PACK_LIMITS.id)
-  .describe('Path of a level below the folder, with slashes, without .level.json: "07-slingshot", "world-2/01-start".');
-
-const levelEntrySchema = z
-  .strictObject({
-    level: id,
-    introduces: z
-      .array(z.string().min(1).max(PACK_LIMITS.id))
-      .min(1)
-      .max(PACK_LIMITS.introduces)
-      .optional()
-      .describe('The effects that players are meant to meet here for the first time, by the names that gq inspect gives.'),
-  })
-  .describe('A level, and what it is for.');
-
-const chapterEntrySchema = z
-  .strictObject({ chapter: name.describe('The heading of the levels that follow, up to the next chapter.') })
-  .describe('The beginning of a chapter.');
-
-/** The zod schema of a pack file. */
-export const packSchema = z
-  .strictObject({
-    $schema: z.string().optional().describe('Where the JSON Schema of this file is, for editors.'),
-    version: z.literal(PACK_VERSION).describe('The version of the format.'),
-    name: name.describe('The name of the pack: the title of the page that gq build makes.'),
-    levels: z
-      .array(z.union([id, levelEntrySchema, chapterEntrySchema]))
-      .max(PACK_LIMITS.entries)
-      .describe('The levels in the order in which they are played, and the headings of chapters between them.'),
-  })
-  .describe('The order of the levels of a folder. Keys that begin with x- are yours: they are kept and not checked.');
+import type { levelEntrySchema, packSchema } from './pack-schema.ts';
 
 /** A pack file: the order of the levels of its folder. */
 export type PackFile = z.infer<typeof packSchema>;
@@ -87,8 +29,11 @@ export const levelsOfPack = ({ levels }: Pick<PackFile, 'levels'>): string[] => 
   ...new Set(levels.flatMap((entry) => levelOfEntry(entry) ?? [])),
 ];
 
-const KEYS = Object.keys(packSchema.shape);
-const ENTRY_KEYS = ['chapter', ...Object.keys(levelEntrySchema.shape)];
+const keysOf = <T>(keys: Readonly<Record<keyof T, true>>): string[] => Object.keys(keys);
+
+/** The keys of a pack file, in the order of the canonical layout. */
+export const KEYS = keysOf<PackFile>({ $schema: true, version: true, name: true, levels: true });
+const ENTRY_KEYS = ['chapter', ...keysOf<z.infer<typeof levelEntrySchema>>({ level: true, introduces: true })];
 
 /** An entry in its shortest form: a level of which nothing else is said is its id. */
 function formatEntry(entry: PackEntry): string {

@@ -10,7 +10,8 @@ import {
 } from '../basics/index.ts';
 import { isObject, readJson, type TextPlace, toProblems, withoutExtensions } from '../json/index.ts';
 import { found, unknownKey } from '../level/index.ts';
-import { PACK_LIMITS, PACK_VERSION, type PackFile, packSchema } from './pack.ts';
+import { PACK_LIMITS, PACK_VERSION } from './limits.ts';
+import { KEYS, type PackFile } from './pack.ts';
 
 /** The outcome of {@link readPack}: with `ok` true the pack, otherwise the problems. */
 export type PackReading =
@@ -57,7 +58,6 @@ export function readPack(source: Uint8Array | string): PackReading {
   return { ok: true, pack: value as PackFile, text, locate };
 }
 
-const KEYS = Object.keys(packSchema.shape);
 const LEVEL_KEYS = ['level', 'introduces'];
 const CHAPTER_KEYS = ['chapter'];
 
@@ -191,7 +191,7 @@ const MISSING: Readonly<Record<'version' | 'name' | 'levels', string>> = {
   levels: 'Add "levels", a list of the ids of levels in the order in which they are played.',
 };
 
-/** Checks a JSON value without x- keys against {@link packSchema}: keys, types, limits. */
+/** Checks a JSON value without x- keys against `packSchema`: keys, types, limits. */
 function checkPackShape(value: unknown): Finding[] {
   if (!isObject(value)) {
     const message = `expected the order of a pack (an object in { }), found ${formatValue(value)}`;

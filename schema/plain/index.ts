@@ -7,7 +7,7 @@ import {
   contradictionsIn,
   type Fault,
   findFaults,
-  fitsLevel,
+  fits,
   type JsonObject,
   LEVEL_SHAPE,
   type LevelFile,
@@ -58,7 +58,7 @@ export interface ReadPlainLevelOptions {
 export function readPlainLevel(source: string | Uint8Array, { rules = {} }: ReadPlainLevelOptions = {}): PlainLevelReading {
   try {
     const file = migrated(parseJson(textOf(source)));
-    if (!fitsLevel(file)) findFaults(file, LEVEL_SHAPE, [], failShape);
+    if (!fits(file, LEVEL_SHAPE)) findFaults(file, LEVEL_SHAPE, [], failShape);
     for (const { path, ...contradiction } of contradictionsIn(file)) {
       if (contradiction.what === 'repeated') fail(`expected ${inWords(contradiction.name)} once, found it twice`, path);
       else fail(`expected a release after the press ${contradiction.press}, found ${contradiction.release}`, path);

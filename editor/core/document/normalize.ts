@@ -6,18 +6,16 @@ import {
   type LevelFile,
   LIMITS,
   LINE_BREAK,
-  levelSchema,
   OBJECT_KINDS,
   OBJECT_LISTS,
-  OBJECT_SCHEMAS,
   type ObjectKind,
   type ObjectList,
   RULE_NAMES,
   RULES,
-  rulesSchema,
   SINGLE_KINDS,
   withIds,
 } from '../../../schema/index.ts';
+import { fits, LEVEL_SHAPE, RULES_SHAPE, type Shape, shapeOfObject } from '../../../schema/level/index.ts';
 
 /** Why a change was refused, for the user. */
 export interface Refusal {
@@ -41,17 +39,17 @@ export function normalize(file: LevelFile, before: LevelFile | null): Normalized
   }
 }
 
-const { shape } = levelSchema;
-const LEVEL: Fields = { shape, limits: { range: [LIMITS.leastRadius, LIMITS.radius] }, required: [] };
+const { keys } = LEVEL_SHAPE;
+const LEVEL: Fields = { keys, limits: { range: [LIMITS.leastRadius, LIMITS.radius] }, required: [] };
 const OF_RULES: Fields = {
-  shape: rulesSchema.shape,
+  keys: RULES_SHAPE.keys,
   limits: Object.fromEntries(RULE_NAMES.map((name) => [name, [RULES[name].least, RULES[name].most]])),
   required: [],
 };
 function fieldsOfKind(kind: ObjectKind): Fields {
   const fields = fieldsOf(kind);
   return {
-    shape: OBJECT_SCHEMAS[kind].shape,
+    keys: shapeOfObject(kind).keys,
     limits: Object.fromEntries(
       fields.flatMap(([name, field]) => (field.type === 'number' ? [[name, [field.least, field.most]]] : [])),
     ),
@@ -147,9 +145,9 @@ function normalizeTop(file: LevelFile, before: LevelFile | null): LevelFile {
   return normalized;
 }
 
-const { shape: runShape } = levelSchema.shape.runs.unwrap().element;
-const RUN: Fields = { shape: runShape, limits: {}, required: [] };
-const NOTE: Fields = { shape: runShape.notes.unwrap().element.shape, limits: {}, required: ['tick', 'text'] };
+const { keys: ofRun } = keys.runs.each;
+const RUN: Fields = { keys: ofRun, limits: {}, required: [] };
+const NOTE: Fields = { keys: ofRun.notes.each.keys, limits: {}, required: ['tick', 'text'] };
 
 const LONGEST_RUN_NAME = 80;
 
@@ -214,11 +212,10 @@ function normalizeRun(value: RunFile): RunFile {
 }
 
 type Json = { [key: string]: unknown };
-type Shape = { readonly [key: string]: { safeParse(value: unknown): { success: boolean } } };
 
 /** The fields that an object of a file may have. */
 interface Fields {
-  readonly shape: Shape;
+  readonly keys: { readonly [key: string]: Shape };
   /** The ranges of its numbers. */
   readonly limits: Readonly<Record<string, readonly [least: number, most: number]>>;
   /** Its required fields. */
@@ -251,7 +248,7 @@ function cut(text: string, most: number): string {
 /** The normalized value of a field; undefined omits it. */
 function normalizeField(key: string, value: unknown, fields: Fields, what: string): unknown {
   if (value === undefined || key.startsWith('x-')) return value;
-  if (!Object.hasOwn(fields.shape, key)) refuse(`${what} has no ${key}`, 'Custom keys begin with x-.');
+  if (!Object.hasOwn(fields.keys, key)) refuse(`${what} has no ${key}`, 'Custom keys begin with x-.');
   if (typeof value === 'number' && Object.hasOwn(fields.limits, key)) {
     if (Number.isNaN(value)) refuse(`${key} of ${what} would not be a number`, 'Type a number.');
     const [least, most] = fields.limits[key];
@@ -260,8 +257,7 @@ function normalizeField(key: string, value: unknown, fields: Fields, what: strin
   }
   if (typeof value === 'string' && Object.hasOwn(TEXT_LIMITS, key)) return cut(value, TEXT_LIMITS[key]);
   if (key === 'id') return typeof value === 'string' && ID.test(value) ? value : undefined;
-  if (!fields.shape[key].safeParse(value).success)
-    refuse(`${key} of ${what} can't be ${JSON.stringify(value)}`, 'Give it another value.');
+  if (!fits(value, fields.keys[key])) refuse(`${key} of ${what} can't be ${JSON.stringify(value)}`, 'Give it another value.');
   return value;
 }
 

@@ -1,4 +1,5 @@
-import { EDIT_API, keyResponseSchema, runMessage, runResponseSchema, tokenMessage } from '../../../schema/index.ts';
+import { EDIT_API, KEY_RESPONSE, RUN_RESPONSE, runMessage, tokenMessage } from '../../../schema/edit-api/index.ts';
+import { fits } from '../../../schema/level/index.ts';
 
 const KEY_KEPT = 'gravity-quest-editor-key';
 
@@ -53,9 +54,9 @@ export function createPageKey(page: KeyPage): PageKey {
     const key = known();
     if (key === null) return null;
     const challenge = base64url(crypto.getRandomValues(new Uint8Array(32)));
-    const run = runResponseSchema.safeParse(await get(`${EDIT_API.RUN}?challenge=${challenge}`, {}));
-    if (!run.success) return null;
-    const { nonce, proof } = run.data;
+    const run = await get(`${EDIT_API.RUN}?challenge=${challenge}`, {});
+    if (!fits(run, RUN_RESPONSE)) return null;
+    const { nonce, proof } = run;
     if (proof !== (await sign(page, key, runMessage(portOf(location), challenge, nonce)))) return null;
     const token = await sign(page, key, tokenMessage(nonce));
     keepToken(page, token);
@@ -64,8 +65,8 @@ export function createPageKey(page: KeyPage): PageKey {
   return {
     async learn(token) {
       try {
-        const answer = keyResponseSchema.safeParse(await get(EDIT_API.KEY, { [EDIT_API.TOKEN_HEADER]: token }));
-        if (answer.success) page.sessionStorage.setItem(KEY_KEPT, answer.data.key);
+        const answer = await get(EDIT_API.KEY, { [EDIT_API.TOKEN_HEADER]: token });
+        if (fits(answer, KEY_RESPONSE)) page.sessionStorage.setItem(KEY_KEPT, answer.key);
       } catch {
         // the tab stores nothing, or the server does not answer: it says after a restart what to open
       }

@@ -1,26 +1,26 @@
-import type * as z from 'zod';
 import {
+  DELETE_RESPONSE,
   type DeleteRequest,
-  deleteResponseSchema,
   EDIT_API,
   EDIT_ERRORS,
   type EditEvent,
-  editEventSchema,
-  errorResponseSchema,
-  listResponseSchema,
+  ERROR_RESPONSE,
+  isEditEvent,
+  LIST_RESPONSE,
+  ORDER_RESPONSE,
   type OrderRequest,
-  orderResponseSchema,
+  PACK_RESPONSE,
   type PackRequest,
+  PUBLISH_RESPONSE,
   type PublishRequest,
-  packResponseSchema,
-  publishResponseSchema,
+  READ_RESPONSE,
   type RenameRequest,
   type RestoreRequest,
-  readResponseSchema,
-  trashResponseSchema,
+  TRASH_RESPONSE,
+  WRITE_RESPONSE,
   type WriteRequest,
-  writeResponseSchema,
-} from '../../../schema/index.ts';
+} from '../../../schema/edit-api/index.ts';
+import { fits, type Shape, type ValueOf } from '../../../schema/level/index.ts';
 import { type Answer, type LevelStorage, type Link, storageError } from './level-storage.ts';
 import type { PageKey } from './page-access.ts';
 import { pageTimers, type Timers } from './timers.ts';
@@ -89,13 +89,13 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
   const { origin, client, fetch, timers = pageTimers } = options;
   const token = tokenOf(options);
 
-  const ask = async <T>(
+  const ask = async <S extends Shape>(
     method: string,
     path: string,
-    schema: z.ZodType<T>,
+    shape: S,
     headers: Fields,
     body?: object,
-  ): Promise<Answer<T>> => {
+  ): Promise<Answer<ValueOf<S>>> => {
     const given = token.now();
     let response: Response;
     let value: unknown;
@@ -115,19 +115,15 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       return { ok: false, error: UNREACHABLE };
     }
     if (response.ok) {
-      const parsed = schema.safeParse(value);
-      if (parsed.success) return { ok: true, value: parsed.data };
-    } else {
-      const parsed = errorResponseSchema.safeParse(value);
-      if (parsed.success) {
-        const { code, message, hint, problems = [], current = null, ...lists } = parsed.data.error;
-        if (code === 'wrong-token') {
-          // nothing was done: the request is sent again
-          if (await token.renewed(given)) return ask(method, path, schema, headers, body);
-          return { ok: false, error: given === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
-        }
-        return { ok: false, error: { code, message, hint, problems, current, ...lists } };
+      if (fits(value, shape)) return { ok: true, value };
+    } else if (fits(value, ERROR_RESPONSE)) {
+      const { code, message, hint, problems = [], current = null, ...lists } = value.error;
+      if (code === 'wrong-token') {
+        // nothing was done: the request is sent again
+        if (await token.renewed(given)) return ask(method, path, shape, headers, body);
+        return { ok: false, error: given === '' ? NO_TOKEN : storageError(code, message, OPEN_AGAIN) };
       }
+      return { ok: false, error: { code, message, hint, problems, current, ...lists } };
     }
     const hint = 'are the page and gq edit of the same version? Reload the page';
     return {
@@ -135,9 +131,9 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
       error: storageError('unexpected', `the server gave an unexpected answer (${response.status})`, hint),
     };
   };
-  const get = <T>(path: string, schema: z.ZodType<T>) => ask('GET', path, schema, {});
-  const post = <T>(path: string, schema: z.ZodType<T>, body: object, headers: Fields = {}) =>
-    ask('POST', path, schema, headers, body);
+  const get = <S extends Shape>(path: string, shape: S) => ask('GET', path, shape, {});
+  const post = <S extends Shape>(path: string, shape: S, body: object, headers: Fields = {}) =>
+    ask('POST', path, shape, headers, body);
   const level = (id: string) => `${EDIT_API.LEVEL}?id=${encodeURIComponent(id)}`;
   const picked = async <T, U>(answer: Promise<Answer<T>>, pick: (value: T) => U): Promise<Answer<U>> => {
     const given = await answer;
@@ -147,42 +143,42 @@ export function createServerStorage(options: ServerOptions): LevelStorage {
   return {
     kind: 'server',
     lasts: true,
-    list: () => get(EDIT_API.LEVELS, listResponseSchema),
-    read: (id) => get(level(id), readResponseSchema),
+    list: () => get(EDIT_API.LEVELS, LIST_RESPONSE),
+    read: (id) => get(level(id), READ_RESPONSE),
     write(id, text, base) {
       const headers: Fields = base === null ? { 'If-None-Match': '*' } : { 'If-Match': base };
       const body: WriteRequest = { text, client };
-      return picked(ask('PUT', level(id), writeResponseSchema, headers, body), ({ entry }) => entry);
+      return picked(ask('PUT', level(id), WRITE_RESPONSE, headers, body), ({ entry }) => entry);
     },
     rename(id, to, base) {
       const body: RenameRequest = { id, to, client };
-      return picked(post(EDIT_API.RENAME, writeResponseSchema, body, { 'If-Match': base }), ({ entry }) => entry);
+      return picked(post(EDIT_API.RENAME, WRITE_RESPONSE, body, { 'If-Match': base }), ({ entry }) => entry);
     },
     duplicate(id, to, base) {
       const body: RenameRequest = { id, to, client };
-      return picked(post(EDIT_API.DUPLICATE, writeResponseSchema, body, { 'If-Match': base }), ({ entry }) => entry);
+      return picked(post(EDIT_API.DUPLICATE, WRITE_RESPONSE, body, { 'If-Match': base }), ({ entry }) => entry);
     },
     remove(id, base) {
       const body: DeleteRequest = { id, client };
-      return post(EDIT_API.DELETE, deleteResponseSchema, body, { 'If-Match': base });
+      return post(EDIT_API.DELETE, DELETE_RESPONSE, body, { 'If-Match': base });
     },
-    trash: () => picked(get(EDIT_API.TRASH, trashResponseSchema), ({ trash }) => trash),
+    trash: () => picked(get(EDIT_API.TRASH, TRASH_RESPONSE), ({ trash }) => trash),
     restore(trash, to) {
       const body: RestoreRequest = { trash, client, ...(to === undefined ? {} : { to }) };
-      return picked(post(EDIT_API.RESTORE, writeResponseSchema, body), ({ entry }) => entry);
+      return picked(post(EDIT_API.RESTORE, WRITE_RESPONSE, body), ({ entry }) => entry);
     },
     order(folder, ids) {
       const body: OrderRequest = { folder, ids: [...ids], client };
-      return post(EDIT_API.ORDER, orderResponseSchema, body);
+      return post(EDIT_API.ORDER, ORDER_RESPONSE, body);
     },
     writePack(text, base) {
       const headers: Fields = base === null ? { 'If-None-Match': '*' } : { 'If-Match': base };
       const body: PackRequest = { text, client };
-      return picked(ask('PUT', EDIT_API.PACK, packResponseSchema, headers, body), ({ pack }) => pack);
+      return picked(ask('PUT', EDIT_API.PACK, PACK_RESPONSE, headers, body), ({ pack }) => pack);
     },
     publish(wanted) {
       const body: PublishRequest = { ...wanted, client };
-      return post(EDIT_API.PUBLISH, publishResponseSchema, body);
+      return post(EDIT_API.PUBLISH, PUBLISH_RESPONSE, body);
     },
     watch(onEvent, onLink) {
       // without a token, the server reports nothing
@@ -276,8 +272,8 @@ function eventsOf(block: string): EditEvent[] {
     .join('\n');
   if (data === '') return [];
   try {
-    const parsed = editEventSchema.safeParse(JSON.parse(data));
-    return parsed.success ? [parsed.data] : [];
+    const event: unknown = JSON.parse(data);
+    return isEditEvent(event) ? [event] : [];
   } catch {
     return [];
   }

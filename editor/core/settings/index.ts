@@ -1,38 +1,38 @@
-import * as z from 'zod';
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { ACCURACY_NAMES } from '../../../schema/index.ts';
+import { fits, flag, number, object, oneOf, orNull, type Shape, text, type ValueOf } from '../../../schema/level/index.ts';
 
-const settingsSchema = z.object({
-  theme: z.enum(['system', 'dark', 'light']),
+const SETTINGS = object({
+  theme: oneOf(['system', 'dark', 'light']),
   /** The renderer; a page keeps the one it started with. */
-  renderer: z.enum(['automatic', 'webgl', 'canvas']),
+  renderer: oneOf(['automatic', 'webgl', 'canvas']),
   /** px between grid lines */
-  grid: z.number().min(1).max(256),
-  snapToGrid: z.boolean(),
-  snapToObjects: z.boolean(),
+  grid: number(1, 256),
+  snapToGrid: flag,
+  snapToObjects: flag,
   /** Whether rulers stand along the canvas. */
-  rulers: z.boolean(),
+  rulers: flag,
   /** Whether the whole level is shown in a corner while part of it is out of view. */
-  minimap: z.boolean(),
-  sound: z.boolean(),
+  minimap: flag,
+  sound: flag,
   /** 0 to 1 */
-  volume: z.number().min(0).max(1),
+  volume: number(0, 1),
   /** `KeyboardEvent.code` of the gun key in a playtest */
-  gunKey: z.string(),
+  gunKey: text(),
   /** Whether the run's path is shown in a playtest as well. */
-  runInPlay: z.boolean(),
+  runInPlay: flag,
   /** Whether the holds of the shown run are re-timed when a change of the level breaks it. */
-  keepAlive: z.boolean(),
-  reduceMotion: z.enum(['system', 'yes', 'no']),
+  keepAlive: flag,
+  reduceMotion: oneOf(['system', 'yes', 'no']),
   /** The accuracy at which the open level is shown; null: that at which `gq check` judges the folder. */
-  otherAccuracy: z.enum(ACCURACY_NAMES).nullable(),
-  tourSeen: z.boolean(),
+  otherAccuracy: orNull(oneOf(ACCURACY_NAMES)),
+  tourSeen: flag,
   /** The address of a published page, for links that only play a level; '': none is known. */
-  playPage: z.string().max(2000),
+  playPage: text(undefined, 2000),
 });
 
 /** The user's preferences, kept in this browser for all levels. */
-export type Settings = z.infer<typeof settingsSchema>;
+export type Settings = ValueOf<typeof SETTINGS>;
 export type SettingsStore = StoreApi<Settings>;
 
 const DEFAULTS: Settings = {
@@ -61,8 +61,7 @@ const KEY = 'gravity-quest-editor-settings';
  * must not hide the folder's.
  */
 function formerAccuracy({ accuracy }: { readonly accuracy?: unknown }): Settings['otherAccuracy'] {
-  const read = settingsSchema.shape.otherAccuracy.safeParse(accuracy);
-  return read.success && read.data !== 'precise' ? read.data : null;
+  return fits(accuracy, SETTINGS.keys.otherAccuracy) && accuracy !== 'precise' ? accuracy : null;
 }
 
 /** Reads the stored settings one by one: an invalid one falls back to its default without affecting the others. */
@@ -75,9 +74,9 @@ function restored(text: string | null): Settings {
   }
   if (typeof kept !== 'object' || kept === null) return DEFAULTS;
   const settings: Record<string, unknown> = { ...DEFAULTS, otherAccuracy: formerAccuracy(kept) };
-  for (const [name, field] of Object.entries(settingsSchema.shape)) {
-    const value = field.safeParse((kept as Record<string, unknown>)[name]);
-    if (value.success) settings[name] = value.data;
+  for (const [name, shape] of Object.entries<Shape>(SETTINGS.keys)) {
+    const value = (kept as Record<string, unknown>)[name];
+    if (fits(value, shape)) settings[name] = value;
   }
   return settings as Settings;
 }

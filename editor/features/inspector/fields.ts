@@ -3,10 +3,10 @@ import {
   fieldsOf as fieldsOfKind,
   KINDS,
   type LevelFile,
-  levelJsonSchema,
   type ObjectKind,
   resolveLevel,
 } from '../../../schema/index.ts';
+import { LEVEL_SHAPE, LEVEL_WORDS, type Shape } from '../../../schema/level/index.ts';
 import type { FoundObject } from '../../core/document/index.ts';
 
 /** A property that can be edited. */
@@ -33,16 +33,6 @@ export interface Field {
 /** What the inspector can show. */
 export type Subject = ObjectKind | 'level';
 
-interface JsonSchema {
-  readonly type?: string;
-  readonly description?: string;
-  readonly minimum?: number;
-  readonly maximum?: number;
-  readonly maxLength?: number;
-  readonly properties?: Readonly<Record<string, JsonSchema>>;
-  readonly required?: readonly string[];
-}
-
 interface Fields {
   readonly about: string;
   readonly fields: readonly Field[];
@@ -53,34 +43,32 @@ const TYPES: Readonly<Record<string, Field['type']>> = { number: 'number', strin
 /** Set by the format, not by users. */
 const NOT_TYPED: ReadonlySet<string> = new Set(['$schema', 'version']);
 
-/** The fields of the level itself, from its schema. */
+/** The fields of the level itself, from its shape. */
 function fieldsOfLevel(): Fields {
-  const schema = levelJsonSchema() as JsonSchema;
   const at = { x: 0, y: 0 };
   // a level with nothing but the required properties
   const defaults = resolveLevel({ version: 1, name: 'level', astronaut: at, blackHole: at }) as unknown as Readonly<
     Record<string, unknown>
   >;
-  const fields = Object.entries(schema.properties ?? {}).flatMap(([key, property]): Field[] => {
-    const type = TYPES[property.type ?? ''];
+  const fields = Object.entries<Shape>(LEVEL_SHAPE.keys).flatMap(([key, shape]): Field[] => {
+    const type = TYPES[shape.type ?? ''];
     if (type === undefined || NOT_TYPED.has(key)) return [];
-    const about = property.description ?? '';
     return [
       {
         key,
         label: key === 'description' ? 'about' : key,
         type,
-        least: property.minimum ?? 0,
-        most: property.maximum ?? property.maxLength ?? Number.POSITIVE_INFINITY,
+        least: type === 'number' ? (shape.least ?? 0) : 0,
+        most: shape.most ?? Number.POSITIVE_INFINITY,
         step: 1,
-        about,
+        about: LEVEL_WORDS[key] ?? '',
         unit: type === 'number' ? 'px' : null,
-        fallback: schema.required?.includes(key) === true ? undefined : (defaults[key] as Field['fallback']),
+        fallback: shape.optional === true ? (defaults[key] as Field['fallback']) : undefined,
         ends: ['off', 'on'],
       },
     ];
   });
-  return { about: schema.description ?? '', fields };
+  return { about: LEVEL_WORDS[''], fields };
 }
 
 const fieldsOfObjects = (kind: ObjectKind): Fields => ({
