@@ -1,9 +1,9 @@
 import { Activity } from 'lucide-react';
-import { type ReactNode, useEffect, useState } from 'react';
-import { Group, Panel, Separator, usePanelRef } from 'react-resizable-panels';
+import { type ReactNode, useState } from 'react';
 import { mediaOf, useEditor, useMedia, useSession } from '../core/context/index.ts';
 import { Button } from '../core/ui/index.ts';
 import { useProblemCount } from '../features/index.ts';
+import { Divided, type DividedProps } from './Divided.tsx';
 import type { SidePanel } from './panels.tsx';
 
 interface LayoutProps {
@@ -42,38 +42,20 @@ function NarrowLayout({ canvas, timeline, panels }: LayoutProps) {
 }
 
 /** Two panels, one above the other. */
-function Side({
-  id,
-  parts,
-  share,
-  isLine = false,
-}: {
-  readonly id: string;
-  readonly parts: readonly [ReactNode, ReactNode];
-  readonly share: string;
-  /** The lower panel is collapsed to one line. */
-  readonly isLine?: boolean;
-}) {
-  const lower = usePanelRef();
-  useEffect(() => {
-    if (isLine) lower.current?.collapse();
-    else lower.current?.expand();
-  }, [isLine, lower]);
-  return (
-    <Group orientation="vertical" id={id}>
-      <Panel id={`${id}-top`} minSize="80px">
-        <div className="region">{parts[0]}</div>
-      </Panel>
-      <Separator className="divider" />
-      <Panel id={`${id}-bottom`} panelRef={lower} defaultSize={share} minSize="80px" collapsible collapsedSize={LINE}>
-        <div className="region">{parts[1]}</div>
-      </Panel>
-    </Group>
-  );
+function Side({ parts: [upper, lower], ...own }: Pick<DividedProps, 'id' | 'parts' | 'size' | 'isLine'>) {
+  const parts = [
+    <div key="upper" className="region">
+      {upper}
+    </div>,
+    <div key="lower" className="region">
+      {lower}
+    </div>,
+  ] as const;
+  return <Divided {...own} as="column" parts={parts} sized={1} least={80} rest="80px" line={LINE} />;
 }
 
 /** px of a panel that is collapsed to one line */
-const LINE = '40px';
+const LINE = 40;
 
 /** initial height of the timeline in px, and the largest share of a low page that it takes */
 const TIMELINE = { height: 230, share: 0.3 } as const;
@@ -82,41 +64,40 @@ const TIMELINE = { height: 230, share: 0.3 } as const;
 function WideLayout({ left, canvas, right, timeline }: LayoutProps) {
   const nothingWrong = useProblemCount() === 0;
   const [timelineHeight] = useState(() => Math.round(Math.min(TIMELINE.height, TIMELINE.share * window.innerHeight)));
-  return (
-    <Group className="regions" orientation="horizontal" id="regions">
-      <Panel id="left" defaultSize="250px" minSize="180px" maxSize="420px" groupResizeBehavior="preserve-pixel-size">
-        <aside className="region" aria-label="Levels and objects">
-          <Side id="left-side" parts={left} share="55%" />
-        </aside>
-      </Panel>
-      <Separator className="divider" />
-      <Panel id="middle" minSize="320px">
-        <Group orientation="vertical" id="middle-regions">
-          <Panel id="canvas" minSize="55%">
-            <main className="region region--canvas">{canvas}</main>
-          </Panel>
-          <Separator className="divider" />
-          <Panel
-            id="timeline"
-            defaultSize={`${timelineHeight}px`}
-            minSize="120px"
-            maxSize="420px"
-            groupResizeBehavior="preserve-pixel-size"
-          >
-            <section className="region" aria-label="Timeline">
-              {timeline}
-            </section>
-          </Panel>
-        </Group>
-      </Panel>
-      <Separator className="divider" />
-      <Panel id="right" defaultSize="300px" minSize="220px" maxSize="520px" groupResizeBehavior="preserve-pixel-size">
-        <aside className="region" aria-label="Inspector and problems">
-          <Side id="right-side" parts={right} share="30%" isLine={nothingWrong} />
-        </aside>
-      </Panel>
-    </Group>
+  const leftSide = (
+    <aside className="region" aria-label="Levels and objects">
+      <Side id="left-side" parts={left} size="55%" />
+    </aside>
   );
+  const rightSide = (
+    <aside className="region" aria-label="Inspector and problems">
+      <Side id="right-side" parts={right} size="30%" isLine={nothingWrong} />
+    </aside>
+  );
+  const middle = (
+    <Divided
+      id="middle"
+      as="column"
+      parts={[
+        <main key="canvas" className="region region--canvas">
+          {canvas}
+        </main>,
+        <section key="timeline" className="region" aria-label="Timeline">
+          {timeline}
+        </section>,
+      ]}
+      sized={1}
+      size={`${timelineHeight}px`}
+      least={120}
+      most={420}
+      rest="55%"
+    />
+  );
+  const others = (
+    <Divided id="right" as="row" parts={[middle, rightSide]} sized={1} size="300px" least={220} most={520} rest="320px" />
+  );
+  // beside the left side there must be room for the canvas and the right one
+  return <Divided id="left" as="row" parts={[leftSide, others]} sized={0} size="250px" least={180} most={420} rest="541px" />;
 }
 
 /** All panels where there is room, else one at a time; the canvas always stays visible. */

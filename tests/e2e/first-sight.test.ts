@@ -96,7 +96,7 @@ inChromium('the first sight in Chromium', ({ on }) => {
       },
       async ({ page }) => {
         await verdict(page, 'completable');
-        const problems = page.locator('#right-side-bottom');
+        const problems = page.locator('#right-side-second');
         const height = async () => (await problems.boundingBox())?.height ?? 0;
         await page.getByText('No errors and no warnings.').waitFor();
         await until(async () => expect(await height()).toBeLessThan(48));

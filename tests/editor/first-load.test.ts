@@ -8,7 +8,7 @@ import { FACTORIES } from '../../editor/phaser-parts.mjs';
 import { BUILT_PAGE, firstFiles } from './first-files.ts';
 
 /** What a browser loads before `gq edit` shows a level, gzipped bytes. bench/README.md says it, too. */
-const LIMIT = { goal: 500_000, now: 554_500 } as const;
+const LIMIT = { goal: 500_000, now: 540_000 } as const;
 
 const EDITOR = fileURLToPath(new URL('../../editor', import.meta.url));
 

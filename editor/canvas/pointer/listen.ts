@@ -83,7 +83,7 @@ export function listenToPointer(element: HTMLElement, context: PointerContext, e
     if (machine.isByKeys) return;
     const input = inputOf(event);
     long.move(input);
-    // No other listener needs the event, and the dividers of the panels would measure the page each time.
+    // no other listener needs the event
     if (machine.isBusy) event.stopPropagation();
     machine.move(input);
   };
