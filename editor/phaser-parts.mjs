@@ -44,6 +44,7 @@ const LEFT_OUT = [
   /^renderer\/webgl\/renderNodes\/filters\/\w+$/,
   /^renderer\/webgl\/renderNodes\/submitter\/Submitter(MeshToQuad|Tile|TilemapGPULayer)$/,
   /^renderer\/webgl\/renderNodes\/transformer\/TransformerTile$/,
+  /^renderer\/snapshot\/(Canvas|WebGL)Snapshot$/,
   /^textures\/DynamicTexture$/,
   /^textures\/parsers\/(?!index|Image)\w+$/,
 ];
@@ -51,6 +52,18 @@ const LEFT_OUT = [
 /** A part that does nothing, for what Phaser makes without being asked. @param {string[]} methods what Phaser calls of it */
 const idle = (...methods) =>
   `function Idle () { this.isRunning = false; } ${methods.map((name) => `Idle.prototype.${name} = function () { return false; };`).join(' ')}`;
+
+/** What cameras are drawn with: the one matrix that the renderer asks for, its numbers by the same operations. */
+const MATRIX = `function Matrix4 () { this.val = new Float32Array(16); }
+  Matrix4.prototype.identity = function () { return this.ortho(-1, 1, -1, 1, 1, -1); };
+  Matrix4.prototype.ortho = function (left, right, bottom, top, near, far) {
+    var lr = 1 / (left - right || Infinity);
+    var bt = 1 / (bottom - top || Infinity);
+    var nf = 1 / (near - far || Infinity);
+    this.val.set([-2 * lr, 0, 0, 0, 0, -2 * bt, 0, 0, 0, 0, 2 * nf, 0, (left + right) * lr, (top + bottom) * bt, (far + near) * nf, 1]);
+    return this;
+  };
+  module.exports = Matrix4;`;
 
 const EFFECTS = ['Fade', 'Flash', 'Pan', 'RotateTo', 'Shake', 'Zoom'];
 
@@ -61,8 +74,18 @@ const SHORTENED = {
   'cameras/2d/effects/index': `${idle('preRender', 'update', 'reset', 'destroy', 'postRenderCanvas', 'postRenderWebGL')}
     module.exports = { ${EFFECTS.map((name) => `${name}: Idle`).join(', ')} };`,
   'core/DebugHeader': 'module.exports = function () {};',
+  'data/DataManager': `${idle('reset', 'destroy')} module.exports = Idle;`,
+  'device/Audio': 'module.exports = {};',
+  'device/Fullscreen': 'module.exports = { available: false };',
+  'device/Input': 'module.exports = {};',
+  'device/Video': 'module.exports = {};',
+  'gameobjects/components/FilterList': `${idle('destroy')} Idle.prototype.getActive = function () { return []; }; module.exports = Idle;`,
+  'gameobjects/components/Filters': 'module.exports = {};',
+  'gameobjects/components/GetBounds': 'module.exports = {};',
+  'gameobjects/components/Mask': 'module.exports = {};',
   'input/InputManager': `${idle()} module.exports = Idle;`,
-  'math/index': "module.exports = { RND: null, RandomDataGenerator: require('./random-data-generator/RandomDataGenerator') };",
+  'math/Matrix4': MATRIX,
+  'math/index': `${idle()} module.exports = { RND: null, RandomDataGenerator: Idle };`,
   'renderer/index': "module.exports = { Events: require('./events') };",
 };
 
