@@ -2,17 +2,20 @@ import { useEffect, useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
 import { createStore } from 'zustand/vanilla';
 import { useEditor, useLevel } from '../core/context/index.ts';
+import { laterPart } from '../core/panel/index.ts';
 import { EndReason, HiddenNote, HoverName, Measures, Message } from './CanvasLabels.tsx';
 import { CanvasMenu } from './CanvasMenu.tsx';
 import { createCanvasState } from './canvas-state.ts';
 import { CROSSHAIR_HELP } from './crosshair-commands.ts';
-import { Minimap } from './Minimap.tsx';
 import { mountCanvas } from './mount-canvas.ts';
 import { NotePins } from './NotePins.tsx';
 import type { NamedPart } from './part.ts';
-import { RepeatPanel } from './RepeatPanel.tsx';
 import { Rulers } from './Rulers.tsx';
 import './canvas.css';
+
+// neither is seen at first
+const Minimap = laterPart(() => import('./Minimap.tsx').then((there) => there.Minimap));
+const RepeatPanel = laterPart(() => import('./RepeatPanel.tsx').then((there) => there.RepeatPanel));
 
 /** The canvas of the level. @param parts what features of the page show on it; the same list at every call */
 export function CanvasView({ parts }: { readonly parts: readonly NamedPart[] }) {

@@ -17,7 +17,7 @@ const FIXED = { severity: 'fixed', allow: false } as const;
 
 /**
  * What can be changed about the problems that a check of a readable level finds, in the order in which they are listed. Codes of
- * {@link CODES} are not listed: they are always errors.
+ * {@link PROBLEM_CODES} are not listed: they are always errors.
  */
 export const ADJUSTMENTS = {
   'run-does-not-complete': WARNINGS,
@@ -74,3 +74,68 @@ export const ADJUSTABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].severit
 
 /** The codes that a level can allow. */
 export const ALLOWABLE_CODES = codes.filter((code) => ADJUSTMENTS[code].allow) as readonly AllowableCode[];
+
+/** The codes of all problems that reading or importing a file can give. */
+const PROBLEM_CODES = [
+  'file-too-large',
+  'empty-file',
+  'not-a-level',
+  'pointer-file',
+  'not-utf8',
+  'byte-order-mark',
+  'invalid-json',
+  'truncated-json',
+  'too-deep',
+  'duplicate-key',
+  'not-a-number',
+  'number-too-large',
+  'comment',
+  'trailing-comma',
+  'wrong-quotes',
+  'missing-version',
+  'newer-version',
+  'unsupported-version',
+  'unknown-key',
+  'missing-key',
+  'wrong-type',
+  'out-of-limits',
+  'not-whole',
+  'too-many',
+  'empty-text',
+  'text-too-long',
+  'bad-id',
+  'duplicate-id',
+  'duplicate-run-name',
+  'reversed-hold',
+  'merge-markers',
+  'merge-conflict',
+  'one-per-level',
+  'nothing-to-import',
+  'not-in-original',
+  'unknown-class',
+  'wrong-shape',
+  'unpaired-mouth',
+  'unsupported-map',
+  'unknown-code',
+  'fixed-severity',
+  'unknown-value',
+  'empty-list',
+  'more-problems',
+] as const;
+
+/** The code of a problem that reading or importing a file can give. */
+export type ProblemCode = (typeof PROBLEM_CODES)[number];
+
+/**
+ * What can be changed about the problems of a code.
+ *
+ * @param code - any text
+ * @returns the adjustment; of the code of a file that is no level, that it is fixed; null if there is no such code
+ */
+export function adjustmentOf(code: string): Adjustment | null {
+  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof typeof ADJUSTMENTS];
+  return PROBLEM_CODES.some((known) => known === code) ? { severity: 'fixed', allow: false } : null;
+}
+
+/** Every code that there is. */
+export const allCodes = (): string[] => [...Object.keys(ADJUSTMENTS), ...PROBLEM_CODES];

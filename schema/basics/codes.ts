@@ -1,4 +1,4 @@
-import { ADJUSTMENTS, type Adjustment } from './adjustable.ts';
+import type { ProblemCode } from './adjustable.ts';
 import { OBJECT_KINDS } from './kinds.ts';
 
 /** The explanation of a code, as `gq explain CODE` prints it. */
@@ -24,7 +24,7 @@ interface Explanation {
   readonly example?: string;
 }
 
-const EXPLANATIONS = {
+const EXPLANATIONS: Readonly<Record<ProblemCode, Explanation>> = {
   'file-too-large': {
     title: 'the file is larger than 8 MiB',
     why: 'A level of 100 objects takes about 6 kB. A file this large holds something else, and reading it would only cost time and memory.',
@@ -264,10 +264,7 @@ const EXPLANATIONS = {
     why: 'After 20 problems the rest are only counted, because many of them tend to have the same cause.',
     fix: 'Fix those that are shown, and check again.',
   },
-} as const satisfies Record<string, Explanation>;
-
-/** The codes of all problems that reading or importing a file can give. */
-export type ProblemCode = keyof typeof EXPLANATIONS;
+};
 
 /** Explanations of the codes of all problems that reading or importing a file can give. */
 export const CODES: readonly CodeExplanation[] = Object.entries(EXPLANATIONS).map(([code, explanation]) => ({
@@ -275,17 +272,3 @@ export const CODES: readonly CodeExplanation[] = Object.entries(EXPLANATIONS).ma
   severity: 'error',
   ...explanation,
 }));
-
-/**
- * What can be changed about the problems of a code.
- *
- * @param code - any text
- * @returns the adjustment; of the code of a file that is no level, that it is fixed; null if there is no such code
- */
-export function adjustmentOf(code: string): Adjustment | null {
-  if (Object.hasOwn(ADJUSTMENTS, code)) return ADJUSTMENTS[code as keyof typeof ADJUSTMENTS];
-  return CODES.some((known) => known.code === code) ? { severity: 'fixed', allow: false } : null;
-}
-
-/** Every code that there is. */
-export const allCodes = (): string[] => [...Object.keys(ADJUSTMENTS), ...CODES.map(({ code }) => code)];

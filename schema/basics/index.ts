@@ -2,11 +2,11 @@
 // loads zod, which takes as long as starting node and is larger than the engine.
 
 export * from './adjustable.ts';
-export { adjustmentOf, allCodes, CODES, type CodeExplanation } from './codes.ts';
+export { CODES, type CodeExplanation } from './codes.ts';
 export { DEFAULT_RULES, type OwnRules, ownRules, RULE_NAMES, type RuleName, type Rules, rulesOf } from './default-rules.ts';
 export * from './kinds.ts';
 export * from './level-types.ts';
-export { DEFAULT_RANGE, LEVEL_VERSION, LIMITS, LONGEST_RUN, MAX_FILE_SIZE, MOST_WORK, SHORTEST_RUN } from './limits.ts';
+export * from './limits.ts';
 export { entryName, objectName, touchedName, toWords } from './names.ts';
 export * from './problem.ts';
 export { closestName, formatValue, quote } from './words.ts';

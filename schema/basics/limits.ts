@@ -45,3 +45,18 @@ export const MOST_WORK = 1e12;
 
 /** Larger files are not read: bytes, or UTF-16 code units of a text. */
 export const MAX_FILE_SIZE = 8 * 1024 * 1024;
+
+/** The accuracies that a configuration can name. */
+export const ACCURACY_NAMES = ['arcade', 'fast', 'standard', 'precise'] as const;
+
+/** The formats of reports that a configuration can name. */
+export const REPORTER_NAMES = ['pretty', 'json', 'github', 'junit', 'sarif', 'markdown'] as const;
+
+/** The name of a format of reports. */
+export type ReporterName = (typeof REPORTER_NAMES)[number];
+
+/** The severities that a configuration can set. */
+export const SEVERITIES = ['error', 'warning', 'off'] as const;
+
+/** A severity that a configuration can set. */
+export type ConfiguredSeverity = (typeof SEVERITIES)[number];

@@ -1,4 +1,4 @@
-import type { ProblemCode } from './codes.ts';
+import type { ProblemCode } from './adjustable.ts';
 
 /** The verdicts on a level. All but the first need attention. */
 export const VERDICTS = ['completable', 'broken', 'unproven', 'impossible', 'invalid', 'crashed'] as const;

@@ -1,7 +1,16 @@
 import * as z from 'zod';
-import { ADJUSTABLE_CODES, type AdjustableCode, LONGEST_RUN, MOST_WORK, SHORTEST_RUN } from '../basics/index.ts';
+import {
+  ACCURACY_NAMES,
+  ADJUSTABLE_CODES,
+  type AdjustableCode,
+  type ConfiguredSeverity,
+  LONGEST_RUN,
+  MOST_WORK,
+  REPORTER_NAMES,
+  SEVERITIES,
+  SHORTEST_RUN,
+} from '../basics/index.ts';
 import { rulesSchema } from '../level-schema.ts';
-import { ACCURACY_NAMES, type ConfiguredSeverity, REPORTER_NAMES, SEVERITIES } from './names.ts';
 
 /** The severity of problems, by their codes; codes that are left out keep their own. */
 export type SeverityMap = { readonly [code in AdjustableCode]?: ConfiguredSeverity };

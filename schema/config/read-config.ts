@@ -1,5 +1,6 @@
 import * as z from 'zod';
 import {
+  ACCURACY_NAMES,
   ADJUSTABLE_CODES,
   adjustmentOf,
   allCodes,
@@ -10,6 +11,8 @@ import {
   type OwnRules,
   type Path,
   type Problem,
+  REPORTER_NAMES,
+  SEVERITIES,
   toWords,
 } from '../basics/index.ts';
 import { isObject, readJson, toProblems, withoutExtensions } from '../json/index.ts';
@@ -26,7 +29,6 @@ import {
   wrongType,
 } from '../level/index.ts';
 import { type ConfigFile, configSchema, schemaOf } from './config.ts';
-import { ACCURACY_NAMES, REPORTER_NAMES, SEVERITIES } from './names.ts';
 
 /** The outcome of {@link readConfig}: with `ok` true the configuration, otherwise the problems. */
 export type ConfigReading =

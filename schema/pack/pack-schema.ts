@@ -1,5 +1,5 @@
 import * as z from 'zod';
-import { PACK_LIMITS, PACK_VERSION } from './limits.ts';
+import { PACK_LIMITS, PACK_VERSION, type PackFile } from './pack.ts';
 
 /** Some visible characters on one line. */
 const name = z
@@ -13,7 +13,7 @@ const id = z
   .max(PACK_LIMITS.id)
   .describe('Path of a level below the folder, with slashes, without .level.json: "07-slingshot", "world-2/01-start".');
 
-export const levelEntrySchema = z
+const levelEntrySchema = z
   .strictObject({
     level: id,
     introduces: z
@@ -40,4 +40,6 @@ export const packSchema = z
       .max(PACK_LIMITS.entries)
       .describe('The levels in the order in which they are played, and the headings of chapters between them.'),
   })
-  .describe('The order of the levels of a folder. Keys that begin with x- are yours: they are kept and not checked.');
+  .describe(
+    'The order of the levels of a folder. Keys that begin with x- are yours: they are kept and not checked.',
+  ) satisfies z.ZodType<PackFile>;

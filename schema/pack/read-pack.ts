@@ -10,8 +10,7 @@ import {
 } from '../basics/index.ts';
 import { isObject, readJson, type TextPlace, toProblems, withoutExtensions } from '../json/index.ts';
 import { found, unknownKey } from '../level/index.ts';
-import { PACK_LIMITS, PACK_VERSION } from './limits.ts';
-import { KEYS, type PackFile } from './pack.ts';
+import { KEYS, PACK_LIMITS, PACK_VERSION, type PackFile } from './pack.ts';
 
 /** The outcome of {@link readPack}: with `ok` true the pack, otherwise the problems. */
 export type PackReading =

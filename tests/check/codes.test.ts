@@ -6,7 +6,7 @@ import { crashedLevel, unreadableLevel } from '../../cli/check/checked-level.ts'
 import { CHECK_CODES } from '../../cli/check/codes.ts';
 import { shellPath } from '../../cli/terminal/messages.ts';
 import { PAGE_HINTS } from '../../editor/core/proof/known-problems.ts';
-import { explanationOf } from '../../editor/features/problems/explanations.ts';
+import { explanationOf } from '../../editor/features/problems/explanations.tsx';
 import { ACCURACIES, DEFAULT_MAX_TIME, DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';
 import { CODES, resolveLevel } from '../../schema/index.ts';
 import { type Proof, proveImpossible, proveMineralsUnreachable } from '../../solver/index.ts';

@@ -10,6 +10,43 @@ const focused = (page: Page): Promise<string | null> =>
 
 inChromium('parts of the page that are loaded later, in Chromium', ({ on }) => {
   it(
+    'a panel and a dialog that are opened before their scripts say so in their place, and Esc takes the dialog back',
+    on({ '01': straight() }, async ({ page, saved }) => {
+      const first = firstFiles();
+      let release = () => {};
+      const released = new Promise<void>((resolve) => {
+        release = resolve;
+      });
+      await page.route('**/assets/*', async (route) => {
+        const path = new URL(route.request().url()).pathname.slice(1);
+        if (!first.has(path) && !path.startsWith('assets/worker-')) await released;
+        await route.continue();
+      });
+      await page.reload();
+      await saved();
+      await page.getByRole('tab', { name: 'Solver' }).click();
+      const panel = page.getByRole('tabpanel', { name: 'Solver' });
+      const coming = panel.getByText('Loading…');
+      await coming.waitFor();
+      const [of, whole] = await Promise.all([coming.boundingBox(), panel.boundingBox()]);
+      expect(of?.height).toBeGreaterThan(0.9 * (whole?.height ?? 0));
+
+      await page.getByRole('application', { name: 'Level canvas' }).focus();
+      await page.keyboard.press('y');
+      const cover = page.locator('.coming--cover');
+      await cover.waitFor();
+      await page.keyboard.press('Escape');
+      await cover.waitFor({ state: 'hidden' });
+      await page.keyboard.press('y');
+      await cover.waitFor();
+      release();
+      await page.getByRole('dialog', { name: 'History', exact: true }).getByRole('tree').waitFor();
+      await page.keyboard.press('Escape');
+      await panel.getByRole('heading', { name: 'Find runs' }).waitFor();
+    }),
+  );
+
+  it(
     'the level is shown and saved without them; one that can not be loaded says so, leaves the keyboard alone, and comes at the next attempt',
     on(
       { '01': straight() },

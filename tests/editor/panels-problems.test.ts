@@ -2,9 +2,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel } from '../../editor/core/document/index.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { explanationOf } from '../../editor/features/problems/explanations.ts';
+import { explanationOf } from '../../editor/features/problems/explanations.tsx';
+import { quickFixOf, runAt } from '../../editor/features/problems/feature.tsx';
 import { keepSame, keysOf } from '../../editor/features/problems/index.ts';
-import { quickFixOf, runAt } from '../../editor/features/problems/quick-fix.ts';
 import { DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';
 import { CODES, type Hold, type LevelFile, type Problem } from '../../schema/index.ts';
 

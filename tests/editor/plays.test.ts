@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../../editor/core/attempts/attempts.ts';
 import { causeInWords } from '../../editor/core/attempts/index.ts';
 import { groupPlays, refusedInWords } from '../../editor/core/plays/open-plays.ts';
-import { playFileName } from '../../editor/core/plays/play-files.ts';
+import { playFileName } from '../../editor/core/plays/share-plays.ts';
 import { isPlayText, playInFragment, playsInText, readPlayFiles } from '../../editor/core/shelf/given.ts';
 import { createShelf, deathMapOf, deathsNear, type OpenedPlay, type Shelf } from '../../editor/core/shelf/shelf.ts';
 import {

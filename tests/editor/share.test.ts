@@ -7,7 +7,7 @@ import { applyPatches, createEditedLevel, diffFiles } from '../../editor/core/do
 import { importLevels, LONGEST_LINK, levelFile, levelOf, linkTo, pictureSvg, slugOf } from '../../editor/core/exchange/index.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
 import { TEMPLATES } from '../../editor/core/templates/index.ts';
-import { surveyLink } from '../../editor/features/share/survey-link.ts';
+import { surveyLink } from '../../editor/features/share/LinkedLevel.tsx';
 import { DEFAULT_TERMS } from '../../engine/index.ts';
 import { mergeLevels } from '../../review/index.ts';
 import {

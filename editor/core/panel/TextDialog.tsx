@@ -7,7 +7,7 @@ import { Button, Dialog } from '../ui/index.ts';
 import { type LevelText, useLevelText } from './level-text.ts';
 import './text-dialog.css';
 
-interface TextDialogProps {
+export interface TextDialogProps {
   readonly id: string;
   /** Edits the file on disk, even if the level is open. */
   readonly fromDisk?: boolean;

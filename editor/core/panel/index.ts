@@ -1,4 +1,3 @@
-export { fetched, laterCover, laterPanel, loadParts } from './later.tsx';
-export { FolderSelect, Offer, PlayButton, SamplesButton } from './offers.tsx';
+export { fetched, laterCover, laterDialog, laterOnce, laterPanel, laterPart, loadParts } from './later.tsx';
+export { FolderSelect, Offer, PlayButton, SamplesButton, TextDialog } from './offers.tsx';
 export { Facts, OutcomeSign, outcomeWord, Progress, Section, Segments } from './parts.tsx';
-export { TextDialog } from './TextDialog.tsx';

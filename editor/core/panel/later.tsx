@@ -1,9 +1,10 @@
-import { type ComponentType, useEffect } from 'react';
+import { type ComponentType, useCallback, useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { type Editor, useEditor, useSession } from '../context/index.ts';
 import type { Session } from '../session/index.ts';
 import { Button, Dialog } from '../ui/index.ts';
+import './later.css';
 
 // Parts of the page whose scripts are not there from the beginning: they come once the level is drawn, or when they are wanted before.
 
@@ -43,9 +44,23 @@ function later<P>(fetch: () => Promise<ComponentType<P>>): Later<P> {
   return { store, load };
 }
 
-/** Loads all parts, one after another. One that can't be loaded is tried again when it is wanted. */
+/** ms that a page may be busy before the next part is loaded all the same */
+const PATIENCE = 1000;
+
+/** Resolves once the page has nothing else to do. */
+const idle = (): Promise<void> =>
+  new Promise((resolve) => {
+    // Safari has no idle callbacks
+    if (typeof requestIdleCallback === 'undefined') setTimeout(resolve);
+    else requestIdleCallback(() => resolve(), { timeout: PATIENCE });
+  });
+
+/** Loads all parts, one after another, while the page is idle. One that can't be loaded is tried again when it is wanted. */
 export async function loadParts(): Promise<void> {
-  for (const load of parts) await load(true);
+  for (const load of parts) {
+    await idle();
+    await load(true);
+  }
 }
 
 const WHY = 'This part of the page could not be loaded: its server does not answer, or has another version of it by now.';
@@ -74,12 +89,25 @@ function Again({ load }: Pick<Later<never>, 'load'>) {
   );
 }
 
-function Panel<P extends object>({ part, given }: { readonly part: Later<P>; readonly given: P }) {
+/** What is seen of a part until it is there; at once it would only flicker. */
+const Coming = ({ look }: { readonly look: 'panel' | 'cover' }) => (
+  <div className={`coming coming--${look}`} role="status">
+    Loading…
+  </div>
+);
+
+interface PanelProps<P> {
+  readonly part: Later<P>;
+  readonly given: P;
+  readonly isSeen: boolean;
+}
+
+function Panel<P extends object>({ part, given, isSeen }: PanelProps<P>) {
   const { store, load } = part;
   const { component: There, hasFailed } = useStore(store);
   useEffect(() => void load(), [load]);
   if (There !== null) return <There {...given} />;
-  if (!hasFailed) return null;
+  if (!hasFailed) return isSeen ? <Coming look="panel" /> : null;
   return (
     <div className="panel__body" role="alert">
       <p>{WHY}</p>
@@ -89,15 +117,14 @@ function Panel<P extends object>({ part, given }: { readonly part: Later<P>; rea
   );
 }
 
-interface CoverProps {
-  readonly part: Later<object>;
-  readonly isOpen: (session: Session) => boolean;
-  readonly closed: Partial<Session>;
+interface CoverProps<P> {
+  readonly part: Later<P>;
+  readonly given: P;
+  readonly isWanted: boolean;
+  readonly close: () => void;
 }
 
-function Cover({ part: { store, load }, isOpen, closed }: CoverProps) {
-  const { session } = useEditor();
-  const isWanted = useSession(isOpen);
+function Cover<P extends object>({ part: { store, load }, given, isWanted, close }: CoverProps<P>) {
   const { component: There, hasFailed } = useStore(store);
   useEffect(() => {
     if (isWanted) void load();
@@ -109,24 +136,53 @@ function Cover({ part: { store, load }, isOpen, closed }: CoverProps) {
     const keep = (event: KeyboardEvent) => {
       event.preventDefault();
       event.stopPropagation();
-      if (event.key === 'Escape') session.setState(closed);
+      if (event.key === 'Escape') close();
     };
     window.addEventListener('keydown', keep, { capture: true });
     return () => window.removeEventListener('keydown', keep, { capture: true });
-  }, [isComing, session, closed]);
-  if (There !== null) return <There />;
+  }, [isComing, close]);
+  if (There !== null) return <There {...given} />;
+  if (isComing) return <Coming look="cover" />;
   return (
-    <Dialog open={isWanted && hasFailed} title="Not loaded" about={WHY} onClose={() => session.setState(closed)}>
+    <Dialog open={isWanted && hasFailed} title="Not loaded" about={WHY} onClose={close}>
       <p>{REMEDY}</p>
       <Again load={load} />
     </Dialog>
   );
 }
 
-/** A panel, or another part that is wanted as soon as it is rendered. @param fetch imports it */
+/** A panel: it is wanted as soon as it is rendered, and a placeholder fills its place until then. @param fetch imports it */
 export function laterPanel<P extends object>(fetch: () => Promise<ComponentType<P>>): ComponentType<P> {
   const part = later(fetch);
-  return (given) => <Panel part={part} given={given} />;
+  return (given) => <Panel part={part} given={given} isSeen />;
+}
+
+/** Another part that is wanted as soon as it is rendered; nothing is in its place until then. @param fetch imports it */
+export function laterPart<P extends object>(fetch: () => Promise<ComponentType<P>>): ComponentType<P> {
+  const part = later(fetch);
+  return (given) => <Panel part={part} given={given} isSeen={false} />;
+}
+
+/** A part that is wanted once it is first to be seen. From then on it is rendered all the time and decides itself. @param fetch imports it */
+export function laterOnce<P extends object>(
+  isSeen: (session: Session) => boolean,
+  fetch: () => Promise<ComponentType<P>>,
+): ComponentType<P> {
+  const part = later(fetch);
+  return (given) => {
+    const isWanted = useSession(isSeen);
+    const [wasWanted, setWasWanted] = useState(isWanted);
+    if (isWanted && !wasWanted) setWasWanted(true);
+    return wasWanted ? <Panel part={part} given={given} isSeen={false} /> : null;
+  };
+}
+
+/** A dialog that is open for as long as it is rendered. @param fetch imports it */
+export function laterDialog<P extends { readonly onClose: () => void }>(
+  fetch: () => Promise<ComponentType<P>>,
+): ComponentType<P> {
+  const part = later(fetch);
+  return (given) => <Cover part={part} given={given} isWanted close={given.onClose} />;
 }
 
 /**
@@ -136,10 +192,14 @@ export function laterPanel<P extends object>(fetch: () => Promise<ComponentType<
  * @param closed what closes it
  */
 export function laterCover(
-  isOpen: CoverProps['isOpen'],
+  isOpen: (session: Session) => boolean,
   fetch: () => Promise<ComponentType<object>>,
-  closed: CoverProps['closed'] = { overlay: null },
+  closed: Partial<Session> = { overlay: null },
 ): ComponentType {
   const part = later(fetch);
-  return () => <Cover {...{ part, isOpen, closed }} />;
+  return () => {
+    const { session } = useEditor();
+    const close = useCallback(() => session.setState(closed), [session]);
+    return <Cover part={part} given={{}} isWanted={useSession(isOpen)} close={close} />;
+  };
 }

@@ -1,10 +1,12 @@
 import { Check, Eye, Gamepad2, Undo2 } from 'lucide-react';
-import { type ReactNode, useEffect, useId, useRef } from 'react';
+import { type ComponentType, type ReactNode, useEffect, useId, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../context/index.ts';
 import { addSamples } from '../levels/index.ts';
 import { Button } from '../ui/index.ts';
+import { laterDialog } from './later.tsx';
 import './offers.css';
+import type { TextDialogProps } from './TextDialog.tsx';
 
 interface OfferProps {
   /** What would be changed, as a sentence. */
@@ -112,3 +114,8 @@ export function FolderSelect({ value, onChange }: { readonly value: string; read
     </>
   );
 }
+
+/** Edits a level as text. */
+export const TextDialog: ComponentType<TextDialogProps> = laterDialog(() =>
+  import('./TextDialog.tsx').then((there) => there.TextDialog),
+);

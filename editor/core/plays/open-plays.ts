@@ -1,4 +1,3 @@
-import { createStore, type StoreApi } from 'zustand/vanilla';
 import { plural } from '../../../check/words/index.ts';
 import { decodePlay, ENGINE_ID, levelHash, type Play } from '../../../game/index.ts';
 import { type LevelEntry, readLevel } from '../../../schema/index.ts';
@@ -9,40 +8,15 @@ import { allLevels, folderTermsIn } from '../files/index.ts';
 import { keptWith } from '../kept/index.ts';
 import { openListed } from '../levels/index.ts';
 import { type GivenPlay, hashNow, type OpenedPlay, type RefusedFile, readPlayFiles, shelfOf } from '../shelf/index.ts';
-
-/** What is read and verified at the moment. */
-export interface Reading {
-  readonly what: 'files' | 'plays';
-  readonly done: number;
-  readonly of: number;
-  readonly cancel: () => void;
-}
+import { deskOf, inTurn } from './play-files.ts';
 
 /** Topics of notices. */
 const OPENED = { topic: 'plays' } as const;
 const REFUSED = { topic: 'plays-refused' } as const;
 const OTHER_LEVEL = 'plays-other-level';
 
-/** Opening happens in turns, as each adds to what is known of the plays before. */
-interface Desk {
-  readonly reading: StoreApi<Reading | null>;
-  last: Promise<unknown>;
-}
-
-const deskOf = keptWith<Editor, Desk>(() => ({ reading: createStore<Reading | null>(() => null), last: Promise.resolve() }));
-
-/** What is read and verified at the moment; null: nothing. */
-export const readingOf = (editor: Editor): StoreApi<Reading | null> => deskOf(editor).reading;
-
-function inTurn(editor: Editor, act: () => Promise<void>): Promise<void> {
-  const desk = deskOf(editor);
-  const next = desk.last.then(act).finally(() => desk.reading.setState(null, true));
-  desk.last = next.catch(() => {});
-  return next;
-}
-
 /** How plays are opened. */
-interface OpenOptions {
+export interface OpenOptions {
   /** What was refused before. */
   readonly refused?: readonly RefusedFile[];
   /** Whether the level of the plays is opened, too, as for a link; otherwise it is offered. */

@@ -28,7 +28,6 @@ function endOf({ found, isGivenUp, isStale }: ComparedRow, range: number): strin
 /** The compared runs below the shown one, each in a lane of its own at the same scale. */
 export function ComparedLanes({ scale, width }: OnTimeline) {
   const rows = useComparedRows();
-  if (rows.length === 0) return null;
   return (
     <ul className="race" aria-label="Compared runs">
       {rows.map((row) => (

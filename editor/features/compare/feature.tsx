@@ -3,16 +3,18 @@ import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
 import type { DrawnPart } from '../../canvas/index.ts';
 import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
+import { laterPart } from '../../core/panel/index.ts';
 import { pathOf } from '../../core/proof/index.ts';
 import { type Beside, looksLike } from '../../timeline/index.ts';
 import { accuracyNameOf } from '../../workers/index.ts';
 import type { Feature } from '../feature.ts';
-import { AccuracyLens } from './AccuracyLens.tsx';
-import { ComparedLanes } from './ComparedLanes.tsx';
 import { chosenOf, comparedOf, isCompared, type Source, sourceKey, toggleAccuracies, watchCompared } from './compared.ts';
 import { compareOrTell, showCompared, useComparedRows, useDifference } from './compared-rows.ts';
 import { RaceLayer } from './race-layer.ts';
 import { type Race, raceOf } from './racers.ts';
+
+const AccuracyLens = laterPart(() => import('./AccuracyLens.tsx').then((there) => there.AccuracyLens));
+const ComparedLanes = laterPart(() => import('./ComparedLanes.tsx').then((there) => there.ComparedLanes));
 
 const drawn: DrawnPart<Race> = {
   pictureOf: raceOf,
@@ -39,7 +41,7 @@ export const compare: Feature = {
   name: 'compare',
   canvas: { drawn },
   timeline: {
-    lanes: ComparedLanes,
+    lanes: (given) => (useComparedRows().length > 0 ? <ComparedLanes {...given} /> : null),
     useBeside,
     legend: {
       graphs: [[looksLike('apart'), 'The distance to the compared run; bars where they part and come near each other again.']],

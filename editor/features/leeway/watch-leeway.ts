@@ -11,9 +11,6 @@ import type { SessionStore } from '../../core/session/index.ts';
 import type { SettingsStore } from '../../core/settings/index.ts';
 import { jobs, type Leeway } from '../../workers/index.ts';
 
-/** Shows or hides where the selection may stand. */
-export const LEEWAY_KEY = 'Shift+l';
-
 /** What is known of where the selection may stand. */
 export interface LeewayFindings {
   /**

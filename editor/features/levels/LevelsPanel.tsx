@@ -6,13 +6,14 @@ import { isModKey } from '../../core/commands/index.ts';
 import { useEditor } from '../../core/context/index.ts';
 import { errorInWords } from '../../core/files/index.ts';
 import { deleteLevel, duplicateLevel, followSaves, openListed } from '../../core/levels/index.ts';
-import { SamplesButton, TextDialog } from '../../core/panel/index.ts';
+import { laterDialog, SamplesButton, TextDialog } from '../../core/panel/index.ts';
 import { Tree, toggledIn } from '../../core/tree/index.ts';
 import { Button, focusHome } from '../../core/ui/index.ts';
 import { FolderLine, LevelLine } from './LevelLine.tsx';
 import { copyPath, type LevelRow, levelMenu, levelRows, moveTo } from './level-rows.ts';
 import './levels.css';
-import { RenameDialog } from './RenameDialog.tsx';
+
+const RenameDialog = laterDialog(() => import('./RenameDialog.tsx').then((there) => there.RenameDialog));
 
 /** px */
 const rowHeight = ({ entry }: LevelRow) => (entry === null ? 28 : 54);

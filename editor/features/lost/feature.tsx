@@ -1,13 +1,22 @@
 import { joinHolds } from '../../../engine/index.ts';
 import { COLOURS, type DrawnPart, unchanged } from '../../canvas/index.ts';
+import { laterOnce, laterPart } from '../../core/panel/index.ts';
+import type { Session } from '../../core/session/index.ts';
 import { looksLike } from '../../timeline/index.ts';
 import type { Feature } from '../feature.ts';
+import './lost.css';
 import { lossKey, lostOf } from './index.ts';
-import { LostLegend, LostReport, lostSessionOf } from './LostStates.tsx';
 import { LostLayer } from './lost-layer.ts';
 import { type LostPicture, lostPictureOf } from './lost-picture.ts';
-import { LossMark, RunLossLabel } from './RunLoss.tsx';
-import { LOST_KEY } from './watch-lost.ts';
+import { LOST_KEY, lostSessionOf } from './watch-lost.ts';
+
+const isShown = ({ layers }: Session) => layers.lost;
+
+const fetch = () => import('./LostStates.tsx');
+const LostReport = laterPart(() => fetch().then((there) => there.LostReport));
+const LostLegend = laterOnce(isShown, () => fetch().then((there) => there.LostLegend));
+const RunLossLabel = laterOnce(isShown, () => fetch().then((there) => there.RunLossLabel));
+const LossMark = laterOnce(isShown, () => fetch().then((there) => there.LossMark));
 
 const drawn: DrawnPart<LostPicture | null> = {
   pictureOf({ session }, level) {

@@ -2,7 +2,7 @@ import { type AccuracyName, joinHolds, type Scene, type Terms } from '../../../e
 import type { Hold, Level } from '../../../schema/index.ts';
 import { type Desk, question } from '../../core/ask/index.ts';
 import type { Attempt } from '../../core/attempts/index.ts';
-import type { OpenLevel } from '../../core/context/index.ts';
+import { type OpenLevel, ofLevel } from '../../core/context/index.ts';
 import { isWhole } from '../../core/proof/index.ts';
 import type { SessionStore } from '../../core/session/index.ts';
 import { hashNow, shelfOf } from '../../core/shelf/index.ts';
@@ -218,3 +218,6 @@ export function watchLost({ level, session, desk }: LostParts): LostSession {
     },
   };
 }
+
+/** The examination of where an open level is already lost. */
+export const lostSessionOf = ofLevel<LostSession>(({ session, desk }, level) => watchLost({ level, session, desk }));

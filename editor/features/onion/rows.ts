@@ -1,8 +1,7 @@
 import { bodyInWords, reasonInWords } from '../../../check/words/index.ts';
 import { pixels, seconds, type Tightest } from '../../core/figures/index.ts';
 import type { NearMiss } from '../../core/proof/index.ts';
-import type { Figures } from './former.ts';
-import type { SlackKnown } from './slack.ts';
+import type { Figures, SlackKnown } from './former.ts';
 
 /** How a figure differs from the former one. `other`: neither better nor worse. `unknown`: one of them is not known. */
 export type Difference = 'better' | 'worse' | 'same' | 'other' | 'unknown';

@@ -1,6 +1,6 @@
 import { placeIn } from '../../../schema/index.ts';
 import type { Editor } from '../../core/context/index.ts';
-import { groupPlays, levelsByHash, openPlays } from '../../core/plays/index.ts';
+import { openLinkedPlays } from '../../core/plays/index.ts';
 import { playInFragment, playsInText } from '../../core/shelf/index.ts';
 
 /** A play in the page's address. */
@@ -42,14 +42,7 @@ function answered({ incoming }: Editor): Promise<void> {
 
 async function openLinked(editor: Editor, { text, hasLevel }: LinkedPlay): Promise<void> {
   const { plays, refused } = playsInText(text, 'the play of the link');
-  if (hasLevel) {
-    const { byLevel } = groupPlays(plays);
-    const found = await levelsByHash(editor, new Set(byLevel.keys()));
-    // the folder has the level already, so that nothing needs to be added
-    if (found.size > 0) editor.incoming.setState(null, true);
-    else await answered(editor);
-  }
-  await openPlays(editor, plays, { refused, withLevel: true });
+  await openLinkedPlays(editor, plays, { refused, answered: hasLevel ? () => answered(editor) : null });
 }
 
 /** Opens the play that the page's address named, and those of links that are followed while the page is open. */

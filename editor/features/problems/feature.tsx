@@ -1,15 +1,46 @@
 import { CircleCheck, CircleX, TriangleAlert } from 'lucide-react';
 import { memo } from 'react';
+import { joinHolds } from '../../../engine/index.ts';
 import type { LevelFile, Problem } from '../../../schema/index.ts';
 import { type Editor, type OpenLevel, perLevel, useEditor, useLevel } from '../../core/context/index.ts';
-import { keyAt, nameOf, objectsOf, ownNameOf } from '../../core/document/index.ts';
+import { keyAt, nameOf, objectsOf, ownNameOf, type Recipe, replaceHolds } from '../../core/document/index.ts';
 import { plural } from '../../core/figures/index.ts';
+import { laterPanel } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import type { Feature } from '../feature.ts';
-import { explanationOf } from './explanations.ts';
 import { keysOf, useProblems } from './index.ts';
-import { quickFixOf, runAt } from './quick-fix.ts';
 import './problems.css';
+
+/** A fix that does not change how any run plays. */
+export interface QuickFix {
+  readonly title: string;
+  readonly recipe: Recipe;
+}
+
+/** The run that a pointer leads to or into; null if there is none. */
+export function runAt(file: LevelFile, pointer: string): string | null {
+  const match = /^\/runs\/(\d+)/.exec(pointer);
+  return match === null ? null : (file.runs?.[Number(match[1])]?.name ?? null);
+}
+
+/** The safe fix of a problem; null if the user has to decide. */
+export function quickFixOf(file: LevelFile, { code, pointer }: Problem): QuickFix | null {
+  const name = runAt(file, pointer);
+  const run = file.runs?.find((other) => other.name === name);
+  if (run === undefined || name === null) return null;
+  // the engine sorts and joins holds anyway
+  if (code === 'holds-overlap') return { title: 'Join the holds', recipe: replaceHolds(name, joinHolds(run.holds)) };
+  if (code === 'holds-unsorted') {
+    return {
+      title: 'Sort the holds',
+      recipe: replaceHolds(
+        name,
+        [...run.holds].sort((a, b) => a[0] - b[0] || a[1] - b[1]),
+      ),
+    };
+  }
+  return null;
+}
 
 /** What is wrong with the level, and how to mend it. */
 export const problems: Feature = {
@@ -67,13 +98,14 @@ interface ProblemCardProps {
   readonly fixTitle: string | null;
 }
 
+const Explanation = laterPanel(() => import('./explanations.tsx').then((there) => there.Explanation));
+
 /** Memoized: rendering dozens of cards again would take milliseconds. */
 const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: ProblemCardProps) {
   const editor = useEditor();
   const level = useLevel();
   const { code, severity, message, hint, pointer } = problem;
   const Icon = ICONS[severity];
-  const explanation = explanationOf(code);
   const applyFix = () => {
     const fix = quickFixOf(level.document.file(), problem);
     if (fix !== null) level.document.change(fix.title, fix.recipe);
@@ -111,17 +143,12 @@ const ProblemCard = memo(function ProblemCard({ problem, place, fixTitle }: Prob
             Solve
           </Button>
         )}
-        {explanation !== null && (
-          <details className="problem__why">
-            <summary>
-              <code>{code}</code>
-            </summary>
-            <p>
-              <b>{explanation.title}.</b> {explanation.why}
-            </p>
-            <p>{explanation.fix}</p>
-          </details>
-        )}
+        <details className="problem__why">
+          <summary>
+            <code>{code}</code>
+          </summary>
+          <Explanation code={code} />
+        </details>
       </div>
     </li>
   );

@@ -4,6 +4,7 @@ import { useStore } from 'zustand';
 import { useDocument, useEditor, useLevel } from '../../core/context/index.ts';
 import { copyText } from '../../core/exchange/index.ts';
 import { Button } from '../../core/ui/index.ts';
+import { SCRIPT_FIELD } from './index.ts';
 import { draftsOf, dropDraft, endScript, remarksInWords, scriptText, shownDraft, typeScript } from './script-draft.ts';
 import './script.css';
 
@@ -16,9 +17,6 @@ const linesOf = (text: string): number => {
   const lines = text.split('\n').reduce((sum, line) => sum + Math.max(1, Math.ceil(line.length / WIDTH)), 0);
   return Math.min(LINES.most, Math.max(LINES.least, lines));
 };
-
-/** The id of the field, for the command that goes to it. */
-export const SCRIPT_FIELD = 'run-as-text';
 
 /** The holds and notes of a run as text: typing changes the run, and editing the run elsewhere changes the text. */
 export function ScriptField({ run }: { readonly run: string }) {

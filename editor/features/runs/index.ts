@@ -6,6 +6,9 @@ import { inSlices } from '../../core/ask/index.ts';
 import { useLevel, useProof } from '../../core/context/index.ts';
 import { isWhole, type LiveProof } from '../../core/proof/index.ts';
 
+/** The id of the field with the shown run as text, for the command that goes to it. */
+export const SCRIPT_FIELD = 'run-as-text';
+
 /** How a run of the level ends. */
 export interface RunSummary extends RunEnd {
   /** number of different minerals collected */

@@ -1,13 +1,75 @@
-import type { Feature } from '../feature.ts';
-import { followLinks, LinkDialog } from './LinkDialog.tsx';
-import './share.css';
 import { FileDown } from 'lucide-react';
 import { useEffect, useState } from 'react';
-import { useEditor } from '../../core/context/index.ts';
+import { useStore } from 'zustand';
+import { placeIn } from '../../../schema/index.ts';
+import { type Editor, useEditor } from '../../core/context/index.ts';
+import { levelOf } from '../../core/exchange/index.ts';
 import { folderOf } from '../../core/files/index.ts';
-import { fetched, laterCover } from '../../core/panel/index.ts';
+import { fetched, laterCover, laterPanel } from '../../core/panel/index.ts';
 import { droppedFiles, openPlayFiles } from '../../core/plays/index.ts';
 import { isPlayFile } from '../../core/shelf/index.ts';
+import { Dialog } from '../../core/ui/index.ts';
+import type { Feature } from '../feature.ts';
+import './share.css';
+
+const LinkedLevel = laterPanel(() => import('./LinkedLevel.tsx').then((there) => there.LinkedLevel));
+
+/** Asks before a level from the page's address is added: any website can link here with one. */
+export function LinkDialog() {
+  const { incoming } = useEditor();
+  const file = useStore(incoming);
+  const close = () => incoming.setState(null, true);
+  return (
+    <Dialog
+      open={file !== null}
+      title="Add the level from the link?"
+      about="The level comes from the author of the link. Nothing is stored unless you add it."
+      onClose={close}
+    >
+      {file !== null && <LinkedLevel file={file} onClose={close} />}
+    </Dialog>
+  );
+}
+
+/** Takes the level out of the page's address and asks the user whether to add it; a reload does not ask again. */
+async function takeLink({ notices, incoming }: Editor): Promise<void> {
+  const { hash } = window.location;
+  if (placeIn(hash) !== null) return;
+  const linked = await levelOf(hash);
+  if (linked === null) return;
+  // a play beside the level is taken by itself
+  if (hash.startsWith(window.location.hash) && window.location.hash !== '') {
+    // A full URL: a path that begins with two slashes would otherwise name another host.
+    const bare = new URL(window.location.href);
+    bare.hash = '';
+    window.history.replaceState(window.history.state, '', bare.href.replace(/#$/, ''));
+  }
+  if (linked.ok) incoming.setState(linked.file, true);
+  else notices.show('error', linked.message, { topic: 'link' });
+}
+
+/**
+ * Handles links once the list of levels is known: the link that opened the page, and links typed into its address. @returns
+ * stops it
+ */
+export function followLinks(editor: Editor): () => void {
+  const { store } = editor.workspace;
+  const take = () => void takeLink(editor);
+  let stop = () => {};
+  const start = () => {
+    stop();
+    take();
+    window.addEventListener('hashchange', take);
+    stop = () => window.removeEventListener('hashchange', take);
+  };
+  if (store.getState().list !== null) start();
+  else {
+    stop = store.subscribe(({ list }) => {
+      if (list !== null) start();
+    });
+  }
+  return () => stop();
+}
 
 const ShareDialog = laterCover(
   ({ overlay }) => overlay === 'share' || overlay === 'open' || overlay === 'publish',

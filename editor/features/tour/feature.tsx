@@ -3,7 +3,7 @@ import './tour.css';
 import { useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor, useSession } from '../../core/context/index.ts';
-import { laterPanel } from '../../core/panel/index.ts';
+import { laterPart } from '../../core/panel/index.ts';
 
 /** A tour of the whole editor in under a minute. */
 export const tour: Feature = {
@@ -14,7 +14,7 @@ export const tour: Feature = {
   ],
 };
 
-const TourCard = laterPanel(() => import('./TourCard.tsx').then((there) => there.TourCard));
+const TourCard = laterPart(() => import('./TourCard.tsx').then((there) => there.TourCard));
 
 /** The tour of the editor, which starts by itself the first time. The page stays usable; Esc ends the tour. */
 function Tour() {

@@ -1,8 +1,12 @@
-import { type RefObject, useCallback, useEffect, useLayoutEffect, useRef } from 'react';
+import { type RefObject, useCallback, useEffect, useLayoutEffect, useMemo, useRef, useState } from 'react';
+import { useStore } from 'zustand';
 import { extentOf, type OnCanvas, pointsOfWay, toScreen } from '../../canvas/index.ts';
-import type { OpenLevel } from '../../core/context/index.ts';
+import { type OpenLevel, useLevel } from '../../core/context/index.ts';
 import { cardPosition, type Rect, type Side } from './card-position.ts';
-import type { Comparison } from './watch-onion.ts';
+import { type Figures, type FormerRun, figuresOf } from './former.ts';
+import { changedObjects } from './onion-picture.ts';
+import { type Difference, rowsOf, whyUnknown } from './rows.ts';
+import { type Comparison, type Input, lastInput, onionOf } from './watch-onion.ts';
 
 /** px that the card keeps from what it stands beside: a finger and the hand behind it cover more than a pointer */
 const CLEAR = { keys: 20, mouse: 20, touch: 56 } as const;
@@ -106,31 +110,6 @@ export function useCardPosition(card: RefObject<HTMLElement | null>, phase: Comp
   }, [card, phase, anchorNow, put]);
 }
 
-// what the user did last
-
-/** The last input anywhere on the page: a key, or the pointer and where it was, px of the page. */
-type Input = { readonly by: 'keys' } | { readonly by: 'mouse' | 'touch'; readonly x: number; readonly y: number };
-
-let last: Input = { by: 'keys' };
-
-const lastInput = (): Input => last;
-
-/** Follows the input until aborted. */
-export function followInput(signal: AbortSignal): void {
-  // before other listeners, as some of them stop the event
-  const options = { capture: true, passive: true, signal };
-  const onPointer = ({ clientX: x, clientY: y, pointerType }: PointerEvent) => {
-    last = { by: pointerType === 'touch' ? 'touch' : 'mouse', x, y };
-  };
-  const onKey = () => {
-    last = { by: 'keys' };
-  };
-  window.addEventListener('pointerdown', onPointer, options);
-  // a drag goes on while a modifier is pressed, and a mouse that is moved without a button changes nothing
-  window.addEventListener('pointermove', (event) => event.buttons !== 0 && onPointer(event), options);
-  window.addEventListener('keydown', onKey, options);
-}
-
 // where the canvas shows things on the page
 
 /** px below the upper edge of the canvas, where the tools stand */
@@ -163,4 +142,93 @@ export function locateOnPage(level: OpenLevel, { host, canvas }: OnCanvas) {
       return pointsOfWay(level.proof.proof().run.way, canvas.getState().view).map(({ x, y }) => ({ x: left + x, y: top + y }));
     },
   };
+}
+
+/** A sign and a word for each difference, so that colour is not the only one. */
+const SIGNS: Readonly<Record<Difference, readonly [sign: string, word: string]>> = {
+  better: ['▲', 'better'],
+  worse: ['▼', 'worse'],
+  same: ['=', 'same'],
+  other: ['≠', 'different'],
+  unknown: ['?', 'not known'],
+};
+
+interface DifferencesProps extends OnCanvas {
+  readonly former: FormerRun;
+}
+
+/** The differences between the run before a change and the shown run. */
+export function Differences({ former, host, canvas }: DifferencesProps) {
+  const level = useLevel();
+  const { whereAre, wayOnPage } = useMemo(() => locateOnPage(level, { host, canvas }), [level, host, canvas]);
+  const { phase, slack, slackNow } = useStore(onionOf(level));
+  const figures = useFigures(phase === 'held');
+  const rows = rowsOf(former.figures, figures, { before: slack, now: slackNow });
+  const unknown = whyUnknown(former.figures, figures);
+  const card = useRef<HTMLDivElement>(null);
+  const around = useMemo(
+    () => ({
+      objects() {
+        const changed = changedObjects(former.file, level.document.file());
+        return whereAre(changed.flatMap(({ key, is }) => (is === null ? [] : [key])));
+      },
+      way: wayOnPage,
+    }),
+    [former, level, whereAre, wayOnPage],
+  );
+  useCardPosition(card, phase, around);
+  return (
+    <div ref={card} className="onion" role="note" aria-label="Before and after the change">
+      <p className="onion__head">before → after</p>
+      <dl className="onion__rows numbers">
+        {rows.map(({ label, before, after, by, difference }) => {
+          const [sign, word] = SIGNS[difference];
+          return (
+            <div key={label} className={`onion__row onion__row--${difference}`}>
+              <span className="onion__sign" aria-hidden>
+                {sign}
+              </span>
+              <dt>{label}</dt>
+              <dd>
+                {before === after || difference === 'same' ? after : `${before} → ${after}`}
+                {by !== '' && (
+                  <>
+                    , <b>{by}</b>
+                  </>
+                )}
+                <span className="unseen">, {word}</span>
+              </dd>
+            </div>
+          );
+        })}
+      </dl>
+      {unknown !== null && <p className="onion__note">{unknown}</p>}
+    </div>
+  );
+}
+
+/** ms between two changes of the figures during a gesture: nobody reads faster, and each change costs layout and paint. */
+const PACE = 100;
+
+/** The figures of the shown run; while something is dragged, those of a moment ago. */
+function useFigures(isHeld: boolean): Figures {
+  const { proof } = useLevel();
+  const [figures, setFigures] = useState(() => figuresOf(proof.proof()));
+  useEffect(() => {
+    let timer: number | null = null;
+    const show = () => {
+      timer = null;
+      setFigures(figuresOf(proof.proof()));
+    };
+    show();
+    const stop = proof.store.subscribe(() => {
+      if (isHeld) timer ??= window.setTimeout(show, PACE);
+      else show();
+    });
+    return () => {
+      stop();
+      if (timer !== null) window.clearTimeout(timer);
+    };
+  }, [proof, isHeld]);
+  return figures;
 }

@@ -63,3 +63,17 @@ const ALL = new Map(
 
 /** The explanation of a code; null if the code is unknown. */
 export const explanationOf = (code: string): CodeExplanation | null => ALL.get(code) ?? null;
+
+/** Why a problem matters and how to fix it. Empty if its code is unknown. */
+export function Explanation({ code }: { readonly code: string }) {
+  const explanation = explanationOf(code);
+  if (explanation === null) return null;
+  return (
+    <>
+      <p>
+        <b>{explanation.title}.</b> {explanation.why}
+      </p>
+      <p>{explanation.fix}</p>
+    </>
+  );
+}
