@@ -1,14 +1,13 @@
 import { type Box, boxCircleGap } from '../contact.ts';
-import { lookAt, type Motion, ONSETS, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
+import { lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
 import { CUBIC_BENDS, DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
 import { fineGap } from './fine-gap.ts';
 import { grazeStep } from './graze.ts';
 import { lookNext, overlapBetween, PATIENCE, safeStep, smallestStride } from './roots.ts';
-import { offerAs } from './rule.ts';
+import { offerFrom } from './rule.ts';
 
 const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
-const { COMES, STANDS, TOUCHES } = ONSETS;
 
 /** A gap below this many times its rounding error is computed in twice the digits. */
 const UNCERTAIN = 8;
@@ -28,9 +27,8 @@ const look = new Float64Array(2);
  */
 export function offerContact(m: Motion, r: number, pull: number, kind: number, a: number, from: number): void {
   const time = contactTime(m, r, pull, from);
-  let onset: number = COMES;
-  if (time === from) onset = gapAt(m, time, r) < (m.s[START] === 0 ? 0 : -FLOOR) ? STANDS : TOUCHES;
-  offerAs(m, time, kind, a, 0, onset);
+  const stands = time === from && gapAt(m, time, r) < (m.s[START] === 0 ? 0 : -FLOOR);
+  offerFrom(m, time, kind, a, 0, from, stands);
 }
 
 /**

@@ -15,4 +15,4 @@ export {
 export { isClear, quietAtRim, quietOutside, quietTime, quietWithin } from './quiet.ts';
 export { rimTime } from './rim.ts';
 export { crossing, lookNext, overlapBetween, PATIENCE, safeStep, safeStretch, smallestStride } from './roots.ts';
-export { eventRule, justFired, layOutRules, offer, offerAs } from './rule.ts';
+export { eventRule, justFired, layOutRules, offer, offerFrom } from './rule.ts';

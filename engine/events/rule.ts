@@ -1,7 +1,7 @@
 import { type EventRule, type Motion, ONSETS, type Parts, SLOTS } from '../motion/index.ts';
 
 const { FROM, NEXT, EVENT, EVENT_A, EVENT_B, LAST_EVENT, LAST_A, LENGTH_H, ONSET } = SLOTS;
-const { COMES, STANDS } = ONSETS;
+const { COMES, STANDS, TOUCHES } = ONSETS;
 
 /**
  * Makes a kind of event: an {@link EventRule} in which what is left out has a default. A set of effects sets its place in the
@@ -59,17 +59,21 @@ export function layOutRules(
  * @param a - index of the object concerned
  * @param b - index of a second object
  */
-export const offer = (m: Motion, time: number, kind: number, a: number, b: number): void => offerAs(m, time, kind, a, b, COMES);
+export const offer = (m: Motion, time: number, kind: number, a: number, b: number): void =>
+  offerFrom(m, time, kind, a, b, -1, false);
 
 /**
- * The same for an event that may stand already: what stands comes before everything that only begins at the same instant.
- * @param onset - one of ONSETS
+ * The same for an event that may be there where the search for events begins: what stands there comes before everything that
+ * only begins at the same instant; what only touches there waits for the button.
+ * @param from - where the search begins, s after the start of the piece
+ * @param stands - whether it stands there, if it is there
  */
-export function offerAs(m: Motion, time: number, kind: number, a: number, b: number, onset: number): void {
+export function offerFrom(m: Motion, time: number, kind: number, a: number, b: number, from: number, stands: boolean): void {
   if (time < 0) return;
   const { s } = m;
   const same = m.sameInstant;
   if (time > s[LENGTH_H]) return;
+  const onset = time !== from ? COMES : stands ? STANDS : TOUCHES;
   const isFirst = kind < s[EVENT] || (kind === s[EVENT] && a < s[EVENT_A]);
   if ((onset === STANDS) === (s[ONSET] === STANDS)) {
     if (!(time < s[NEXT] - same) && !(time <= s[NEXT] + same && isFirst)) return;

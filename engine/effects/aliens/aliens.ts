@@ -1,4 +1,4 @@
-import { chaserTravel, eventRule, justFired, offer, offerAs, offerContact, quietOutside, rimTime } from '../../events/index.ts';
+import { chaserTravel, eventRule, justFired, offer, offerContact, offerFrom, quietOutside, rimTime } from '../../events/index.ts';
 import { FOLLOWERS, GOES_ON, type Motion, ONSETS, placeChaser, RECORDS, SERIES, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import { type Effect, type EngineEffect, whereAny } from '../effect.ts';
@@ -8,7 +8,7 @@ import { overlapping, pairTime } from './pair.ts';
 
 const { START, NEXT, EVENT, ONSET, LENGTH_H, AWAKE_COUNT, LAST_EVENT, LAST_A } = SLOTS;
 const { CHASER } = RECORDS;
-const { COMES, STANDS, TOUCHES } = ONSETS;
+const { STANDS } = ONSETS;
 
 /** What overlaps at the start has exploded by this time, s. */
 const AT_THE_START = 1e-9;
@@ -103,9 +103,7 @@ const explode = eventRule({
 /** The explosion of two that overlap at the start stands; of two that only touch it waits for the button, as her contacts do. */
 function offerPair(m: Motion, i: number, j: number, from: number): void {
   const time = pairTime(m, i, j, from);
-  let onset: number = COMES;
-  if (time === from) onset = m.s[START] === 0 && overlapping(m, i, j) ? STANDS : TOUCHES;
-  offerAs(m, time, explode.kind, i, j, onset);
+  offerFrom(m, time, explode.kind, i, j, from, m.s[START] === 0 && overlapping(m, i, j));
 }
 
 /** Offers events of awake aliens and of pairs with one of them; at the start also of pairs that overlap. */

@@ -1,21 +1,10 @@
-import { eventRule, offerAs, quietWithin, rimTime } from '../../events/index.ts';
-import {
-  distanceSquared,
-  GOES_ON,
-  type Motion,
-  nearest,
-  ONSETS,
-  placeRock,
-  RECORDS,
-  relativeAt,
-  SLOTS,
-} from '../../motion/index.ts';
+import { eventRule, offerFrom, quietWithin, rimTime } from '../../events/index.ts';
+import { distanceSquared, GOES_ON, type Motion, nearest, placeRock, RECORDS, relativeAt, SLOTS } from '../../motion/index.ts';
 import { SURPLUS } from '../../tolerances.ts';
 import type { Effect } from '../effect.ts';
 
 const { START, COVER, HELD, BASE } = SLOTS;
 const { ROCK } = RECORDS;
-const { COMES, STANDS, TOUCHES } = ONSETS;
 
 /** Of a squared distance; {@link rimTime} counts her as inside as far as that. */
 const ROUNDING = 1e-12;
@@ -31,7 +20,7 @@ const leaveRange = eventRule({
     const { s, scene, path } = m;
     const cover = s[COVER];
     if (cover < 0) {
-      offerAs(m, from, leaveRange.kind, -1, 0, STANDS);
+      offerFrom(m, from, leaveRange.kind, -1, 0, from, true);
       return;
     }
     const { range } = scene.level;
@@ -42,9 +31,8 @@ const leaveRange = eventRule({
     if (within > 0 && dx * dx + dy * dy < within * within) return;
     placeRock(m, cover);
     const time = rimTime(m, range, false, m.kappa, from, false);
-    let onset: number = COMES;
-    if (time === from) onset = time === 0 && s[START] === 0 && isOutOfRange(m, cover) ? STANDS : TOUCHES;
-    offerAs(m, time, leaveRange.kind, cover, 0, onset);
+    const stands = time === from && s[START] === 0 && isOutOfRange(m, cover);
+    offerFrom(m, time, leaveRange.kind, cover, 0, from, stands);
   },
   latest(m) {
     const { s, ux, uy, px, py } = m;
@@ -73,10 +61,8 @@ const leaveRange = eventRule({
 /** An asteroid whose range she enters as she leaves that of `left`, or -1. */
 function enteredAtOnce(m: Motion, left: number): number {
   const { toCircle } = m;
-  const { level, targets } = m.scene;
-  const beyond = level.range * level.range * (1 + ROUNDING);
-  for (let i = 0; i < targets.count; i++) {
-    if (i === left || distanceSquared(m, i) > beyond) continue;
+  for (let i = 0; i < m.scene.targets.count; i++) {
+    if (i === left || isOutOfRange(m, i, 1 + ROUNDING)) continue;
     placeRock(m, i);
     relativeAt(m, 0);
     if (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] < 0) return i;
@@ -84,9 +70,10 @@ function enteredAtOnce(m: Motion, left: number): number {
   return -1;
 }
 
-function isOutOfRange(m: Motion, target: number): boolean {
+/** @param share - of the squared range */
+function isOutOfRange(m: Motion, target: number, share = 1): boolean {
   const { range } = m.scene.level;
-  return distanceSquared(m, target) > range * range;
+  return distanceSquared(m, target) > range * range * share;
 }
 
 export const range: Effect = {
