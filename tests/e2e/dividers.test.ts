@@ -15,9 +15,9 @@ inChromium('the dividers between the parts of the page, in Chromium', ({ on }) =
       const height = async (part = page.locator('#right-side-second')) => Math.round((await part.boundingBox())?.height ?? 0);
       const drag = async (by: number) => {
         const { x = 0 } = (await divider.boundingBox()) ?? {};
-        await page.mouse.move(x + 3, 300);
+        await page.mouse.move(x + 1, 300);
         await page.mouse.down();
-        await page.mouse.move(x + 3 + by, 320, { steps: 3 });
+        await page.mouse.move(x + 1 + by, 320, { steps: 3 });
         await page.mouse.up();
       };
       await until(async () => expect(await width()).toBe(250));
