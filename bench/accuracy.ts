@@ -1,6 +1,5 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
-import { brief } from '../cli/commands/accuracy/report.ts';
 import { ACCURACIES, type Accuracy, DEFAULT_MAX_TICKS, TICK_RATE } from '../engine/index.ts';
 import {
   type Cost,
@@ -17,6 +16,7 @@ import {
   referenceOf,
 } from '../engine/work-precision/index.ts';
 import {
+  brief,
   type DiagramPoint,
   drawDiagram,
   drawTunnelling,
@@ -185,6 +185,8 @@ const point =
       failures: otherOutcomes,
       label: label(row),
       note: note(row),
+      time: 0,
+      words: `${row.name}: ${brief(error.median)} px in the median, ${brief(cost)} us a second of play`,
     };
   };
 const ourPoint = (row: Row & { accuracy: Accuracy }): DiagramPoint =>
@@ -234,6 +236,7 @@ export const bench = define({
       ],
       runs: scripts.length,
       floor: typical,
+      used: null,
       lines: [
         ...linesOf(rows, ourPoint),
         ...peers.map((peer) => ({

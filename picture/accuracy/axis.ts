@@ -63,19 +63,27 @@ const overlap = (a: LabelBox, b: LabelBox): number =>
 /**
  * Finds places for labels near their points, one after the other, where they cover as little as possible of the points and of
  * each other.
+ * @param labels each with its point, and how far from it it begins at least
  * @param points all marks in the picture
  * @param within the labels stay inside this box
  */
 export function placeLabels(
-  labels: readonly { readonly text: string; readonly size: number; readonly x: number; readonly y: number }[],
+  labels: readonly {
+    readonly text: string;
+    readonly size: number;
+    readonly from: number;
+    readonly x: number;
+    readonly y: number;
+  }[],
   points: readonly (readonly [x: number, y: number])[],
   within: LabelBox,
 ): Label[] {
   const taken: LabelBox[] = points.map(([x, y]) => ({ left: x - 5, right: x + 5, top: y - 5, bottom: y + 5 }));
-  return labels.map(({ text, size, x, y }) => {
+  return labels.map(({ text, size, from, x, y }) => {
     const width = textWidth(text, size);
     let best: { box: LabelBox; cost: number; far: boolean } | null = null;
     for (const reach of [11, 20, 32, 46, 62]) {
+      if (reach < from) continue;
       for (const [dx, dy] of DIRECTIONS) {
         const left = dx > 0 ? x + dx * reach : dx < 0 ? x + dx * reach - width : x - width / 2;
         const middle = y + dy * reach;
@@ -150,4 +158,50 @@ function outline(kind: LineKind, x: number, y: number, r: number): string {
 export function drawMark(kind: LineKind, x: number, y: number, r: number, hollow: boolean): string {
   const fill = hollow ? 'fill="none" stroke="currentColor" stroke-width="1.3"' : 'fill="currentColor"';
   return `<path d="${outline(kind, x, y, r)}" ${fill} stroke-linejoin="round"/>`;
+}
+
+/** How the front and the lines to the axes are drawn. */
+export const FRONT = 'stroke-width="7" stroke-linecap="round" stroke-linejoin="round" opacity="0.32"';
+export const CROSS = 'stroke-width="1" stroke-dasharray="2 4"';
+
+/** The sign of the best setting of a family: brackets around its mark. */
+export function drawBest(x: number, y: number): string {
+  const side = (sign: 1 | -1): string =>
+    `M${num(x + 6 * sign)} ${num(y - 8)}L${num(x + 9 * sign)} ${num(y - 8)}L${num(x + 9 * sign)} ${num(y + 8)}L${num(x + 6 * sign)} ${num(y + 8)}`;
+  return `<path d="${side(-1)}${side(1)}" fill="none" stroke="currentColor" stroke-width="1.8"/>`;
+}
+
+/** Where a diagram has what, in units of the picture. */
+interface Layout {
+  readonly width: number;
+  readonly height: number;
+  readonly plot: { readonly left: number; readonly top: number; readonly right: number; readonly bottom: number };
+  readonly failed: { readonly left: number; readonly right: number };
+  /** Null: the legend is a picture of its own, and there is no title. */
+  readonly legend: { readonly left: number; readonly top: number } | null;
+  /** Labels that an axis has room for. */
+  readonly room: { readonly x: number; readonly y: number };
+}
+
+export const WIDE: Layout = {
+  width: 960,
+  height: 580,
+  plot: { left: 84, top: 114, right: 664, bottom: 506 },
+  failed: { left: 684, right: 772 },
+  legend: { left: 796, top: 126 },
+  room: { x: 8, y: 6 },
+};
+
+/** The layout for a place that is only so wide. */
+export function narrowLayout(width: number, hasFailures: boolean): Layout {
+  const right = width - (hasFailures ? 74 : 20);
+  const bottom = 34 + Math.round(0.52 * width);
+  return {
+    width,
+    height: bottom + 40,
+    plot: { left: 48, top: 34, right, bottom },
+    failed: { left: right + 10, right: width - 6 },
+    legend: null,
+    room: { x: Math.max(2, Math.floor((right - 48) / 44)), y: 5 },
+  };
 }

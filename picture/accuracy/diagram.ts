@@ -1,7 +1,19 @@
-import { drawText, type TextStyle, textWidth } from '../text.ts';
+import { drawText, type TextStyle, textWidth, wrapText } from '../text.ts';
 import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
-import { decades, drawMark, type LineKind, logAxis, placeLabels, powerOfTen } from './axis.ts';
+import {
+  CROSS,
+  decades,
+  drawBest,
+  drawMark,
+  FRONT,
+  type LineKind,
+  logAxis,
+  narrowLayout,
+  placeLabels,
+  powerOfTen,
+  WIDE,
+} from './axis.ts';
 
 /** One measured setting in a diagram. */
 export interface DiagramPoint {
@@ -17,6 +29,10 @@ export interface DiagramPoint {
   readonly label: string | null;
   /** The setting, as a small text beside the point; null for none. */
   readonly note: string | null;
+  /** When a single run ends, s. */
+  readonly time: number;
+  /** What it is and all its figures, for who points at it. */
+  readonly words: string;
 }
 
 /** The measured settings of one method. */
@@ -37,32 +53,68 @@ export interface Diagram {
   readonly runs: number;
   /** The error of the reference, px. */
   readonly floor: number;
+  /** The label of the setting in use; null: none is. */
+  readonly used: string | null;
+  /** The best of each family, and the front that nothing cheaper is as exact as; absent: they are not shown. */
+  readonly best?: Best;
   readonly lines: readonly DiagramLine[];
 }
 
-const WIDTH = 960;
-const HEIGHT = 580;
-const PLOT = { left: 84, top: 114, right: 664, bottom: 506 };
-const FAILED = { left: 684, right: 772 };
-const LEGEND = { left: 796, top: 126, step: 25 };
+/** What is marked in a diagram besides the points. */
+export interface Best {
+  readonly ofFamilies: ReadonlySet<DiagramPoint>;
+  /** From the cheapest on. */
+  readonly front: readonly DiagramPoint[];
+}
+
+/** A mark of a drawn diagram. */
+interface DrawnMark {
+  readonly point: DiagramPoint;
+  /** Its middle, in units of the picture. */
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A diagram as it is drawn. */
+export interface DrawnDiagram {
+  readonly svg: string;
+  /** The legend, where it is a picture of its own. */
+  readonly legend: string | null;
+  readonly width: number;
+  readonly height: number;
+  /** One for each point. */
+  readonly marks: readonly DrawnMark[];
+}
+
+/** From here on, a label stands outside of the rings. */
+const RINGED = 18;
+
+/** How far below the smallest error the error of the reference is still shown. */
+const FLOOR_SHOWN = 1e-3;
 
 /** Draws a work-precision diagram as a standalone SVG document. The same input gives the same text. */
-export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
-  const { title, subtitle, runs, floor, lines } = diagram;
+export const drawDiagram = (diagram: Diagram, ground: Ground = 'auto'): string => layOutDiagram(diagram, ground).svg;
+
+/** Draws a work-precision diagram. @param width of its place, px; absent: it is drawn with title and legend, 960 wide */
+export function layOutDiagram(diagram: Diagram, ground: Ground = 'auto', width?: number): DrawnDiagram {
+  const { title, subtitle, runs, floor, used, lines, best } = diagram;
   const good = (point: DiagramPoint): boolean => point.failures < runs;
   const points = lines.flatMap((line) => line.points);
   const shown = points.filter(good);
-  const x = logAxis(
-    [...shown.flatMap((p) => [p.error, p.label === null ? p.error : (p.worseError ?? p.error)]), floor],
-    PLOT.left,
-    PLOT.right,
-  );
+  const mostFailures = Math.max(0, ...points.map((point) => point.failures));
+  const layout = width === undefined ? WIDE : narrowLayout(width, mostFailures > 0);
+  const { plot: PLOT, failed: FAILED } = layout;
+  const errors = shown.flatMap((p) => [p.error, p.label === null ? p.error : (p.worseError ?? p.error)]);
+  // a reference that is known far better than anything is exact would leave no room for the points
+  const isNear = floor >= FLOOR_SHOWN * Math.min(...errors.filter((error) => error > 0));
+  const x = logAxis(isNear ? [...errors, floor] : errors, PLOT.left, PLOT.right);
   const y = logAxis(
     points.map((point) => point.cost),
     PLOT.bottom,
     PLOT.top,
   );
-  const mostFailures = Math.max(0, ...points.map((point) => point.failures));
+  const ends = points.filter((point) => point.failures > 0).map(({ time }) => time);
+  const [earliest, latest] = [Math.min(...ends), Math.max(...ends)];
 
   const ink = (name: Ink, drawings: string): string => inked(ground, name, drawings);
   const write = (text: string, tx: number, ty: number, style: Partial<TextStyle> = {}): string =>
@@ -70,42 +122,71 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
   const line = (x1: number, y1: number, x2: number, y2: number, more = ''): string =>
     `<path d="M${num(x1)} ${num(y1)}L${num(x2)} ${num(y2)}" stroke="currentColor" fill="none" ${more}/>`;
 
-  const parts: string[] = [];
-  parts.push(ink('panel', `<rect width="${WIDTH}" height="${HEIGHT}" rx="10" fill="currentColor"/>`));
-  parts.push(ink('text', write(title, 24, 36, { size: 13, bold: true, maxWidth: WIDTH - 48 })));
-  parts.push(ink('muted', subtitle.map((text, i) => write(text, 24, 58 + 16 * i, { maxWidth: 640 })).join('')));
-  parts.push(drawGround());
-  parts.push(mostFailures > 0 ? drawFailures() : '');
-  for (const faint of [true, false]) for (const drawn of lines) if (drawn.faint === faint) parts.push(drawLine(drawn));
-  parts.push(drawLabels(), drawLegend());
+  const body = [
+    drawGround(),
+    mostFailures > 0 ? drawFailures() : '',
+    drawFront(),
+    ...[true, false].flatMap((faint) => lines.filter((drawn) => drawn.faint === faint).map(drawLine)),
+    drawUsed(),
+    drawLabels(),
+  ].join('');
+  const marks = lines.flatMap(({ points: own }) => own.map((point): DrawnMark => ({ point, ...placeOf(point) })));
+  const picture = { width: layout.width, height: layout.height, marks };
+  if (layout.legend === null) {
+    const { drawn, height } = drawLegend(0, 12, layout.width);
+    const legend = inSvg(layout.width, height, 'Legend', '', drawn);
+    return { ...picture, svg: inSvg(layout.width, layout.height, title, subtitle.join(' '), body), legend };
+  }
+  const head =
+    ink('panel', `<rect width="${layout.width}" height="${layout.height}" rx="10" fill="currentColor"/>`) +
+    ink('text', write(title, 24, 36, { size: 13, bold: true, maxWidth: layout.width - 48 })) +
+    ink('muted', subtitle.map((text, i) => write(text, 24, 58 + 16 * i, { maxWidth: 640 })).join(''));
+  const { drawn } = drawLegend(layout.legend.left, layout.legend.top, layout.width - layout.legend.left);
+  return { ...picture, svg: inSvg(layout.width, layout.height, title, subtitle.join(' '), head + body + drawn), legend: null };
 
-  return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${HEIGHT}" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img">` +
-    `<title>${escapeXml(title)}</title><desc>${escapeXml(subtitle.join(' '))}</desc>${inkStyle(ground)}${parts.join('')}</svg>\n`
-  );
+  function inSvg(w: number, h: number, name: string, about: string, drawn: string): string {
+    return (
+      `<svg xmlns="http://www.w3.org/2000/svg" width="${w}" height="${h}" viewBox="0 0 ${w} ${h}" role="img">` +
+      `<title>${escapeXml(name)}</title><desc>${escapeXml(about)}</desc>${inkStyle(ground)}${drawn}</svg>\n`
+    );
+  }
+
+  /** The middle of a point's mark: in the plot, or among those with another outcome. */
+  function placeOf(point: DiagramPoint): { x: number; y: number } {
+    return { x: good(point) ? x.at(point.error) : failedX(point), y: y.at(point.cost) };
+  }
 
   function drawGround(): string {
     const rules: string[] = [];
     const texts: string[] = [];
-    for (const power of decades(x, 8)) {
+    for (const power of decades(x, layout.room.x)) {
       const at = x.at(10 ** power);
       rules.push(line(at, PLOT.top, at, PLOT.bottom));
       texts.push(write(powerOfTen(power), at, PLOT.bottom + 19, { anchor: 'middle' }));
     }
-    for (const power of decades(y, 6)) {
+    for (const power of decades(y, layout.room.y)) {
       const at = y.at(10 ** power);
       rules.push(line(PLOT.left, at, PLOT.right, at));
       texts.push(write(powerOfTen(power), PLOT.left - 9, at + 4, { anchor: 'end' }));
     }
-    texts.push(write('error, px', (PLOT.left + PLOT.right) / 2, PLOT.bottom + 44, { anchor: 'middle', size: 9 }));
+    texts.push(
+      write('error, px', (PLOT.left + PLOT.right) / 2, PLOT.bottom + (layout.legend === null ? 36 : 44), {
+        anchor: 'middle',
+        size: 9,
+      }),
+    );
     const middle = (PLOT.top + PLOT.bottom) / 2;
     texts.push(
-      `<g transform="rotate(-90 26 ${middle})">${write('microseconds per simulated second', 26, middle, { anchor: 'middle', size: 9 })}</g>`,
+      layout.legend === null
+        ? `<g transform="rotate(-90 10 ${middle})">${write('us a second of play', 10, middle, { anchor: 'middle', size: 8 })}</g>`
+        : `<g transform="rotate(-90 26 ${middle})">${write('microseconds per simulated second', 26, middle, { anchor: 'middle', size: 9 })}</g>`,
     );
-    const [ax, ay] = [PLOT.left + 16, PLOT.bottom - 16];
-    texts.push(write('faster, more exact', ax + 18, ay - 8, { size: 7.5 }));
-    texts.push(line(ax + 14, ay - 14, ax, ay, 'stroke-width="1.4"'), line(ax, ay, ax + 7, ay, 'stroke-width="1.4"'));
-    texts.push(line(ax, ay, ax, ay - 7, 'stroke-width="1.4"'));
+    if (layout.legend !== null) {
+      const [ax, ay] = [PLOT.left + 16, PLOT.bottom - 16];
+      texts.push(write('faster, more exact', ax + 18, ay - 8, { size: 7.5 }));
+      texts.push(line(ax + 14, ay - 14, ax, ay, 'stroke-width="1.4"'), line(ax, ay, ax + 7, ay, 'stroke-width="1.4"'));
+      texts.push(line(ax, ay, ax, ay - 7, 'stroke-width="1.4"'));
+    }
     for (let power = y.low; power < y.high; power++) {
       for (let k = 2; k <= 9; k++) rules.push(line(PLOT.left, y.at(k * 10 ** power), PLOT.left + 5, y.at(k * 10 ** power)));
     }
@@ -116,52 +197,95 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
         : '';
     const marks = [
       [0.01, '0.01 px'],
-      [1, 'one pixel'],
+      [1, layout.legend === null ? '1 px' : 'one pixel'],
     ] as const;
+    let free = PLOT.left + 40;
     for (const [value, text] of marks) {
       const at = x.at(value);
       if (at <= PLOT.left + 40 || at >= PLOT.right) continue;
       rules.push(line(at, PLOT.top - 6, at, PLOT.bottom, 'stroke-width="2"'));
-      texts.push(write(text, at, PLOT.top - 12, { anchor: 'middle', size: 7.5 }));
+      const half = textWidth(text, 7.5) / 2;
+      if (at - half > free) texts.push(write(text, at, PLOT.top - 12, { anchor: 'middle', size: 7.5 }));
+      free = at + half + 4;
     }
     if (shade !== '') texts.push(write('rounding', PLOT.left + 2, PLOT.top - 12, { size: 7.5 }));
     return ink('shade', shade) + ink('rule', rules.join('')) + ink('muted', texts.join(''));
   }
 
-  function failedX(lineIndex: number, failures: number): number {
-    if (runs === 1) return FAILED.left + ((lineIndex + 0.5) / lines.length) * (FAILED.right - FAILED.left);
-    return FAILED.left + 8 + (failures / mostFailures) * (FAILED.right - FAILED.left - 16);
+  /** Where a point stands among those with another outcome: by how many runs have it, or by when the only one ends. */
+  function failedX({ failures, time }: DiagramPoint): number {
+    const share = runs > 1 ? failures / mostFailures : latest > earliest ? (time - earliest) / (latest - earliest) : 0.5;
+    return FAILED.left + 8 + share * (FAILED.right - FAILED.left - 16);
   }
 
   function drawFailures(): string {
     const { left, right } = FAILED;
     const middle = (left + right) / 2;
+    const isWide = layout.legend !== null;
     const texts = [
-      write('another', middle, PLOT.top - 26, { anchor: 'middle', size: 7.5 }),
-      write('outcome', middle, PLOT.top - 12, { anchor: 'middle', size: 7.5 }),
+      write('another', middle, PLOT.top - (isWide ? 26 : 20), { anchor: 'middle', size: 7.5 }),
+      write('outcome', middle, PLOT.top - (isWide ? 12 : 8), { anchor: 'middle', size: 7.5 }),
     ];
-    if (runs > 1) {
-      for (const count of [0, mostFailures]) {
-        texts.push(write(String(count), failedX(0, count), PLOT.bottom + 19, { anchor: 'middle' }));
-      }
-      texts.push(write(`of ${runs} runs`, middle, PLOT.bottom + 44, { anchor: 'middle', size: 9 }));
+    const values = runs > 1 ? [0, mostFailures] : latest > earliest ? [earliest, latest] : [earliest];
+    // as many digits as tell the ends apart
+    const digits = [0, 1, 2].find((count) => new Set(values.map((value) => value.toFixed(count))).size === values.length) ?? 3;
+    for (const [i, value] of values.entries()) {
+      const at = values.length === 1 ? middle : i === 0 ? left + 1 : right - 1;
+      const anchor = values.length === 1 ? 'middle' : i === 0 ? 'start' : 'end';
+      texts.push(write(value.toFixed(digits), at, PLOT.bottom + 19, { anchor, size: 7.5 }));
     }
-    const box = `<rect x="${left}" y="${PLOT.top}" width="${right - left}" height="${PLOT.bottom - PLOT.top}" fill="currentColor"/>`;
-    return ink('shade', box) + ink('muted', texts.join(''));
+    const label = runs > 1 ? `of ${runs} runs` : 'ends at, s';
+    texts.push(write(label, middle, PLOT.bottom + (isWide ? 44 : 36), { anchor: 'middle', size: isWide ? 9 : 7.5 }));
+    const box = `<rect x="${left}" y="${PLOT.top}" width="${num(right - left)}" height="${PLOT.bottom - PLOT.top}" fill="currentColor"/>`;
+    const axis = line(left, PLOT.bottom, right, PLOT.bottom, 'stroke-width="1.4"');
+    return ink('shade', box) + ink('muted', texts.join('') + axis);
+  }
+
+  /** Settings that nothing cheaper is as exact as, joined. */
+  function drawFront(): string {
+    const places = (best?.front ?? []).map((point) => [x.at(point.error), y.at(point.cost)] as const);
+    if (places.length === 0) return '';
+    return ink('text', `<path d="${polyline(places)}" fill="none" stroke="currentColor" ${FRONT}/>`);
+  }
+
+  /** Lines from the setting in use to both axes, and rings around it. */
+  function drawUsed(): string {
+    const own = points.filter(({ label }) => label !== null && label === used);
+    return ink(
+      'text',
+      own
+        .map((point) => {
+          const at = placeOf(point);
+          const cross =
+            own.length === 1 && good(point)
+              ? line(PLOT.left, at.y, PLOT.right, at.y, CROSS) + line(at.x, PLOT.top, at.x, PLOT.bottom, CROSS)
+              : '';
+          return cross + drawRings(at.x, at.y);
+        })
+        .join(''),
+    );
+  }
+
+  function drawRings(cx: number, cy: number): string {
+    return [8.5, 12.5]
+      .map((r) => `<circle cx="${num(cx)}" cy="${num(cy)}" r="${r}" fill="none" stroke="currentColor" stroke-width="2"/>`)
+      .join('');
   }
 
   function drawLine({ kind, faint, points: own }: DiagramLine): string {
-    const index = lines.findIndex((other) => other.points === own);
     const places = own.filter(good).map((p) => [x.at(p.error), y.at(p.cost)] as const);
     const width = faint ? 'stroke-width="1.1" stroke-dasharray="3 3" opacity="0.75"' : 'stroke-width="1.8"';
     const r = faint ? 3.2 : 5.2;
     let drawn = places.length > 1 ? `<path d="${polyline(places)}" fill="none" stroke="currentColor" ${width}/>` : '';
     for (const point of own) {
       const at = y.at(point.cost);
-      if (good(point)) drawn += drawMark(kind, x.at(point.error), at, r, point.failures > 0);
-      if (point.failures > 0) drawn += drawMark(kind, failedX(index, point.failures), at, r, true);
+      let mark = good(point) ? drawMark(kind, x.at(point.error), at, r, point.failures > 0) : '';
+      if (best?.ofFamilies.has(point)) mark += drawBest(x.at(point.error), at);
+      if (point.failures > 0) mark += drawMark(kind, failedX(point), at, r, true);
+      // a viewer of pictures names what is pointed at, or has the focus
+      drawn += `<g role="img" tabindex="0"><title>${escapeXml(point.words)}</title>${mark}</g>`;
       if (point.label === null || !good(point)) continue;
-      if (!faint && kind !== 'peer') {
+      if (!faint && kind !== 'peer' && point.label !== used) {
         drawn += `<circle cx="${num(x.at(point.error))}" cy="${num(at)}" r="9" fill="none" stroke="currentColor" stroke-width="1.4"/>`;
       }
       if (point.worseError === null || kind === 'peer') continue;
@@ -172,20 +296,29 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
   }
 
   function drawLabels(): string {
-    const wanted = lines.flatMap(({ kind, points: own }, index) =>
+    const wanted = lines.flatMap(({ kind, points: own }) =>
       own.flatMap((p) => {
-        const at = { kind, x: good(p) ? x.at(p.error) : failedX(index, p.failures), y: y.at(p.cost) };
-        if (p.label !== null) return [{ ...at, text: p.label, style: { size: 8.5, bold: kind !== 'peer' } }];
-        return p.note === null || !good(p) ? [] : [{ ...at, text: p.note, style: { size: 7 } }];
+        const at = { kind, x: good(p) ? x.at(p.error) : failedX(p), y: y.at(p.cost) };
+        if (p.label !== null) {
+          // each run has a point of its own: the first one is named
+          if (points.some((other) => other !== p && other.label === p.label && points.indexOf(other) < points.indexOf(p)))
+            return [];
+          const from = p.label === used ? RINGED : 0;
+          const text = p.label === used ? `in use: ${p.label}` : p.label;
+          return [{ ...at, text, from, style: { size: p.label === used ? 9 : 8.5, bold: kind !== 'peer' } }];
+        }
+        return p.note === null || !good(p) || layout.legend === null
+          ? []
+          : [{ ...at, text: p.note, from: 0, style: { size: 7 } }];
       }),
     );
     // Names are placed first and get the better places.
     wanted.sort((a, b) => b.style.size - a.style.size);
-    const marks = lines.flatMap((drawn, index) => alongLine(drawn, index));
+    const taken = lines.flatMap(alongLine);
     const within = { left: PLOT.left, right: FAILED.right, top: PLOT.top, bottom: PLOT.bottom };
     const placed = placeLabels(
       wanted.map((label) => ({ ...label, size: label.style.size })),
-      marks,
+      taken,
       within,
     );
     return placed
@@ -199,7 +332,7 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
   }
 
   /** Marks, and points along the segments between them, that a label should not cover. */
-  function alongLine({ points: own }: DiagramLine, index: number): (readonly [number, number])[] {
+  function alongLine({ points: own }: DiagramLine): (readonly [number, number])[] {
     const places = own.filter(good).map((p) => [x.at(p.error), y.at(p.cost)] as const);
     const between = places.slice(1).flatMap(([toX, toY], i) => {
       const [fromX, fromY] = places[i];
@@ -209,29 +342,60 @@ export function drawDiagram(diagram: Diagram, ground: Ground = 'auto'): string {
         return [fromX + part * (toX - fromX), fromY + part * (toY - fromY)] as const;
       });
     });
-    const failed = own.filter((p) => p.failures > 0).map((p) => [failedX(index, p.failures), y.at(p.cost)] as const);
+    const failed = own.filter((p) => p.failures > 0).map((p) => [failedX(p), y.at(p.cost)] as const);
     return [...places, ...between, ...failed];
   }
 
-  function drawLegend(): string {
-    let at = LEGEND.top;
-    let drawn = '';
-    let peersNamed = false;
-    for (const { name, kind, faint } of lines) {
-      if (kind === 'peer' && peersNamed) continue;
-      peersNamed ||= kind === 'peer';
-      const dash = faint ? 'stroke-width="1.1" stroke-dasharray="3 3"' : 'stroke-width="1.8"';
-      drawn += ink(
-        kind,
-        line(LEGEND.left, at - 4, LEGEND.left + 26, at - 4, dash) +
-          drawMark(kind, LEGEND.left + 13, at - 4, faint ? 3.2 : 5.2, false),
-      );
-      drawn += ink('text', write(kind === 'peer' ? 'other engines' : name, LEGEND.left + 35, at));
-      at += LEGEND.step;
+  /** What marks and lines stand for, in as many columns as there is room for. */
+  function drawLegend(left: number, top: number, room: number): { readonly drawn: string; readonly height: number } {
+    const own = lines.filter(({ name, kind }, i) =>
+      lines.slice(0, i).every((other) => (kind === 'peer' ? other.kind !== kind : other.name !== name)),
+    );
+    const entries: { readonly ink: Ink; readonly sign: (x: number, y: number) => string; readonly text: string }[] = own.map(
+      ({ name, kind, faint }) => ({
+        ink: kind,
+        sign: (sx, sy) =>
+          line(sx, sy, sx + 26, sy, faint ? 'stroke-width="1.1" stroke-dasharray="3 3"' : 'stroke-width="1.8"') +
+          drawMark(kind, sx + 13, sy, faint ? 3.2 : 5.2, false),
+        text: kind === 'peer' ? 'other engines' : name,
+      }),
+    );
+    if (best !== undefined) {
+      entries.push({
+        ink: 'text',
+        sign: (sx, sy) => line(sx, sy, sx + 26, sy, FRONT),
+        text: 'nothing cheaper is as exact',
+      });
+      entries.push({ ink: 'text', sign: (sx, sy) => drawBest(sx + 13, sy), text: 'best of its integrator' });
     }
-    const notes = ['hollow: a run has', 'another outcome'];
-    if (runs > 1) notes.push('', 'marks: median run', 'whiskers: to the', '90th percentile');
-    drawn += ink('muted', notes.map((note, i) => write(note, LEGEND.left, at + 14 + 16 * i, { size: 7.5 })).join(''));
-    return drawn;
+    if (used !== null) entries.push({ ink: 'text', sign: (sx, sy) => drawRings(sx + 13, sy), text: 'in use' });
+    if (mostFailures > 0)
+      entries.push({
+        ink: 'muted',
+        sign: (sx, sy) => drawMark('rk4', sx + 13, sy, 5.2, true),
+        text: runs > 1 ? 'hollow: some runs end otherwise' : 'hollow: another outcome',
+      });
+    const isWide = layout.legend !== null;
+    const columns = isWide ? 1 : Math.max(1, Math.floor(room / 125));
+    const step = 25;
+    const rows = Math.ceil(entries.length / columns);
+    const width = room / columns - 35;
+    let drawn = entries
+      .map((entry, i) => {
+        const [sx, sy] = [left + Math.floor(i / rows) * (room / columns), top + step * (i % rows)];
+        const text = wrapText(entry.text, 7.5, width - 6).map((words, k, all) =>
+          write(words, sx + 35, sy + 4 + 12 * k - 6 * (all.length - 1), { size: 7.5 }),
+        );
+        return ink(entry.ink, entry.sign(sx + 2, sy)) + ink('text', text.join(''));
+      })
+      .join('');
+    const notes = runs > 1 ? ['marks: median run,', 'whiskers: to the', '90th percentile'] : [];
+    const bottom = top + step * rows;
+    const texts = isWide ? notes : notes.length > 0 ? [notes.join(' ')] : [];
+    drawn += ink(
+      'muted',
+      texts.map((note, i) => write(note, left + 2, bottom + 6 + 16 * i, { size: 7.5, maxWidth: room })).join(''),
+    );
+    return { drawn, height: bottom + 16 * texts.length };
   }
 }

@@ -1,13 +1,13 @@
-import type { Accuracy } from '../../engine/index.ts';
-import { type Measured, RATES, TOLERANCES, type WorkPrecision } from '../../engine/work-precision/index.ts';
+import { ACCURACIES, type Accuracy } from '../../engine/index.ts';
+import { GOOD_ENOUGH, quantile, RATES, TOLERANCES } from '../../engine/work-precision/index.ts';
 import { drawText, type TextStyle } from '../text.ts';
 import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
 import type { LineKind } from './axis.ts';
-import type { Diagram, DiagramLine, DiagramPoint } from './diagram.ts';
+import type { Best, Diagram, DiagramLine, DiagramPoint } from './diagram.ts';
 
 export type { Ground } from '../theme.ts';
-export { type Diagram, type DiagramPoint, drawDiagram } from './diagram.ts';
+export { type Diagram, type DiagramPoint, type DrawnDiagram, drawDiagram, layOutDiagram } from './diagram.ts';
 
 /** The name of a line in a diagram: `rk4`, `rk4, frame tests`. */
 const lineName = ({ integrator, contact }: Accuracy): string =>
@@ -36,25 +36,140 @@ export function noteOf({ rate, tolerance }: Accuracy): string | null {
   return ends.includes(tolerance) ? `${tolerance?.toExponential()} px` : null;
 }
 
-/**
- * Creates the diagram of one run of a level.
- * @param named the settings that are labelled
- */
-export function levelDiagram(
-  title: string,
-  subtitle: readonly string[],
-  { reference, methods }: WorkPrecision,
-  named: readonly string[],
-): Diagram {
-  const point = ({ accuracy, error, cost, sameVerdict }: Measured): DiagramPoint => ({
-    error,
-    worseError: null,
-    cost: cost.minimum,
-    failures: sameVerdict ? 0 : 1,
-    label: named.includes(accuracy.name) ? accuracy.name : null,
+/** How a setting plays a run. */
+interface RunAtSetting {
+  readonly accuracy: Accuracy;
+  /** The largest distance to the reference, px. */
+  readonly error: number;
+  /** microseconds per simulated second */
+  readonly cost: number;
+  /** When the run ends, s. */
+  readonly time: number;
+  /** Whether its outcome is that of the reference. */
+  readonly sameVerdict: boolean;
+  /** How it ends, in words. */
+  readonly end: string;
+}
+
+/** A run at all settings. */
+export interface RunAtSettings {
+  readonly name: string | null;
+  /** How exactly its reference is known, px; null: no second one confirms it. */
+  readonly knownTo: number | null;
+  readonly settings: readonly RunAtSetting[];
+}
+
+interface DiagramOfLevel extends Pick<Diagram, 'title' | 'subtitle' | 'used'> {
+  /** At least one. */
+  readonly runs: readonly RunAtSettings[];
+  /** The settings that are labelled. */
+  readonly named: readonly string[];
+  /** Whether each run has a point of its own; else a point has all runs. */
+  readonly each?: boolean;
+}
+
+/** Creates the diagram of the runs of a level. */
+export function levelDiagram({ title, subtitle, runs, used, named, each = false }: DiagramOfLevel): Diagram {
+  const label = ({ name }: Accuracy) => (name === used || named.includes(name) ? name : null);
+  const texts = (accuracy: Accuracy) => ({
+    label: label(accuracy),
     note: accuracy.contact === 'swept' ? noteOf(accuracy) : null,
   });
-  return { title, subtitle, runs: 1, floor: reference.knownTo ?? 0, lines: linesOf(methods, point) };
+  const floor = Math.max(0, ...runs.map(({ knownTo }) => knownTo ?? 0));
+  if (runs.length === 1 || each) {
+    const lines = runs.flatMap((run) =>
+      linesOf(run.settings, (one) => ({
+        ...texts(one.accuracy),
+        ...{ error: one.error, worseError: null, cost: one.cost, failures: one.sameVerdict ? 0 : 1, time: one.time },
+        words: `${runs.length > 1 ? `${run.name}: ` : ''}${runInWords(one, run.knownTo)}`,
+      })),
+    );
+    const diagram = { title, subtitle, runs: 1, floor, used, lines };
+    return runs.length === 1 ? { ...diagram, best: bestOf(lines) } : diagram;
+  }
+  const known = runs.every(({ knownTo }) => knownTo !== null) ? floor : null;
+  // a setting at which a run takes too much work has no point
+  const all = runs[0].settings.flatMap(({ accuracy }) => {
+    const own = runs.flatMap(({ name, settings }) =>
+      settings.filter((one) => one.accuracy === accuracy).map((one) => ({ ...one, name })),
+    );
+    return own.length === runs.length ? [{ accuracy, own }] : [];
+  });
+  const lines = linesOf(all, ({ accuracy, own }): DiagramPoint => {
+    const errors = own.filter(({ sameVerdict }) => sameVerdict).map(({ error }) => error);
+    const time = own.reduce((sum, one) => sum + one.time, 0);
+    const others = own.filter(({ sameVerdict }) => !sameVerdict);
+    const cost = own.reduce((sum, one) => sum + one.cost * one.time, 0) / time;
+    const [median, worse] = errors.length === 0 ? [0, null] : [quantile(errors, 0.5), quantile(errors, 0.9)];
+    const off =
+      errors.length === 0 ? 'no run ends as the reference' : errorInWords(median, known, ` in the median of ${runs.length} runs`);
+    const ends =
+      others.length === 0
+        ? 'all end as their references'
+        : `${others.length} of ${runs.length} end otherwise: ${others.map(({ name, end }) => `${name} ${end}`).join(', ')}`;
+    return {
+      ...texts(accuracy),
+      ...{ error: median, worseError: worse, cost, failures: others.length, time: time / runs.length },
+      words: `${settingInWords(accuracy)}: ${off}; ${costInWords(cost, time, 'times all runs')}; ${ends}.`,
+    };
+  });
+  return { title, subtitle, runs: runs.length, floor, used, lines, best: bestOf(lines) };
+}
+
+/** What is marked among points: settings with the outcome of the reference. */
+function bestOf(lines: readonly DiagramLine[]): Best {
+  const good = lines.flatMap(({ kind, points }) =>
+    points.filter(({ failures }) => failures === 0).map((point) => ({ kind, point })),
+  );
+  const worst = ({ error, worseError }: DiagramPoint): number => worseError ?? error;
+  const ofFamilies = new Set<DiagramPoint>();
+  for (const kind of new Set(good.map((one) => one.kind))) {
+    const own = good.filter((one) => one.kind === kind).map(({ point }) => point);
+    const exact = own.filter((point) => worst(point) < GOOD_ENOUGH).sort((a, b) => a.cost - b.cost);
+    ofFamilies.add(exact[0] ?? own.sort((a, b) => worst(a) - worst(b))[0]);
+  }
+  const front: DiagramPoint[] = [];
+  for (const { point } of [...good].sort((a, b) => a.point.cost - b.point.cost || a.point.error - b.point.error))
+    if (front.length === 0 || point.error < front[front.length - 1].error) front.push(point);
+  return { ofFamilies, front };
+}
+
+// a point in words
+
+/** A length, a time or a cost with two significant digits: 12, 0.034, 5.6e-7. */
+export function brief(value: number): string {
+  if (value === 0) return '0';
+  if (value < 1e-3 || value >= 1e5) return value.toExponential(1);
+  return value >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(2)));
+}
+
+/** An error, which means no more than how exactly the reference is known; in brackets where that is not known. */
+export function errorIn(error: number, knownTo: number | null): string {
+  if (knownTo === null) return `(${brief(error)})`;
+  return error < knownTo ? `< ${brief(knownTo)}` : brief(error);
+}
+
+const errorInWords = (error: number, knownTo: number | null, of = ''): string =>
+  `off by ${errorIn(error, knownTo)} px${of}, ${knownTo === null ? 'from a reference that no second one confirms' : `known to ${brief(knownTo)} px`}`;
+
+/** How many times a second of one core plays so much time. @param cost microseconds per simulated second; @param time s */
+export const runsASecond = (cost: number, time: number): string =>
+  Math.round(1e6 / (cost * Math.max(time, 1 / 60))).toLocaleString('en-US');
+
+const costInWords = (cost: number, time: number, plays: string): string =>
+  `${brief(cost)} µs a second of play, ${brief(cost / 1e4)} % of a frame at 60 Hz, ${runsASecond(cost, time)} ${plays} a second`;
+
+/** `rk4 at 60 Hz, swept contacts (standard)` */
+function settingInWords({ name, integrator, rate, tolerance, contact }: Accuracy): string {
+  if (integrator === 'arcade') return 'arcade: euler at 60 Hz, contacts once a frame';
+  const size = rate === null ? `to ${tolerance?.toExponential()} px` : `at ${rate} Hz`;
+  const own = Object.hasOwn(ACCURACIES, name) ? ` (${name})` : '';
+  return `${integrator} ${size}, ${contact === 'frame' ? 'contacts once a frame' : 'swept contacts'}${own}`;
+}
+
+function runInWords({ accuracy, error, cost, time, sameVerdict, end }: RunAtSetting, knownTo: number | null): string {
+  const outcome = sameVerdict ? end : `another outcome: ${end}`;
+  return `${settingInWords(accuracy)}: ${errorInWords(error, knownTo)}; ${costInWords(cost, time, 'runs')}; ${outcome}.`;
 }
 
 /** The share of contacts that a test once per frame misses, by speed, for circles of one radius. */

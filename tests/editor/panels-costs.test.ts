@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { drawSettings } from '../../editor/features/accuracy/measured-settings.ts';
+import { settingsDiagram } from '../../editor/features/accuracy/measured-settings.ts';
 import { otherEndOf } from '../../editor/features/accuracy/OtherAccuracy.tsx';
 import { surveyOf } from '../../editor/features/effects/survey.ts';
 import { EFFECTS, termsOf, workByEffect } from '../../engine/index.ts';
 import { METHODS } from '../../engine/work-precision/index.ts';
+import { layOutDiagram } from '../../picture/accuracy/index.ts';
 import type { LevelFile } from '../../schema/index.ts';
 
 const FILE: LevelFile = {
@@ -52,8 +53,8 @@ describe('what an effect costs', () => {
   });
 });
 
-describe('the named settings', () => {
-  it('are points in the diagram, in the theme of the page, with a ring around the current one', () => {
+describe('the measured settings', () => {
+  it('are points in the diagram, in the theme of the page, with rings around the current one', () => {
     const settings = METHODS.map(({ name }, i) => ({
       name,
       error: 10 ** -(i % 9),
@@ -63,10 +64,12 @@ describe('the named settings', () => {
       time: 1,
       sameVerdict: i !== 3,
     }));
+    const run = { name: 'solution', knownTo: 1e-20, doubt: null, unmeasured: [], settings };
+    const measured = { runs: [run], level: 'Level <1>', range: 250, played: {} as never, holds: '', left: 0 };
     const draw = (current: 'fast' | 'precise', ground: 'dark' | 'light') =>
-      drawSettings({ level: 'Level <1>', run: 'solution', settings, current }, ground);
+      layOutDiagram(settingsDiagram(measured, current, false), ground, 300).svg;
     const svg = draw('fast', 'dark');
-    expect(svg.match(/<circle[^>]*r="9"/g)).toHaveLength(1);
+    expect(svg.match(/<circle[^>]*r="12.5"/g)).toHaveLength(1);
     expect(svg).not.toBe(draw('precise', 'dark'));
     expect(svg).not.toBe(draw('fast', 'light'));
     // no style element, which would affect the whole page

@@ -14,8 +14,7 @@ import { createProofStore, type LiveProof, slackQuestion } from '../../editor/co
 import { createSession } from '../../editor/core/session/index.ts';
 import { createSettings } from '../../editor/core/settings/index.ts';
 import { checkQuestion, proofQuestion } from '../../editor/core/verdict/evidence.ts';
-import { accuracyQuestion } from '../../editor/features/accuracy/measured-settings.ts';
-import { namedQuestion } from '../../editor/features/accuracy/named-results.ts';
+import { accuracyQuestion, namedQuestion } from '../../editor/features/accuracy/measured-settings.ts';
 import { retimeQuestion } from '../../editor/features/alive/seek-holds.ts';
 import { pathQuestion } from '../../editor/features/attempts/selected-ghosts.ts';
 import { comparedOf, trajectoryQuestion } from '../../editor/features/compare/compared.ts';

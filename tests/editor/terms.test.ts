@@ -83,8 +83,11 @@ const TABLE: { readonly [K in JobKind]: Asked<K> } = {
     dependsOn: 'see below',
   },
   accuracy: {
-    ask: (file, terms) => ({ ...runOf(file, terms), methods: 'named' as const }),
-    completes: ({ settings }) => settings.some(({ outcome }) => outcome === 'completed'),
+    ask: (file, terms) => {
+      const { holds, ...played } = runOf(file, terms);
+      return { ...played, runs: [holds], methods: 'named' as const };
+    },
+    completes: ([{ settings }]) => settings.some(({ outcome }) => outcome === 'completed'),
     dependsOn: ['maxTime', 'rules'],
   },
   effects: {

@@ -1,10 +1,10 @@
 import type { CheapestSetting, KeptRun, TriedSetting } from '../../../check/index.ts';
 import { plural } from '../../../check/words/index.ts';
 import { ACCURACIES } from '../../../engine/index.ts';
+import { brief } from '../../../picture/accuracy/index.ts';
 import type { CheapestReport as CheapestJson, TermsReport } from '../../../schema/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
 import { type Colors, visibleLine } from '../../terminal/index.ts';
-import { brief } from './report.ts';
 
 /** The results of `accuracy --cheapest`. */
 interface CheapestReport {

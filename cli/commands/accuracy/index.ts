@@ -1,10 +1,10 @@
 import process from 'node:process';
 import { type Command, Option } from 'commander';
 import { findCheapestSetting, type KeptRun } from '../../../check/index.ts';
-import { termsReport } from '../../../check/words/index.ts';
+import { outcomeAsPredicate, termsReport } from '../../../check/words/index.ts';
 import { ACCURACIES } from '../../../engine/index.ts';
 import { cheapestGoodEnough, METHODS, measureWorkPrecision } from '../../../engine/work-precision/index.ts';
-import { drawDiagram, type Ground, levelDiagram } from '../../../picture/accuracy/index.ts';
+import { brief, drawDiagram, type Ground, levelDiagram } from '../../../picture/accuracy/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
@@ -23,7 +23,7 @@ import { chooseRun, parseHolds } from '../../runs/index.ts';
 import { colorsFor, Failure, visibleLine, widthOf } from '../../terminal/index.ts';
 import { cheapestJson, cheapestPretty } from './cheapest-report.ts';
 import { drawLens, waysAtAll } from './lens.ts';
-import { type AccuracyReport, accuracyJson, accuracyPretty, brief } from './report.ts';
+import { type AccuracyReport, accuracyJson, accuracyPretty } from './report.ts';
 
 /** ms for the timing */
 const BUDGET = 6000;
@@ -147,7 +147,7 @@ async function measure([file, ...others]: readonly string[], options: Options, c
     cheapest: cheapestGoodEnough(measured.methods),
     asked,
   };
-  if (svg !== undefined) await writeWhole(svg, draw(report, options.theme));
+  if (svg !== undefined) await writeWhole(svg, draw(report, (asked ?? terms.accuracy).name, level.range, options.theme));
   const dark = options.theme === 'light' ? 'light' : 'dark';
   if (picture !== undefined) await writeWhole(picture, drawLens(level, name, waysAtAll(level, holds, terms), dark));
   return {
@@ -157,7 +157,7 @@ async function measure([file, ...others]: readonly string[], options: Options, c
   };
 }
 
-function draw({ level, run, measured, asked }: AccuracyReport, theme: Ground): string {
+function draw({ level, run, measured }: AccuracyReport, used: string, range: number, theme: Ground): string {
   const { outcome, time, knownTo } = measured.reference;
   const subtitle = [
     `${outcome} at ${time.toFixed(3)} s. Error: the largest distance, at ticks before the end, from a reference,`,
@@ -165,6 +165,12 @@ function draw({ level, run, measured, asked }: AccuracyReport, theme: Ground): s
       ? 'which no second one confirms'
       : `which is known to ${brief(knownTo)} px: so far is a second one, of another method`,
   ];
-  const named = [...Object.keys(ACCURACIES), ...(asked === null ? [] : [asked.name])];
-  return drawDiagram(levelDiagram(`What accuracy costs: ${level}, ${run}`, subtitle, measured, named), theme);
+  const settings = measured.methods.map((method) => ({
+    ...method,
+    cost: method.cost.minimum,
+    end: outcomeAsPredicate(method, range),
+  }));
+  const runs = [{ name: run, knownTo, settings }];
+  const title = `What accuracy costs: ${level}, ${run}`;
+  return drawDiagram(levelDiagram({ title, subtitle, runs, used, named: Object.keys(ACCURACIES) }), theme);
 }

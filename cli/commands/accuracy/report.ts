@@ -1,5 +1,6 @@
 import { ACCURACIES, type Accuracy } from '../../../engine/index.ts';
 import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../../engine/work-precision/index.ts';
+import { brief, errorIn, runsASecond } from '../../../picture/accuracy/index.ts';
 import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../../schema/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
 import { type Colors, visibleLine } from '../../terminal/index.ts';
@@ -56,23 +57,6 @@ export function accuracyJson({ level, terms, holds, measured, cheapest }: Accura
 const COLUMNS = ['setting', 'error, px', 'cost, us/s', 'runs/s', 'end', 'frame tests: cost', 'end'];
 const RIGHT = [1, 2, 3, 5];
 
-/** A length, a time or a cost with two significant digits: 12, 0.034, 5.6e-7. */
-export function brief(value: number): string {
-  if (value === 0) return '0';
-  if (value < 1e-3 || value >= 1e5) return value.toExponential(1);
-  return value >= 100 ? value.toFixed(0) : String(Number(value.toPrecision(2)));
-}
-
-/** An error, which means no more than how exactly the reference is known; in brackets where that is not known. */
-function errorIn(error: number, knownTo: number | null): string {
-  if (knownTo === null) return `(${brief(error)})`;
-  return error < knownTo ? `< ${brief(knownTo)}` : brief(error);
-}
-
-/** How many times a second of one core plays the run. */
-const runsASecond = ({ cost, time }: Measured): string =>
-  Math.round(1e6 / (cost.minimum * Math.max(time, 1 / 60))).toLocaleString('en-US');
-
 /** The results of `accuracy` for people: all settings, the named ones, and a summary. */
 export function accuracyPretty(report: AccuracyReport, colors: Colors, width: number | null = null): string {
   const { level, run, measured, cheapest, asked } = report;
@@ -107,7 +91,14 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors, width: nu
     before = accuracy.integrator;
     const frame = accuracy.contact === 'swept' ? methods.find((other) => isFrameOf(other.accuracy, accuracy)) : undefined;
     const pair = frame === undefined ? [] : [brief(frame.cost.minimum), end(frame)];
-    rows.push([nameIn(accuracy), errorIn(m.error, reference.knownTo), brief(m.cost.minimum), runsASecond(m), end(m), ...pair]);
+    rows.push([
+      nameIn(accuracy),
+      errorIn(m.error, reference.knownTo),
+      brief(m.cost.minimum),
+      runsASecond(m.cost.minimum, m.time),
+      end(m),
+      ...pair,
+    ]);
     colored.push(m === cheapest ? colors.green : m.sameVerdict ? (line) => line : colors.red);
   }
   text += alignColumns(rows, { right: RIGHT, head: COLUMNS, lead: 0, width })

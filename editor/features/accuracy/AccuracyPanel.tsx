@@ -1,24 +1,24 @@
-import { Check, Gauge, Maximize2, Square, X } from 'lucide-react';
-import { type ComponentType, useMemo, useState } from 'react';
+import { Check, Gauge, Square, X } from 'lucide-react';
+import type { ComponentType } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
-import { useEditor, usePageTerms, usePageTheme, useProof } from '../../core/context/index.ts';
+import { useEditor, usePageTerms, useProof } from '../../core/context/index.ts';
 import { pixels } from '../../core/figures/index.ts';
 import { Progress, Section } from '../../core/panel/index.ts';
 import { playsAlike } from '../../core/proof/index.ts';
-import { Button, Dialog } from '../../core/ui/index.ts';
+import { Button } from '../../core/ui/index.ts';
 import { accuracyNameOf } from '../../workers/index.ts';
-import { drawSettings, type MeasuredSettings, useMeasured } from './measured-settings.ts';
-import { NAMES, useNamedResults } from './named-results.ts';
+import { holdsOfAll, NAMES, useMeasured, useNamedResults } from './measured-settings.ts';
+import { WorkPrecision } from './WorkPrecision.tsx';
 
 /** The results and costs of the named settings for this level and run; selects the one in use. */
 export function AccuracyPanel({ sections }: { readonly sections: readonly ComponentType[] }) {
   const terms = usePageTerms();
   const current = accuracyNameOf(terms.shown);
-  const { settings, knownTo, doubt, isFresh } = useNamedResults();
+  const { settings, knownTo, doubt, unmeasured, isFresh } = useNamedResults();
   const { phase, message, measured, start, cancel } = useMeasured();
   const isAlike = useProof((proof) => measured !== null && playsAlike(measured.played, proof));
-  const holds = useProof((proof) => proof.run.holds.join());
+  const holds = useProof(holdsOfAll);
   const isOld = measured !== null && (measured.holds !== holds || !isAlike);
   return (
     <div className="panel__body accuracies">
@@ -30,7 +30,7 @@ export function AccuracyPanel({ sections }: { readonly sections: readonly Compon
               Cancel
             </Button>
           ) : (
-            <Button hint="Time all settings on this run, in a worker" icon={<Gauge size={14} />} onClick={start}>
+            <Button hint="Time all settings on the runs of this level, in a worker" icon={<Gauge size={14} />} onClick={start}>
               {measured === null ? 'Measure' : 'Measure again'}
             </Button>
           )
@@ -45,13 +45,21 @@ export function AccuracyPanel({ sections }: { readonly sections: readonly Compon
         {measured === null ? (
           phase === 'idle' && (
             <p className="part__note">
-              Times and errors of 59 settings on this run: the work-precision diagram, with the one in use ringed.
+              Times and errors of 59 settings on the runs of this level: the work-precision diagram, with the one in use ringed.
             </p>
           )
         ) : (
           <>
             {isOld && <p className="part__note">Measured before the last change of the level or its run.</p>}
-            <DiagramView measured={measured} current={current} />
+            <WorkPrecision measured={measured} current={current} />
+            {measured.left > 0 && (
+              <p className="part__note">
+                The first {measured.runs.length} of {measured.runs.length + measured.left} runs.
+              </p>
+            )}
+            {measured.runs.map(({ name, doubt: own, unmeasured: over }) => (
+              <Caveats key={name} of={measured.runs.length > 1 ? name : null} doubt={own} unmeasured={over} />
+            ))}
           </>
         )}
       </Section>
@@ -78,13 +86,39 @@ export function AccuracyPanel({ sections }: { readonly sections: readonly Compon
           browser. The setting in use applies to this level: to its verdict, the playtest and the solver. The list, the pack and
           publishing say what gq check says here.
         </p>
-        {doubt !== null && <p className="part__note tone--warn">The reference is in doubt: {doubt}.</p>}
+        <Caveats of={null} doubt={doubt} unmeasured={unmeasured} />
       </Section>
       {sections.map((Part, i) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
         <Part key={i} />
       ))}
     </div>
+  );
+}
+
+interface CaveatsProps extends Pick<ReturnType<typeof useNamedResults>, 'doubt' | 'unmeasured'> {
+  /** The run that they are about; null: there is only one. */
+  readonly of: string | null;
+}
+
+/** What is not known of a run, and why. */
+function Caveats({ of, doubt, unmeasured }: CaveatsProps) {
+  const maxWork = usePageTerms().shown.maxWork;
+  const about = of === null ? '' : `${of}: `;
+  return (
+    <>
+      {doubt !== null && (
+        <p className="part__note tone--warn">
+          {about}the reference is in doubt: {doubt}. Errors in brackets are no more than differences from that run.
+        </p>
+      )}
+      {unmeasured.length > 0 && (
+        <p className="part__note tone--warn">
+          {about}over the work limit of {maxWork} pieces of motion, so not measured:{' '}
+          {unmeasured.map(({ name, time }) => `${name} (up to ${time.toFixed(2)} s)`).join(', ')}.
+        </p>
+      )}
+    </>
   );
 }
 
@@ -136,44 +170,12 @@ function Choice({ name, result, knownTo, isCurrent, isOfFolder }: ChoiceProps) {
           )}
           <span>{outcomeAsPredicate(result, range)}</span>
           <span className="accuracy__off">
-            {knownTo !== null && result.error < knownTo
-              ? `off by less than ${pixels(knownTo)}`
-              : `off by ${pixels(result.error)}`}
+            {knownTo === null
+              ? `off by (${pixels(result.error)})`
+              : `off by ${result.error < knownTo ? `less than ${pixels(knownTo)}` : pixels(result.error)}`}
           </span>
         </span>
       )}
     </label>
-  );
-}
-
-/** The diagram, small in the panel and large in a dialog. */
-function DiagramView({ measured, current }: { readonly measured: MeasuredSettings; readonly current: AccuracyName }) {
-  const [isOpen, setOpen] = useState(false);
-  const theme = usePageTheme();
-  const { level, run, settings } = measured;
-  const picture = useMemo(
-    () => `data:image/svg+xml,${encodeURIComponent(drawSettings({ level, run, settings, current }, theme))}`,
-    [level, run, settings, current, theme],
-  );
-  const failed = settings.filter(({ sameVerdict }) => !sameVerdict).length;
-  const alt = `Work-precision diagram: ${settings.length} settings, ${failed} of them with a different outcome; ${current} is ringed`;
-  return (
-    <>
-      <button type="button" className="diagram" onClick={() => setOpen(true)} title="Enlarge">
-        <img src={picture} alt={alt} />
-        <span className="diagram__sign">
-          <Maximize2 size={14} aria-label="Enlarge" />
-        </span>
-      </button>
-      <Dialog
-        open={isOpen}
-        wide
-        title="What accuracy costs"
-        about="Each point is a setting: further left is more accurate, further down is faster."
-        onClose={() => setOpen(false)}
-      >
-        <img className="diagram__large" src={picture} alt={alt} />
-      </Dialog>
-    </>
   );
 }

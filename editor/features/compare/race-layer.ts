@@ -44,6 +44,16 @@ const short = (name: string): string => {
   return letters.length > MOST_LETTERS ? `${letters.slice(0, MOST_LETTERS - 1).join('')}…` : name;
 };
 
+/** The first of the others, from the top, that a name lies on. */
+const liesOn = (name: GameObjects.Text, others: readonly GameObjects.Text[]): GameObjects.Text | undefined =>
+  others.find(
+    (other) =>
+      name.x < other.x + other.displayWidth &&
+      other.x < name.x + name.displayWidth &&
+      // a name that stands just below another one does not lie on it, whatever rounding does
+      Math.abs(name.y - other.y) < 0.99 * other.displayHeight,
+  );
+
 /** Compared runs: their paths in strokes of their own, and her figure with a name where each is now. */
 export class RaceLayer implements Drawing<Race> {
   private readonly paths: GameObjects.Graphics;
@@ -109,14 +119,18 @@ export class RaceLayer implements Drawing<Race> {
     }
   }
 
-  /** Moves the figures to a moment. */
+  /** Moves the figures to a moment. Where they are together, their names stand below each other. */
   private pose(racers: readonly Racer[], tick: number, { zoom, her: { halfHeight } }: Frame): void {
+    const placed: GameObjects.Text[] = [];
     for (const racer of racers) {
       const { x, y, cos, sin } = poseOf(racer, tick);
       const { body, ring, name } = this.figures[racer.slot];
       body.setPosition(x, y).setRotation(Math.atan2(sin, cos));
       ring.setPosition(x, y);
       name.setPosition(x + halfHeight + BESIDE / zoom, y - halfHeight);
+      for (let other = liesOn(name, placed); other !== undefined; other = liesOn(name, placed))
+        name.setY(other.y + other.displayHeight);
+      placed.push(name);
     }
   }
 

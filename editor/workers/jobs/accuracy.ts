@@ -1,5 +1,12 @@
 import { ACCURACIES } from '../../../engine/index.ts';
-import { compareAll, costsOf, type Deviation, METHODS, type Reference } from '../../../engine/work-precision/index.ts';
+import {
+  type Compared,
+  compareAll,
+  costsOf,
+  type Deviation,
+  METHODS,
+  type Reference,
+} from '../../../engine/work-precision/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { job, type Played, type Work } from '../job.ts';
 
@@ -14,18 +21,21 @@ export interface Setting extends SettingError {
   readonly cost: number;
 }
 
-/** How settings differ from a reference. */
+/** How settings differ from the reference of a run. */
 export interface ComparedSettings<S> extends Pick<Reference, 'knownTo' | 'doubt'> {
   readonly settings: readonly S[];
+  /** Settings at which the run takes more work than allowed, and until when they played it, s. */
+  readonly unmeasured: readonly { readonly name: string; readonly time: number }[];
 }
 
 export interface SettingsAsked extends Played {
-  readonly holds: readonly Hold[];
+  /** The holds of each run. */
+  readonly runs: readonly (readonly Hold[])[];
   readonly methods: 'named' | 'all';
 }
 
-/** Errors, and then also costs, of the named or of all settings for this level and run. */
-export const accuracy = job<SettingsAsked, ComparedSettings<Setting>, ComparedSettings<SettingError>>({
+/** Errors, and then also costs, of the named or of all settings for some runs of this level. */
+export const accuracy = job<SettingsAsked, readonly ComparedSettings<Setting>[], readonly ComparedSettings<SettingError>[]>({
   name: 'accuracy',
   lane: 'long',
   most: 60_000,
@@ -36,27 +46,38 @@ const BUDGET = { named: 800, all: 3000 };
 
 export const accuracyWork: Work<typeof accuracy> = {
   of: accuracy,
-  *steps({ level, terms: { maxTime, maxWork }, holds, methods }, now) {
+  *steps({ level, terms: { maxTime, maxWork }, runs, methods }, now) {
     yield null;
     const options = {
       maxTime,
       maxWork,
       now,
-      budget: BUDGET[methods],
+      budget: BUDGET[methods] / runs.length,
       methods: methods === 'named' ? Object.values(ACCURACIES) : METHODS,
     };
-    const compared = compareAll(level, holds, options);
-    const { knownTo, doubt } = compared.reference;
-    const settings = compared.methods.map(({ accuracy: { name }, error, outcome, with: touched, time, sameVerdict }) => ({
-      name,
-      error,
-      outcome,
-      with: touched,
-      time,
-      sameVerdict,
-    }));
-    yield { knownTo, doubt, settings };
-    const costs = costsOf(level, holds, compared, options);
-    return { knownTo, doubt, settings: settings.map((setting, i) => ({ ...setting, cost: costs[i].minimum })) };
+    const compared: Compared[] = [];
+    for (const holds of runs) {
+      compared.push(compareAll(level, holds, options));
+      yield compared.length === runs.length ? compared.map(errorsOf) : null;
+    }
+    const measured: ComparedSettings<Setting>[] = [];
+    for (const [i, holds] of runs.entries()) {
+      const costs = costsOf(level, holds, compared[i], options);
+      const errors = errorsOf(compared[i]);
+      measured.push({ ...errors, settings: errors.settings.map((one, k) => ({ ...one, cost: costs[k].minimum })) });
+      yield null;
+    }
+    return measured;
   },
 };
+
+function errorsOf({ reference: { knownTo, doubt }, methods, unmeasured }: Compared): ComparedSettings<SettingError> {
+  return {
+    knownTo,
+    doubt,
+    settings: methods.map(({ accuracy: { name }, error, outcome, with: touched, time, sameVerdict }) => {
+      return { name, error, outcome, with: touched, time, sameVerdict };
+    }),
+    unmeasured: unmeasured.map(({ accuracy: { name }, time }) => ({ name, time })),
+  };
+}
