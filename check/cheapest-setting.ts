@@ -9,7 +9,15 @@ import {
   WorkBudget,
   WorkLimitReached,
 } from '../engine/index.ts';
-import { type Cost, compareWith, measureCosts, playerOf, type Reference, referenceOf } from '../engine/work-precision/index.ts';
+import {
+  type Cost,
+  deviationOf,
+  measureCosts,
+  pathOfRun,
+  playerOf,
+  type Reference,
+  referenceOf,
+} from '../engine/work-precision/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
 import { type EdgeSlack, findSlack } from '../solver/index.ts';
 import { countMinerals } from './words/index.ts';
@@ -110,7 +118,7 @@ function tryAt(wanted: readonly Wanted[], accuracy: Accuracy, terms: Terms): Omi
     if (as.outcome !== reference.outcome) return broken(run, `${as.outcome}, not ${reference.outcome}`);
     if (collected(as) !== minerals) return broken(run, `collects minerals ${collected(as) || 'none'}, not ${minerals || 'none'}`);
     played.push({ ...one, as });
-    const { error: px } = compareWith(reference, run.level, run.holds, accuracy, maxTicksOf(terms));
+    const { error: px } = deviationOf(pathOfRun(as, compile(run.level, { ...terms, accuracy })), reference, maxTicksOf(terms));
     if (error === null || px > error.px) error = { px, run };
     if (as.clearance === null) continue;
     const share = px / Math.max(as.clearance.distance, Number.MIN_VALUE);

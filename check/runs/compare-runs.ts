@@ -1,6 +1,6 @@
 import { type Outcome, type RunEvent, TICK } from '../../engine/index.ts';
 import type { Hold } from '../../schema/index.ts';
-import { plural } from '../words/index.ts';
+import { eventInWords, plural } from '../words/index.ts';
 import { compareHolds, firstDifference } from './compare-holds.ts';
 
 // Two runs of a level: what differs in their holds and figures, where they part and meet, and all that in words.
@@ -102,17 +102,31 @@ export const APART = 1;
 export const TOGETHER = 8;
 export const AWAY = 16;
 
-/**
- * How far two runs are from each other at every tick, px, as long as both last.
- * @param one x, y at every tick, alternating
- * @param other likewise
- */
-export function distancesOf(one: ArrayLike<number>, other: ArrayLike<number>): Float64Array {
-  const count = Math.floor(Math.min(one.length, other.length) / 2);
-  return Float64Array.from({ length: count }, (_, tick) => {
+/** Her way in a run, and what happened on it. */
+export interface RunWay {
+  /** x, y in px at every tick and at the end, alternating. */
+  readonly points: ArrayLike<number>;
+  readonly events: readonly RunEvent[];
+}
+
+/** How the ways of two runs of the same level go apart. */
+export interface WaysApart {
+  /** px at every tick, as long as both last */
+  readonly distances: Float64Array;
+  readonly partings: Partings;
+  /** The contact or switch by which they begin to go different ways; null: none. */
+  readonly decided: FirstDifferent | null;
+}
+
+/** Compares the ways of two runs, tick by tick. */
+export function waysApart({ points: one, events }: RunWay, { points: other, events: others }: RunWay): WaysApart {
+  // the last entry of each is at its end, which is no tick
+  const count = Math.max(0, Math.min(one.length, other.length) / 2 - 1);
+  const distances = Float64Array.from({ length: count }, (_, tick) => {
     const [dx, dy] = [one[2 * tick] - other[2 * tick], one[2 * tick + 1] - other[2 * tick + 1]];
     return Math.sqrt(dx * dx + dy * dy);
   });
+  return { distances, partings: partingsOf(distances), decided: firstDifferentEvent(events, others) };
 }
 
 /** Where two runs are nearest again. */
@@ -130,7 +144,7 @@ export interface Partings {
   readonly meets: readonly Meeting[];
 }
 
-/** Finds where two runs part and meet again, tick by tick. @param distances what {@link distancesOf} gives */
+/** Finds where two runs part and meet again. @param distances px at every tick */
 export function partingsOf(distances: ArrayLike<number>): Partings {
   let parts: number | null = null;
   let isAway = false;
@@ -165,6 +179,13 @@ export function firstDifferentEvent(one: readonly RunEvent[], other: readonly Ru
     (i) => i >= a.length || i >= b.length || happening(a[i]) !== happening(b[i]),
   );
   return at === undefined ? null : { one: a[at], other: b[at] };
+}
+
+/** Which contact or switch decided: `first otherwise: touches nova 1 at 0.11 s, at precise nothing more`. @param one the name of the first */
+export function decidedInWords(decided: FirstDifferent, one: string): string {
+  const text = (event: RunEvent | undefined): string =>
+    event === undefined ? 'nothing more' : `${eventInWords(event)} at ${event.time.toFixed(2)} s`;
+  return `first otherwise: ${text(decided.other)}, at ${one} ${text(decided.one)}`;
 }
 
 /** `3 ticks later`, `as early` */

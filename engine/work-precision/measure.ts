@@ -2,8 +2,9 @@ import type { Hold, Level } from '../../schema/basics/index.ts';
 import { ACCURACIES, type Accuracy, accuracyOf } from '../accuracy.ts';
 import { compile } from '../compile.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
+import type { Scene } from '../scene.ts';
 import { joinHolds } from '../script.ts';
-import { createSimulation } from '../simulate.ts';
+import { createSimulation, type Run } from '../simulate.ts';
 import { type Ending, type Outcome, type Simulation, STATE_SIZE } from '../simulation.ts';
 import { maxTicksOf } from '../terms.ts';
 import { WorkBudget, WorkLimitReached } from '../work-budget.ts';
@@ -288,6 +289,22 @@ export function pathOf(simulation: Simulation, holds: readonly Hold[], maxTicks:
   // an end within the last tick that a frame detects late does not count as earlier than that tick
   const count = ending === null ? x.length : Math.min(x.length, Math.max(1, Math.ceil(ending.time * TICK_RATE - 1e-9)));
   return { count, x: Float64Array.from(x), y: Float64Array.from(y), ending };
+}
+
+/** The same of a run that was recorded, up to rounding: nothing is played again. */
+export function pathOfRun({ trajectory, outcome, with: touched, time, tick }: Run, scene: Scene): Path {
+  const ending = outcome === 'timeout' ? null : { outcome, with: touched, time, tick };
+  const count = ending === null ? tick + 1 : Math.max(1, Math.ceil(time * TICK_RATE - 1e-9));
+  // recordings of frames begin with the state after the first one
+  const ahead = scene.accuracy.integrator === 'arcade' ? 1 : 0;
+  const [x, y] = [new Float64Array(count), new Float64Array(count)];
+  const state = new Float64Array(STATE_SIZE);
+  for (let at = ahead; at < count; at++) {
+    trajectory.at((at - ahead) * TICK, state);
+    [x[at], y[at]] = [state[0], state[1]];
+  }
+  if (ahead === 1) [x[0], y[0]] = [scene.level.astronaut.x, scene.level.astronaut.y];
+  return { count, x, y, ending };
 }
 
 /** The largest distance between two runs at ticks before the earlier of their ends, px. */

@@ -1,16 +1,16 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { firstDifferentEvent, partingsOf } from '../../check/runs/compare-runs.ts';
 import {
   APART,
   AWAY,
   type ComparableRun,
   compareRuns,
-  distancesOf,
-  firstDifferentEvent,
+  decidedInWords,
   pairInWords,
   partingsInWords,
-  partingsOf,
   TOGETHER,
+  waysApart,
 } from '../../check/runs/index.ts';
 import { compile, createSimulation, playScript, STATE_SIZE, simulate } from '../../engine/index.ts';
 import { type Hold, type LevelFile, resolveLevel } from '../../schema/index.ts';
@@ -132,11 +132,11 @@ describe('where two runs part and meet', () => {
     };
     fc.assert(
       fc.property(holds, holds, (a, b) => {
-        const distances = distancesOf(pointsOf(a), pointsOf(b));
+        const { distances, partings } = waysApart({ points: pointsOf(a), events: [] }, { points: pointsOf(b), events: [] });
         const { from } = compareRuns({ ...RUN, holds: a }, { ...RUN, holds: b });
         const until = Math.min(distances.length, (from ?? Number.POSITIVE_INFINITY) + 1);
         expect([...distances.slice(0, until)].every((one) => one === 0)).toBe(true);
-        const { parts } = partingsOf(distances);
+        const { parts } = partings;
         if (parts !== null) expect(parts).toBeGreaterThan(from ?? Number.POSITIVE_INFINITY);
       }),
       { numRuns: 40 },
@@ -168,5 +168,13 @@ describe('what decides between two runs of the same holds', () => {
     expect(firstDifferentEvent(one, [target(0, 0), mineral(1.01, 2), target(2.2, 1)])).toBeNull();
     expect(firstDifferentEvent(one, [target(0, 0), target(2, 1)])).toEqual({ one: mineral(1, 2), other: target(2, 1) });
     expect(firstDifferentEvent(one, [target(0, 0), mineral(1, 2)])).toEqual({ one: target(2, 1), other: undefined });
+    // of both ways at once, whose last points are no ticks
+    const points = [0, 0, 1, 0, 5, 5];
+    const apart = waysApart({ points, events: one }, { points: [0, 0, 4, 4, 9, 9, 9, 9], events: one.slice(0, 3) });
+    expect([...apart.distances]).toEqual([0, 5]);
+    expect([apart.partings.parts, apart.decided]).toEqual([1, { one: target(2, 1), other: undefined }]);
+    expect(decidedInWords({ one: target(2, 1), other: undefined }, 'precise')).toBe(
+      'first otherwise: nothing more, at precise target: asteroid 2 at 2.00 s',
+    );
   });
 });

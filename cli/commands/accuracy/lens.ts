@@ -1,7 +1,7 @@
-import { firstDifferentEvent, partingsOf } from '../../../check/runs/index.ts';
-import { eventInWords, outcomeAsPredicate } from '../../../check/words/index.ts';
-import { ACCURACIES, compile, createSimulation, maxTicksOf, type RunEvent, type Terms, TICK } from '../../../engine/index.ts';
-import { pathOf } from '../../../engine/work-precision/index.ts';
+import { decidedInWords, waysApart } from '../../../check/runs/index.ts';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
+import { ACCURACIES, compile, type Run, type Scene, type Terms, TICK } from '../../../engine/index.ts';
+import { pathOfRun } from '../../../engine/work-precision/index.ts';
 import { type NamedRun, type RenderOptions, renderSvg } from '../../../picture/index.ts';
 import type { Hold, Level } from '../../../schema/index.ts';
 import { withinWorkOf } from '../../levels/index.ts';
@@ -24,23 +24,23 @@ export const drawLens = (level: Level, name: string, ways: readonly NamedRun[], 
 export function waysAtAll(level: Level, holds: readonly Hold[], terms: Terms): NamedRun[] {
   const played = Object.values(ACCURACIES).map((accuracy) => {
     const scene = compile(level, { ...terms, accuracy });
-    const path = () => pathOf(createSimulation(scene), holds, maxTicksOf(terms));
-    return withinWorkOf(scene, holds, (run) => ({ accuracy, run, path: path() }));
+    return withinWorkOf(scene, holds, (run) => ({ accuracy, run, way: { points: pointsOf(run, scene), events: run.events } }));
   });
   const exact = played.find(({ accuracy }) => accuracy.name === ACCURACIES.precise.name)!;
-  return played.map(({ accuracy, run, path }) => {
-    const distances = Array.from({ length: Math.min(path.count, exact.path.count) }, (_, tick) => {
-      const [dx, dy] = [path.x[tick] - exact.path.x[tick], path.y[tick] - exact.path.y[tick]];
-      return Math.sqrt(dx * dx + dy * dy);
-    });
-    const { parts } = partingsOf(distances);
-    const decided = firstDifferentEvent(exact.run.events, run.events);
+  return played.map(({ accuracy, run, way }) => {
+    const {
+      partings: { parts },
+      decided,
+    } = waysApart(exact.way, way);
     const words = [`${accuracy.name} ${outcomeAsPredicate(run, level.range)}`];
     if (parts !== null) words.push(`a pixel from precise at ${(parts * TICK).toFixed(2)} s`);
-    if (decided !== null) words.push(`first otherwise: ${told(decided.other)}, at precise ${told(decided.one)}`);
+    if (decided !== null) words.push(decidedInWords(decided, 'precise'));
     return { run, label: words.join('; '), glows: parts === null ? null : parts * TICK };
   });
 }
 
-const told = (event: RunEvent | undefined): string =>
-  event === undefined ? 'nothing more' : `${eventInWords(event)} at ${event.time.toFixed(2)} s`;
+/** x, y at every tick and at the end. */
+function pointsOf(run: Run, scene: Scene): number[] {
+  const { count, x, y } = pathOfRun(run, scene);
+  return [...Array.from({ length: count }, (_, tick) => [x[tick], y[tick]]), [run.final.x, run.final.y]].flat();
+}

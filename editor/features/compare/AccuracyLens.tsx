@@ -1,9 +1,10 @@
 import { Layers } from 'lucide-react';
 import { useStore } from 'zustand';
-import { type FirstDifferent, waysInWords } from '../../../check/runs/index.ts';
-import { eventInWords, outcomeAsPredicate } from '../../../check/words/index.ts';
-import { ACCURACIES, type AccuracyName, type RunEvent } from '../../../engine/index.ts';
+import { decidedInWords, waysInWords } from '../../../check/runs/index.ts';
+import { outcomeAsPredicate } from '../../../check/words/index.ts';
+import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
 import { useEditor, useLevel, usePageTerms, useProof } from '../../core/context/index.ts';
+import { titled } from '../../core/document/index.ts';
 import { Section } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { accuracyNameOf } from '../../workers/index.ts';
@@ -88,18 +89,13 @@ function Lens() {
           : `${name} ${outcomeAsPredicate(found.end, range)}; ${inUse}, in use, ${own}.`}{' '}
         {difference !== null && difference.row.key === row?.key && (
           <>
-            {waysInWords(difference.partings)} {decidedInWords(difference.decided, inUse, name)}
+            {waysInWords(difference.partings)}{' '}
+            {difference.decided === null
+              ? 'The same things happen in both, in the same order.'
+              : `${titled(decidedInWords(difference.decided, inUse))}.`}
           </>
         )}
       </p>
     </div>
   );
-}
-
-/** Which contact or switch decided, in a sentence. */
-function decidedInWords(decided: FirstDifferent | null, one: string, other: string): string {
-  if (decided === null) return 'The same things happen in both, in the same order.';
-  const text = (event: RunEvent | undefined) =>
-    event === undefined ? 'nothing more' : `${eventInWords(event)} at ${event.time.toFixed(3)} s`;
-  return `The first difference: ${one}: ${text(decided.one)}; ${other}: ${text(decided.other)}.`;
 }

@@ -1,15 +1,6 @@
 import { useMemo, useRef } from 'react';
 import { useStore } from 'zustand';
-import {
-  type ComparableRun,
-  compareRuns,
-  distancesOf,
-  type FirstDifferent,
-  firstDifferentEvent,
-  type Partings,
-  partingsOf,
-  type RunsDifference,
-} from '../../../check/runs/index.ts';
+import { type ComparableRun, compareRuns, type RunsDifference, type WaysApart, waysApart } from '../../../check/runs/index.ts';
 import type { Scene } from '../../../engine/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import type { EdgeSlack } from '../../../solver/index.ts';
@@ -136,15 +127,10 @@ export function showCompared(editor: Editor, level: OpenLevel, source: Source): 
 // how the shown run and a compared one differ
 
 /** How the shown run and a compared one differ. */
-interface ShownDifference {
+interface ShownDifference extends WaysApart {
   readonly shown: string;
   readonly row: ComparedRow;
   readonly difference: RunsDifference;
-  /** px at every tick, as long as both last */
-  readonly distances: Float64Array;
-  readonly partings: Partings;
-  /** The contact or switch by which they begin to go different ways; null: none. */
-  readonly decided: FirstDifferent | null;
   /** Whether it is that of an earlier state of the level. */
   readonly isStale: boolean;
 }
@@ -182,7 +168,7 @@ export function useDifference(measures = false): ShownDifference | null {
   // biome-ignore lint/correctness/useExhaustiveDependencies: of the row, only these matter
   const made = useMemo(() => {
     if (shown === null || row === null || found === null || !areOfOne) return null;
-    const { end, minerals, clearance, points } = found;
+    const { end, minerals, clearance } = found;
     const other: ComparableRun = {
       holds: row.holds,
       outcome: end.outcome,
@@ -191,11 +177,8 @@ export function useDifference(measures = false): ShownDifference | null {
       clearance,
       slack: theirSlack,
     };
-    // the last entry of each is at its end, which is no tick
-    const distances = distancesOf(shown.points.subarray(0, -2), points.subarray(0, -2));
     const difference = compareRuns({ ...shown, slack: ownSlack }, other);
-    const decided = firstDifferentEvent(shown.events, found.events);
-    return { key, shown: shown.name, difference, distances, partings: partingsOf(distances), decided };
+    return { key, shown: shown.name, difference, ...waysApart(shown, found) };
   }, [shown, found, key, areOfOne, ownSlack, theirSlack]);
   const last = useRef(made);
   if (made !== null) last.current = made;

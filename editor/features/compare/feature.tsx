@@ -1,5 +1,5 @@
 import { useMemo } from 'react';
-import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
+import { waysApart } from '../../../check/runs/index.ts';
 import type { DrawnPart } from '../../canvas/index.ts';
 import type { Command, Destination } from '../../core/commands/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
@@ -148,10 +148,8 @@ function partingTick(level: OpenLevel): number | null {
   const now = comparedOf(level).getState();
   const one = chosenOf(now);
   const found = one === null ? null : (now.trajectories.get(sourceKey(one.source))?.found ?? null);
-  if (found === null) return null;
-  // the last entry of each is at its end, which is no tick
-  const shown = pathOf(level.proof.proof().run.way).subarray(0, -2);
-  return partingsOf(distancesOf(shown, found.points.subarray(0, -2))).parts;
+  const points = pathOf(level.proof.proof().run.way);
+  return found === null ? null : waysApart({ points, events: [] }, found).partings.parts;
 }
 
 /** Runs to compare with, and those that are compared. */

@@ -1,4 +1,4 @@
-import { distancesOf, partingsOf } from '../../../check/runs/index.ts';
+import { waysApart } from '../../../check/runs/index.ts';
 import type { Editor, OpenLevel } from '../../core/context/index.ts';
 import { pathOf } from '../../core/proof/index.ts';
 import { type Comparing, comparedOf, isFresh, sourceHolds, sourceKey, sourceName } from './compared.ts';
@@ -36,13 +36,12 @@ function racersOf(comparing: Comparing, level: OpenLevel): readonly Racer[] {
     if (trajectory === undefined || trajectory.found === null || holds === null) return [];
     const { points, turns, end } = trajectory.found;
     const isStale = !isFresh(trajectory, now, holds);
-    // the last entry of each is at its end, which is no tick
     const isApart = source.kind === 'accuracy' && !isStale;
-    const distances = isApart ? distancesOf(pathOf(now.run.way).subarray(0, -2), points.subarray(0, -2)) : [];
+    const apart = isApart ? waysApart({ points: pathOf(now.run.way), events: [] }, trajectory.found) : null;
     return [
       {
         ...{ slot, name: sourceName(source), points, turns, end: 60 * end.time, completes: end.outcome === 'completed', isStale },
-        parts: partingsOf(distances).parts,
+        parts: apart?.partings.parts ?? null,
       },
     ];
   });
