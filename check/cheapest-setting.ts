@@ -40,7 +40,7 @@ export interface TriedSetting {
    * The largest error, px, and the largest share of a run's clearance that its error takes, each with its run. Null where a run is
    * not kept; `tightest` also where nothing deadly is near any run.
    */
-  readonly error: { readonly px: number; readonly run: KeptRun } | null;
+  readonly error: { readonly px: number; readonly run: KeptRun; readonly knownTo: number | null } | null;
   readonly tightest: { readonly share: number; readonly run: KeptRun } | null;
 }
 
@@ -79,16 +79,18 @@ const SAMPLE = 1;
 export function findCheapestSetting(runs: readonly KeptRun[], options: CheapestOptions): CheapestSetting {
   const { terms, methods, now, budget } = options;
   const maxTicks = maxTicksOf(terms);
-  const wanted = runs.map((run): Wanted => {
+  const wanted: Wanted[] = [];
+  for (const run of runs) {
     const exact = playAt(run, ACCURACIES.precise, terms);
-    const minerals = exact === null ? '' : collected(exact);
-    return {
+    const doubt = `it takes more than ${terms.maxWork} pieces of motion at precise, so nothing can be compared with it`;
+    if (exact === null) return { tried: [], cheapest: null, doubts: [{ run, doubt }] };
+    wanted.push({
       run,
-      reference: referenceOf(run.level, run.holds, maxTicks),
-      minerals,
-      slack: exact?.outcome === 'completed' ? slackAt(run, exact, ACCURACIES.precise, terms) : [],
-    };
-  });
+      reference: referenceOf(run.level, run.holds, maxTicks, terms.maxWork),
+      minerals: collected(exact),
+      slack: exact.outcome === 'completed' ? slackAt(run, exact, ACCURACIES.precise, terms) : [],
+    });
+  }
   const doubts = wanted.flatMap(({ run, reference: { doubt } }) => (doubt === null ? [] : [{ run, doubt }]));
   const costs = measureCosts(
     methods.map((accuracy) => playerOf(runs, accuracy, maxTicks)),
@@ -119,7 +121,7 @@ function tryAt(wanted: readonly Wanted[], accuracy: Accuracy, terms: Terms): Omi
     if (collected(as) !== minerals) return broken(run, `collects minerals ${collected(as) || 'none'}, not ${minerals || 'none'}`);
     played.push({ ...one, as });
     const { error: px } = deviationOf(pathOfRun(as, compile(run.level, { ...terms, accuracy })), reference, maxTicksOf(terms));
-    if (error === null || px > error.px) error = { px, run };
+    if (error === null || px > error.px) error = { px, run, knownTo: reference.knownTo };
     if (as.clearance === null) continue;
     const share = px / Math.max(as.clearance.distance, Number.MIN_VALUE);
     if (tightest === null || share > tightest.share) tightest = { share, run };

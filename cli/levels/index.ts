@@ -182,11 +182,15 @@ function sample(run: Run, rate: number): RunReport['samples'] {
  * @throws Failure if that costs more
  */
 export function withinWorkOf<T>(scene: Scene, holds: readonly Hold[], read: (run: Run) => T): T {
-  const { maxWork } = scene.terms;
-  const budget = new WorkBudget(maxWork);
+  const budget = new WorkBudget(scene.terms.maxWork);
   const run = simulate(scene, holds, { budget });
+  return orTooMuch(scene.terms, () => (run.stopped === null ? read(run) : budget.end()));
+}
+
+/** Does something with a run. @throws Failure if it takes more work than the terms allow */
+export function orTooMuch<T>({ maxWork }: Pick<Terms, 'maxWork'>, work: () => T): T {
   try {
-    if (run.stopped === null) return read(run);
+    return work();
   } catch (error) {
     if (!(error instanceof WorkLimitReached)) throw error;
   }

@@ -3,7 +3,7 @@ import { ACCURACIES, type Accuracy, accuracyOf } from '../accuracy.ts';
 import { compile } from '../compile.ts';
 import { TICK, TICK_RATE } from '../constants.ts';
 import type { Scene } from '../scene.ts';
-import { joinHolds } from '../script.ts';
+import { joinHolds, playScript } from '../script.ts';
 import { createSimulation, type Run } from '../simulate.ts';
 import { type Ending, type Outcome, type Simulation, STATE_SIZE } from '../simulation.ts';
 import { maxTicksOf } from '../terms.ts';
@@ -68,7 +68,7 @@ export function measureWorkPrecision(level: Level, holds: readonly Hold[], optio
 /** What each setting costs in error. */
 export function compareAll(level: Level, holds: readonly Hold[], options: CompareOptions): Compared {
   const maxTicks = maxTicksOf(options);
-  const reference = referenceOf(level, holds, maxTicks);
+  const reference = referenceOf(level, holds, maxTicks, options.maxWork);
   const methods: Compared['methods'][number][] = [];
   const unmeasured: Compared['unmeasured'][number][] = [];
   for (const accuracy of options.methods) {
@@ -148,6 +148,9 @@ const TAYLOR = 'Taylor series of degree 30, roots of polynomials isolated; 32 di
 /** Stretches of motion after which a reference gives up: a minute of play among many objects takes a few hundred. */
 const MOST_STRETCHES = 4000;
 
+/** Pieces of motion of `precise` up to which a run is played with 32 digits; each of them takes such a reference some ms. */
+const REFERENCE_WORK = 5000;
+
 /** The tolerance of the run that stands in where the game's rules and 32 digits do not decide, px per second. */
 const STAND_IN_TOLERANCE = TOLERANCES[TOLERANCES.length - 1] / 1000;
 
@@ -156,9 +159,13 @@ const STAND_IN_TOLERANCE = TOLERANCES[TOLERANCES.length - 1] / 1000;
  * with each other: what they share are the rules of the game and the arithmetic. Where they do not cover a run, a run of the
  * engine itself stands in, and says so.
  * @param maxTicks - ticks of 1/60 s after which the run is a timeout
+ * @param maxWork - the most work that a run of the engine that stands in may cost, pieces of motion; the default limit when left out
+ * @throws WorkLimitReached when it costs more
  */
-export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: number): Reference {
+export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: number, maxWork?: number): Reference {
+  const isLong = !endsWithin(REFERENCE_WORK, level, holds, maxTicks);
   const playBy = (method: Method): Played | string => {
+    if (isLong) return `the run takes more than ${REFERENCE_WORK} pieces of motion`;
     try {
       return play(level, holds, { method, maxTicks, every: 1, nudge: [0, 0, 0, 0], mostStretches: MOST_STRETCHES });
     } catch (error) {
@@ -181,7 +188,7 @@ export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: numb
   if (typeof second !== 'string')
     return { method: TAYLOR, tolerance: TAYLOR_TOLERANCE, ...referencePath(second), knownTo: null, doubt };
   const accuracy = accuracyOf({ integrator: 'taylor', rate: null, tolerance: STAND_IN_TOLERANCE, contact: 'swept' });
-  const path = pathOf(createSimulation(compile(level, accuracy)), holds, maxTicks);
+  const path = pathOf(createSimulation(compile(level, accuracy), new WorkBudget(maxWork)), holds, maxTicks);
   return {
     method: `the engine itself, ${accuracy.name}`,
     tolerance: STAND_IN_TOLERANCE,
@@ -190,6 +197,17 @@ export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: numb
     knownTo: null,
     doubt: `no reference covers this run: ${first}`,
   };
+}
+
+/** Whether a run at `precise` costs no more than so much work, pieces of motion. */
+function endsWithin(work: number, level: Level, holds: readonly Hold[], maxTicks: number): boolean {
+  try {
+    playScript(createSimulation(compile(level), new WorkBudget(work)), joinHolds(holds), maxTicks);
+    return true;
+  } catch (error) {
+    if (error instanceof WorkLimitReached) return false;
+    throw error;
+  }
 }
 
 function referencePath(played: Played): Pick<Reference, 'path' | 'outcome' | 'time'> {

@@ -56,6 +56,12 @@ describe('the cheapest setting', () => {
     expect(cheapest?.accuracy).toBe(standard);
   });
 
+  it('is not looked for where a run takes more work at precise than is allowed: nothing could be compared with it', () => {
+    const found = find(runsOf('slingshot'), [arcade, precise], { ...DEFAULT_TERMS, maxWork: 10 });
+    expect([found.tried, found.cheapest]).toEqual([[], null]);
+    expect(found.doubts[0].doubt).toMatch(/more than 10 pieces of motion at precise/);
+  });
+
   it('is none where no setting keeps all runs, and that is said by name', () => {
     const found = find([speck], [arcade]);
     expect(found.cheapest).toBeNull();
@@ -69,8 +75,8 @@ describe('the cheapest setting', () => {
 
   it('names a run that takes more work than is allowed, and one whose reference is in doubt', () => {
     const [run] = runsOf('firewalk');
-    const { tried } = find([run], [standard], { ...DEFAULT_TERMS, maxWork: 20 });
-    expect(tried[0].broken?.what).toBe('takes more than 20 pieces of motion');
+    const { tried } = find([run], [standard], { ...DEFAULT_TERMS, maxWork: 300 });
+    expect(tried[0].broken?.what).toBe('takes more than 300 pieces of motion');
     const stuck = plainLevel({
       range: 400,
       asteroids: [{ x: 0, y: 0, radius: 16 }],

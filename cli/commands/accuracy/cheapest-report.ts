@@ -1,7 +1,7 @@
 import type { CheapestSetting, KeptRun, TriedSetting } from '../../../check/index.ts';
 import { plural } from '../../../check/words/index.ts';
 import { ACCURACIES } from '../../../engine/index.ts';
-import { brief } from '../../../picture/accuracy/index.ts';
+import { brief, errorIn } from '../../../picture/accuracy/index.ts';
 import type { CheapestReport as CheapestJson, TermsReport } from '../../../schema/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
 import { type Colors, visibleLine } from '../../terminal/index.ts';
@@ -63,7 +63,7 @@ function conclusion(cheapest: TriedSetting | null, tried: readonly TriedSetting[
   }
   const { accuracy, cost, error, tightest } = cheapest;
   let text = `Cheapest: ${accuracy.name}, ${brief(cost.minimum)} us a simulated second`;
-  if (error !== null) text += `; off by at most ${brief(error.px)} px (${nameOf(error.run)})`;
+  if (error !== null) text += `; off by at most ${errorIn(error.px, error.knownTo)} px (${nameOf(error.run)})`;
   if (tightest !== null)
     text += `,\nwhich is at most ${brief(100 * tightest.share)} % of the clearance of a run (${nameOf(tightest.run)})`;
   return `${text}.\n`;

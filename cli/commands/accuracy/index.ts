@@ -10,7 +10,7 @@ import type { CommandHelp, CommandResult } from '../../command.ts';
 import { addConfigOptions, type ConfigOptions, readConfiguration } from '../../config/index.ts';
 import { findConfigured, unreadableFolders } from '../../find/index.ts';
 import { expectOutput, levelsRead, writeWhole } from '../../io/index.ts';
-import { openLevel } from '../../levels/index.ts';
+import { openLevel, orTooMuch } from '../../levels/index.ts';
 import {
   addTermsOptions,
   customAccuracy,
@@ -130,13 +130,15 @@ async function measure([file, ...others]: readonly string[], options: Options, c
   if (!('level' in opened)) return opened;
   const { level } = opened;
   const { name, holds } = chooseRun(file, level, options);
-  const measured = measureWorkPrecision(level, holds, {
-    maxTime: terms.maxTime,
-    maxWork: terms.maxWork,
-    now: () => performance.now(),
-    budget: BUDGET,
-    methods: isNew ? [...METHODS, custom] : METHODS,
-  });
+  const measured = orTooMuch(terms, () =>
+    measureWorkPrecision(level, holds, {
+      maxTime: terms.maxTime,
+      maxWork: terms.maxWork,
+      now: () => performance.now(),
+      budget: BUDGET,
+      methods: isNew ? [...METHODS, custom] : METHODS,
+    }),
+  );
   const report: AccuracyReport = {
     file,
     terms: termsReport({ terms, level }),

@@ -101,9 +101,10 @@ export function accuracyPretty(report: AccuracyReport, colors: Colors, width: nu
     ]);
     colored.push(m === cheapest ? colors.green : m.sameVerdict ? (line) => line : colors.red);
   }
-  text += alignColumns(rows, { right: RIGHT, head: COLUMNS, lead: 0, width })
-    .map((line, i) => (line === '' && i === 0 ? '' : `${colored[i](line)}\n`))
-    .join('');
+  if (rows.length > 0)
+    text += alignColumns(rows, { right: RIGHT, head: COLUMNS, lead: 0, width })
+      .map((line, i) => (line === '' && i === 0 ? '' : `${colored[i](line)}\n`))
+      .join('');
 
   text += `\n${conclusion(report)}`;
   if (asked !== null) {
