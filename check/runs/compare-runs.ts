@@ -181,7 +181,7 @@ export function firstDifferentEvent(one: readonly RunEvent[], other: readonly Ru
   return at === undefined ? null : { one: a[at], other: b[at] };
 }
 
-/** Which contact or switch decided: `first otherwise: touches nova 1 at 0.11 s, at precise nothing more`. @param one the name of the first */
+/** Which contact or switch decided: `first otherwise: mineral: mineral 1 at 0.11 s, at precise nothing more`. @param one the name of the first */
 export function decidedInWords(decided: FirstDifferent, one: string): string {
   const text = (event: RunEvent | undefined): string =>
     event === undefined ? 'nothing more' : `${eventInWords(event)} at ${event.time.toFixed(2)} s`;
