@@ -12,8 +12,8 @@ const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 const LIMITS = {
   /** source files outside tests, bench and docs */
   files: { goal: 1150, now: 1125 },
-  /** their lines; 2,700 of them the references with 32 digits of engine/work-precision, of which 1,800 stood in tests/ before */
-  lines: { goal: 121_000, now: 135_500 },
+  /** their lines; 2,700 of them the references with 32 digits of engine/work-precision, of which 1,800 stood in tests/ before; 580 the diagram of the panel Accuracy */
+  lines: { goal: 121_000, now: 136_150 },
   /** lines of a file in the median, at least */
   median: { goal: 80, now: 104 },
   /** % of files under 30 lines */
