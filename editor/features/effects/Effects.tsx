@@ -125,7 +125,9 @@ const countText = ({ guards, roots, events }: EffectWork, work: Work): string =>
   `${guards} of ${plural(work.guards, 'guard', 'guards')}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
 
 const timeText = (time: number, whole: number): string =>
-  `time: ${time.toFixed(2)} of ${whole.toFixed(2)} µs per simulated second, ${percent(time / whole)}`;
+  `${percent(time / whole)} of the time: ${digits(time)} of ${digits(whole)} µs per simulated second`;
+
+const digits = (value: number): number => Number(value.toPrecision(2));
 
 /** How the time of the run is divided, as a bar and in words. */
 function Modes({ survey }: { readonly survey: Survey }) {
