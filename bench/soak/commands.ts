@@ -72,7 +72,8 @@ export function attackProperties({ from, until }: Span): Attacked {
         timeout: until - Date.now(),
       },
     );
-    if (ended.signal !== null) break;
+    // out of time; the program may have answered the signal with an exit code of its own
+    if (ended.signal !== null || ended.error !== undefined) break;
     tried++;
     if (ended.status === 0) continue;
     bugs++;
