@@ -17,7 +17,7 @@ const FIXED = { severity: 'fixed', allow: false } as const;
 
 /**
  * What can be changed about the problems that a check of a readable level finds, in the order in which they are listed. Codes of
- * {@link PROBLEM_CODES} are not listed: they are always errors.
+ * `PROBLEM_CODES` are not listed: they are always errors.
  */
 export const ADJUSTMENTS = {
   'run-does-not-complete': WARNINGS,

@@ -299,7 +299,7 @@ inChromium('panels in Chromium', ({ on }) => {
       const rock = objects(page).getByRole('treeitem', { name: /^Asteroid 1/ });
       await rock.click();
       await page.getByRole('button', { name: /Enlarge/ }).click();
-      await page.getByRole('dialog').getByRole('img').click();
+      await page.getByRole('dialog').getByRole('listbox', { name: 'Points of the diagram' }).click();
       await page.keyboard.press('Escape');
       await page.getByRole('dialog').waitFor({ state: 'hidden' });
       expect(await rock.getAttribute('aria-selected')).toBe('true');

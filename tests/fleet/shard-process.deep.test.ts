@@ -120,13 +120,12 @@ it('memory does not grow with the number of levels', async () => {
   const peak = async (count: number): Promise<number> => {
     writeFileSync(join(set.directory, 'many.ndjson'), level.repeat(count));
     const usage = join(set.directory, 'usage.json');
-    const script = `import { writeFileSync } from 'node:fs'; import { isMainThread } from 'node:worker_threads'; if (isMainThread) process.on('exit', () => writeFileSync(${JSON.stringify(usage)}, String(process.resourceUsage().maxRSS)));`;
     const { code } = await gqProcess(['check', 'many.ndjson', '--reporter', 'json=many.json', '--jobs', '1'], {
       cwd: set.directory,
-      env: { ...process.env, NODE_OPTIONS: `--import=data:text/javascript,${encodeURIComponent(script)}` },
+      env: { ...process.env, GQ_USAGE: usage, NODE_OPTIONS: `--import=${new URL('../../bench/usage.mjs', import.meta.url)}` },
     });
     expect(code).toBe(1);
-    return Number(readFileSync(usage, 'utf8')) / 1024;
+    return JSON.parse(readFileSync(usage, 'utf8')).maxRSS / 1024;
   };
   const [few, many] = [await peak(1000), await peak(20_000)];
   expect(many).toBeLessThan(300);
