@@ -54,7 +54,7 @@ export const bench = define({
   options: {},
   claims: {
     costOfPeers: atMost(0.1, `cost of ${MINE} / of another engine`),
-    costOfFast: atMost(1, `cost of ${MINE} / fast`),
+    costOfFast: atMost(1.15, `cost of ${MINE} / fast`),
     error: atMost(1e-3, `orbit error of ${MINE} / of another engine`),
   },
   async run() {

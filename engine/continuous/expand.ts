@@ -2,7 +2,7 @@ import { untilGrid } from '../integrators/index.ts';
 import { actingForce, CENTRAL, COAST, LINEAR, type Motion, SLIDE, SLOTS, STEADY, straighten } from '../motion/index.ts';
 import { SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
 
-const { START, HELD, FIELD, KIND, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, DEGREE, LENGTH_H, ACCELERATION } = SLOTS;
+const { START, HELD, FIELD, KIND, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, DEGREE, LENGTH_H, ACCELERATION, AWAKE_COUNT } = SLOTS;
 
 /** Number of evaluations that cost as much as the series of what follows her. */
 const LOOKS_A_FOLLOWER = 8;
@@ -18,7 +18,7 @@ export function expand(m: Motion): void {
   const held = s[HELD] === 1;
   const kind = s[KIND];
   const { sliding, following } = m.parts;
-  const followers = following === null ? 0 : following.begin(m);
+  const followers = following !== null && (s[AWAKE_COUNT] > 0 || m.recoil) ? following.begin(m) : 0;
   work.pieces++;
   m.budget.piece(1);
 

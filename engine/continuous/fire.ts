@@ -46,6 +46,7 @@ const {
   BASE,
   BASE_X,
   BASE_Y,
+  AWAKE_COUNT,
 } = SLOTS;
 const { ROCK } = RECORDS;
 
@@ -159,7 +160,8 @@ function stop(m: Motion, t: number, time: number): void {
   arriveAndTurnAt(m, t);
   s[COS] = facing[0];
   s[SIN] = facing[1];
-  m.parts.following?.arrive(m, t);
+  // while all chasers sleep they cost nothing
+  if (s[AWAKE_COUNT] > 0 || m.recoils) m.parts.following?.arrive(m, t);
   ux[0] = her[0];
   uy[0] = her[1];
   ux[1] = her[2];
