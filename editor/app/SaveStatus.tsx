@@ -92,6 +92,9 @@ export function SaveStatus() {
   const isHolding = useStore(opened.holding);
   const { lasts } = workspace.storage;
   const { Icon } = LOOKS[state.kind];
+  const isUnsaved = state.kind === 'readOnly' ? state.unsaved : state.kind !== 'saved';
+  // A page that ends takes along what the browser's database has not yet confirmed.
+  useQuestionOnLeaving(isUnsaved && keeping !== null && keeping !== 'kept');
   return (
     <>
       <Hint text={reasonOf(state, keeping, lasts, `${opened.id()}.level.json`)}>
@@ -121,18 +124,19 @@ export function SaveStatus() {
   );
 }
 
-/** Asks before the page is left, since it alone has the change. */
-function useQuestionOnLeaving(): void {
+/** Asks before the page is left while it alone has a change. */
+function useQuestionOnLeaving(isAlone: boolean): void {
   useEffect(() => {
+    if (!isAlone) return;
     const ask = (event: BeforeUnloadEvent) => event.preventDefault();
     window.addEventListener('beforeunload', ask);
     return () => window.removeEventListener('beforeunload', ask);
-  }, []);
+  }, [isAlone]);
 }
 
 function Question({ opened }: { readonly opened: OpenedLevel }) {
   const [isTaking, setIsTaking] = useState(false);
-  useQuestionOnLeaving();
+  useQuestionOnLeaving(true);
   return (
     <aside className="heldbar" aria-label="Change that waits">
       <TriangleAlert size={16} />

@@ -82,6 +82,31 @@ inChromium('work is not lost, in Chromium', ({ on }) => {
   );
 
   it(
+    'a page that alone has a change asks before it is left',
+    on(
+      { '01': garden() },
+      async ({ page: first, file, open, endServer, context }) => {
+        await first.close();
+        await context.addInitScript("Object.defineProperty(window, 'indexedDB', { value: undefined })");
+        const { page, canvas } = await open();
+        await saving(page, /^saved$/);
+        await canvas.fit(file('01'));
+        await endServer();
+        await canvas.click(A);
+        await page.keyboard.press('ArrowDown');
+        await saving(page, /disconnected, in this tab only/);
+        const asked = page.waitForEvent('dialog');
+        await page.close({ runBeforeUnload: true });
+        const dialog = await asked;
+        expect(dialog.type()).toBe('beforeunload');
+        await dialog.dismiss();
+        await saving(page, /disconnected, in this tab only/);
+      },
+      { complaints: OUTAGE },
+    ),
+  );
+
+  it(
     'no address contains the token after the page has read it or was reloaded; without it the page says what to open',
     on(
       { '01': garden() },

@@ -11,8 +11,9 @@ type Work<T> = (stores: (name: string) => IDBObjectStore, isChecked: boolean) =>
 /** A database of the browser. Every promise rejects if it fails or does not answer in time; then nothing is changed. */
 interface Database {
   /**
-   * Runs in one transaction, in order of the calls, and resolves once the browser has written it to disk. Work that returns no
-   * promise is handed over completely when this returns, so the page may die after that.
+   * Runs in one transaction, in order of the calls, and resolves once the browser has written it to disk. If the page dies before
+   * that, an end of the sequence of transactions may be missing: Chromium aborts all that it has not finished. Work that returns
+   * no promise is handed over completely when this returns, so nothing of the page is needed after that.
    */
   within<T>(mode: IDBTransactionMode, work: Work<T>): Promise<T>;
 }
@@ -72,7 +73,7 @@ export async function openDatabase({ databases, name, stores, after }: DatabaseO
       if (given instanceof Promise) result = await given;
       else {
         result = given;
-        // Without it, the browser waits for the page to finish the transaction, and discards it if the page dies before that.
+        // Without it, the browser waits for the page to finish the transaction, which takes longer and is lost more often.
         transaction.commit();
       }
     } catch (error) {

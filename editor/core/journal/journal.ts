@@ -38,7 +38,7 @@ const MISSING = {
 };
 
 /**
- * A journal of every step, so that nothing is lost when the page dies.
+ * A journal of every step, so that nothing is lost when the page dies once the journal says that it is kept.
  * @param store where it is kept; null if the browser has no database: then the state says so, and changes live as long as the
  * page
  * @param now ms since 1970
