@@ -102,10 +102,13 @@ export function validAccuracy(accuracy: AccuracyName | Accuracy): Accuracy {
   if (typeof accuracy !== 'object' || accuracy === null) {
     throw new RangeError(`accuracy: expected ${NAMES}, or a custom setting of accuracyOf, found ${found(accuracy)}`);
   }
-  const setting = validSetting(accuracy);
   const { name } = accuracy;
+  const known = isAccuracyName(name) ? ACCURACIES[name] : null;
+  if (accuracy === known) return known;
+  const setting = validSetting(accuracy);
   const isComplete = typeof name === 'string' && accuracy.rate === setting.rate && accuracy.tolerance === setting.tolerance;
-  return isComplete ? accuracy : { name: typeof name === 'string' ? name : nameOfSetting(setting), ...setting };
+  if (isComplete) return known !== null && sameSetting(known, setting) ? known : accuracy;
+  return { name: typeof name === 'string' ? name : nameOfSetting(setting), ...setting };
 }
 
 /**

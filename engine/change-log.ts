@@ -54,8 +54,8 @@ export class ChangeLog {
     this.whole.push({ entry: this.from.length, at: this.whose.length, records: this.now.slice() });
   }
 
-  /** Sets `into`, always the same array, to the records as they are in an entry. */
-  seek(entry: number, into: Float64Array): void {
+  /** Sets `into`, always the same array, to the records as they are in an entry; they begin at `offset`. */
+  seek(entry: number, into: Float64Array, offset = 0): void {
     const { whole, whose, values, width, from } = this;
     let low = 0;
     for (let high = whole.length - 1; low < high; ) {
@@ -66,13 +66,13 @@ export class ChangeLog {
     const { entry: first, at, records } = whole[low];
     let next: number;
     if (this.at < first || this.at > entry) {
-      into.set(records);
+      into.set(records, offset);
       next = at;
     } else {
       next = this.at + 1 < from.length ? from[this.at + 1] : whose.length;
     }
     const end = entry + 1 < from.length ? from[entry + 1] : whose.length;
-    for (; next < end; next++) for (let k = 0; k < width; k++) into[width * whose[next] + k] = values[width * next + k];
+    for (; next < end; next++) for (let k = 0; k < width; k++) into[offset + width * whose[next] + k] = values[width * next + k];
     this.at = entry;
   }
 }

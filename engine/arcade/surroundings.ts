@@ -12,6 +12,10 @@ const CLEAR_LEAD = 16;
 
 const NONE = new Int32Array(0);
 
+/** Whether a circle, `dx` and `dy` px from her, is out of her way while she moves less than `half` px along each axis. */
+const isBeside = (dx: number, dy: number, r: number, half: number): boolean =>
+  Math.abs(dx) - r - 1e-3 >= half || Math.abs(dy) - r - 1e-3 >= half;
+
 /** What is around her, and how far nothing but the gun acts. */
 export class Surroundings {
   /** Left, right, top and bottom of the area in which only the gun acts, px. */
@@ -145,34 +149,38 @@ export class Surroundings {
       const o = placesFrom + placesStep * (code - firstTarget);
       const atX = moves ? places[o] : deadlyX[code];
       const atY = moves ? places[o + 1] : deadlyY[code];
-      half = this.leaveOut(atX, atY, halfDiagonal + deadlyR[code] + leeway, half);
+      const r = halfDiagonal + deadlyR[code] + leeway;
+      if (!isBeside(atX - x, atY - y, r, half)) half = this.leaveOut(atX - x, atY - y, r, half);
     }
     for (let k = 0; k < collectables.length && half >= AWAY; k++) {
       const i = collectables[k];
       if (s[collected + i] !== 0) continue;
-      half = this.leaveOut(collectableX[i], collectableY[i], halfDiagonal + collectableR[i], half);
+      const dx = collectableX[i] - x;
+      const dy = collectableY[i] - y;
+      const r = halfDiagonal + collectableR[i];
+      if (!isBeside(dx, dy, r, half)) half = this.leaveOut(dx, dy, r, half);
     }
     for (let k = 0; k < cell.discs.length && half >= AWAY; k++) {
       const { x: discX, y: discY, r } = this.discs[k];
       const near = cell.discs[k];
-      for (let n = 0; n < near.length; n++) half = this.leaveOut(discX[near[n]], discY[near[n]], r[near[n]], half);
+      for (let n = 0; n < near.length; n++) half = this.leaveOut(discX[near[n]] - x, discY[near[n]] - y, r[near[n]], half);
     }
     return half;
   }
 
   /**
    * Makes the bounds end before a circle, on the side that she approaches more slowly.
+   * @param dx - x of its centre relative to her, px
+   * @param dy - y of its centre relative to her, px
    * @param half - how far she may move along each axis, px
    * @returns how far she may still move along each axis, px
    */
-  private leaveOut(atX: number, atY: number, r: number, half: number): number {
+  private leaveOut(dx: number, dy: number, r: number, half: number): number {
+    if (isBeside(dx, dy, r, half)) return half;
     const { bounds } = this;
     const { s } = this.world;
-    const dx = atX - s[X];
-    const dy = atY - s[Y];
     const besideX = Math.abs(dx) - r - 1e-3;
     const besideY = Math.abs(dy) - r - 1e-3;
-    if (besideX >= half || besideY >= half) return half;
     if (besideX < AWAY && besideY < AWAY) return Math.min(half, (Math.sqrt(dx * dx + dy * dy) - r) * 0.7 - 1e-3);
     const towardsX = Math.max(1, dx > 0 ? s[VX] : -s[VX]);
     const towardsY = Math.max(1, dy > 0 ? s[VY] : -s[VY]);

@@ -142,7 +142,7 @@ export class PieceRecorder implements Recorder, Trajectory {
   private motionWithChasers(piece: number, chasers: ChangeLog): Motion {
     const { motion } = this.reader ?? this.open(piece);
     this.readerAt = -1;
-    chasers.seek(piece, motion.s.subarray(motion.chasers, motion.rocks));
+    chasers.seek(piece, motion.s, motion.chasers);
     return motion;
   }
 

@@ -159,8 +159,8 @@ export class ContinuousSimulation implements Simulation {
   resumePiece(pieces: PackedPieces, i: number, chasers: ChangeLog | null, rocks: ChangeLog | null): void {
     const { motion } = this;
     pieces.restore(i, motion);
-    chasers?.seek(i, motion.s.subarray(motion.chasers, motion.rocks));
-    rocks?.seek(i, motion.s.subarray(motion.rocks, motion.minerals));
+    chasers?.seek(i, motion.s, motion.chasers);
+    rocks?.seek(i, motion.s, motion.rocks);
     this.resume();
   }
 

@@ -140,9 +140,10 @@ function isBinary(head: Uint8Array): boolean {
  */
 export function foreignKind(source: Uint8Array | string): string | null {
   const head = typeof source === 'string' ? source.slice(0, HEAD) : source.subarray(0, HEAD);
+  // nearly every file is an object: no other kind of file begins like one
+  if ((typeof head === 'string' ? head.charCodeAt(0) : head[0]) === BRACE)
+    return typeof head !== 'string' && isBinary(head) ? 'a binary file' : null;
   if (typeof head !== 'string') {
-    // nearly every file is an object: no other kind of file begins like one
-    if (head[0] === BRACE) return isBinary(head) ? 'a binary file' : null;
     const found = BEGINNINGS.find(([, bytes]) => bytes.every((byte, i) => byte === null || head[i] === byte));
     if (found !== undefined) return found[0];
     if (!isUtf16(head) && isBinary(head)) return 'a binary file';

@@ -8,21 +8,27 @@ import {
   RULE_NAMES,
   type RuleName,
 } from '../basics/index.ts';
-import { LEVEL_SHAPE, type LevelFile, type Shape, type ShapesByKey } from './shape.ts';
+import { LEVEL_SHAPE, type LevelFile, type Shape } from './shape.ts';
 
 type Written = Readonly<Record<string, unknown>>;
 
+type Entries = readonly (readonly [string, Shape])[];
+
+/** The keys of a level, in their order, with those of its objects: they are the same for all levels. */
+const KEYS: readonly { readonly key: string; readonly shape: Shape; readonly entries: Entries }[] = Object.entries<Shape>(
+  LEVEL_SHAPE.keys,
+).map(([key, shape]) => ({ key, shape, entries: Object.entries((shape.each ?? shape).keys ?? {}) }));
+
 /** Fills in what a value of a shape leaves out. What the shape does not know is left away. */
-function filled(value: unknown, { each, keys = {} }: Shape): unknown {
+function filled(value: unknown, { each }: Shape, entries: Entries): unknown {
   // + 0 turns -0 into 0: formatLevel writes it as 0, and it must not give another start than 0
   if (typeof value === 'number') return value + 0;
   if (typeof value !== 'object' || value === null) return value;
-  if (each === undefined) return filledObject(value as Written, Object.entries(keys));
-  const entries = Object.entries(each.keys ?? {});
+  if (each === undefined) return filledObject(value as Written, entries);
   return (value as readonly Written[]).map((object) => filledObject(object, entries));
 }
 
-function filledObject(object: Written, keys: readonly (readonly [string, Shape])[]): Written {
+function filledObject(object: Written, keys: Entries): Written {
   const whole: Record<string, unknown> = {};
   for (const [key, { usual }] of keys) {
     const value = object[key] ?? usual;
@@ -45,8 +51,7 @@ const allowed = (allow: Allowed): Allowed =>
 export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
   // key by key, in the order of a level: spreads and lists of entries take three times as long
   const level: Record<string, unknown> = {};
-  const shapes: ShapesByKey = LEVEL_SHAPE.keys;
-  for (const key in shapes) {
+  for (const { key, shape, entries } of KEYS) {
     switch (key) {
       case '$schema':
       case 'version':
@@ -70,7 +75,7 @@ export function resolveLevel(file: LevelFile, folder: OwnRules = {}): Level {
         }));
         break;
       default:
-        level[key] = filled((file as Written)[key] ?? shapes[key].usual, shapes[key]);
+        level[key] = filled((file as Written)[key] ?? shape.usual, shape, entries);
     }
   }
   return level as unknown as Level;
