@@ -41,8 +41,9 @@ export function hangsOnAccuracy(level: Level, runs: readonly RunEnd[], scene: Sc
     if (!ends.has(accuracy.name)) ends.set(accuracy.name, playAll(level, atAccuracy(scene, accuracy), maxTicks, budget));
   };
   const agree = (index: number): boolean => {
-    const [first, ...rest] = [...ends.values()].map((list) => list[index].outcome === 'completed');
-    return rest.every((completes) => completes === first);
+    const completes = runs[index].outcome === 'completed';
+    for (const list of ends.values()) if ((list[index].outcome === 'completed') !== completes) return false;
+    return true;
   };
   play(ACCURACIES.arcade);
   play(ACCURACIES.precise);
@@ -58,8 +59,8 @@ const endOf = ({ outcome, with: touched, time, tick }: RunEnd): RunEnd => ({ out
 
 function playAll(level: Level, scene: Scene, maxTicks: number, budget: WorkBudget): RunEnd[] {
   const simulation = createSimulation(scene, budget);
-  return level.runs.map(({ holds }) => {
-    simulation.reset();
+  return level.runs.map(({ holds }, index) => {
+    if (index > 0) simulation.reset();
     playScript(simulation, joinHolds(holds), maxTicks);
     return simulation.ending ?? { outcome: 'timeout', with: null, time: maxTicks * TICK, tick: maxTicks };
   });

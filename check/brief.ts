@@ -1,7 +1,7 @@
 import { compile, type Run, type Scene, simulate, type Terms, WorkBudget } from '../engine/index.ts';
 import type { Level } from '../schema/index.ts';
 import type { Proof } from '../solver/index.ts';
-import { type LevelVerdict, type RunFindings, scriptEnds, unproved, verdictOfFindings } from './findings.ts';
+import { type LevelVerdict, type RunFindings, scriptEnds, verdictOfFindings } from './findings.ts';
 import { proofBudget, proveGoalImpossible } from './proofs.ts';
 
 /** What is true of a level under some terms by its own runs and by proof, without a search and without its problems. */
@@ -44,7 +44,7 @@ export function* briefInSteps(level: Level, terms: Terms): Generator<null, Brief
   if (completing < 0) yield null;
   const impossible = completing < 0 ? proveGoalImpossible(scene, { minerals: 'any' }, proofs) : null;
   const ends = scriptEnds(level.runs, runs);
-  const verdict = verdictOfFindings({ ...unproved, ends, impossible });
+  const verdict = verdictOfFindings({ ends, impossible, searched: null });
   const shown = runs.length === 0 ? null : Math.max(0, completing);
   const run = shown === null || runs[shown].stopped !== null ? null : runs[shown];
   return { scene, runs, ends, impossible, verdict, shown, run, budget, proofs };

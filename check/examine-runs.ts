@@ -43,6 +43,8 @@ export function* examineInSteps(
   const others = new WorkBudget(scene.terms.maxWork / 2);
   const hangs = areAllPlayed ? withinWork(others, () => hangsOnAccuracy(level, runs, scene, others)) : ([] as const);
   const all = found === null ? runs : [...runs, found];
+  const collected = new Set<number>();
+  for (const { minerals } of all) for (const { index } of minerals) collected.add(index);
   yield null;
   const warnings = withinWork(budget, () =>
     findWarnings(
@@ -56,7 +58,7 @@ export function* examineInSteps(
     range: level.range,
     allow: level.allow ?? {},
     ends: scriptEnds(level.runs, runs),
-    collected: [...new Set(all.flatMap(({ minerals }) => minerals.map(({ index }) => index)))],
+    collected: [...collected],
     hangs: hangs ?? [],
     warnings: warnings ?? findWarnings(level, [], scene.terms),
     cuts: {

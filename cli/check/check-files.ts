@@ -131,11 +131,11 @@ async function checkHere(
 ): Promise<CheckedFile[]> {
   if (files.length === 0) return [];
   // only the thread that checks loads schema and engine
-  const { checkFile } = await import('./check-level.ts');
+  const { checkTogether } = await import('./check-level.ts');
   const reports: CheckedFile[] = [];
   let listened = performance.now();
   for (const file of files) {
-    const report = checkFile(file, settings, cacheKey);
+    const [report] = checkTogether([{ file }], settings, cacheKey);
     reports.push(report);
     if (isEnough(reports.length - 1, [report.level])) break;
     if (performance.now() - listened < SLICE) continue;

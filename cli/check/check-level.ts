@@ -1,3 +1,4 @@
+import { isAscii } from 'node:buffer';
 import {
   atOnce,
   type Brief,
@@ -19,7 +20,7 @@ import {
   withinWork,
 } from '../../check/index.ts';
 import { termsReport } from '../../check/words/index.ts';
-import { isAccuracyName, type Run, type Scene, simulate, type Terms, WorkBudget } from '../../engine/index.ts';
+import { isAccuracyName, type Run, type Scene, simulate, type Terms, termsOf, WorkBudget } from '../../engine/index.ts';
 import {
   codeFrame,
   conflictProblems,
@@ -59,11 +60,7 @@ export interface CheckedFile {
  * @param content in place of what the file has
  */
 export const checkLevel = (file: string, settings: CheckSettings, content?: Uint8Array): CheckedLevel =>
-  checkFile(file, settings, null, content).level;
-
-/** The same, with the report for the cache. @param cacheKey null without a cache */
-export const checkFile = (file: string, settings: CheckSettings, cacheKey: string | null, content?: Uint8Array): CheckedFile =>
-  atOnce(checkInSteps(file, settings, cacheKey, content));
+  checkTogether([{ file, content }], settings, null)[0].level;
 
 /** A file to check. */
 export interface GivenFile {
@@ -77,14 +74,23 @@ export interface GivenFile {
  * is faster than one file after the other.
  * @returns a report for each file, in their order
  */
-export function checkTogether(files: readonly GivenFile[], settings: CheckSettings, cacheKey: string | null): CheckedFile[] {
+export function checkTogether(files: readonly GivenFile[], asked: CheckSettings, cacheKey: string | null): CheckedFile[] {
+  // another thread has sent a copy of the accuracy, which would be examined again for each level
+  const settings: CheckSettings = { ...asked, terms: termsOf(asked.terms) };
   const reports: CheckedFile[] = [];
   for (let first = 0; first < files.length; first += AT_ONCE) {
     const some = files.slice(first, first + AT_ONCE);
-    const going = some.map(({ file, content }, i) => ({ i, steps: checkInSteps(file, settings, cacheKey, content) }));
+    const going = some.map((given, i) => {
+      const clock = { ms: 0, since: 0 };
+      return { i, clock, steps: checkInSteps(given, settings, cacheKey, clock) };
+    });
+    let now = performance.now();
     for (let rest = going; rest.length > 0; ) {
-      rest = rest.filter(({ i, steps }) => {
+      rest = rest.filter(({ i, clock, steps }) => {
+        clock.since = now;
         const step = steps.next();
+        now = performance.now();
+        clock.ms += now - clock.since;
         if (step.done === true) reports[first + i] = step.value;
         return step.done !== true;
       });
@@ -94,16 +100,26 @@ export function checkTogether(files: readonly GivenFile[], settings: CheckSettin
 }
 
 /** Files that are checked together: with more, the collector of garbage has more to copy. */
-const AT_ONCE = 16;
+const AT_ONCE = 32;
 
-function* checkInSteps(file: string, settings: CheckSettings, cacheKey: string | null, content?: Uint8Array): Steps<CheckedFile> {
-  const clock = { ms: 0 };
+/** The time that a check has taken: the ms of its steps so far, and when the present one began. */
+interface Clock {
+  ms: number;
+  since: number;
+}
+
+const taken = ({ ms, since }: Clock): number => ms + performance.now() - since;
+
+function* checkInSteps(
+  { file, content }: GivenFile,
+  settings: CheckSettings,
+  cacheKey: string | null,
+  clock: Clock,
+): Steps<CheckedFile> {
   try {
-    const start = performance.now();
     const bytes = content ?? readBytes(file);
-    clock.ms += performance.now() - start;
-    const { level, isAnywhere, isSettled } = yield* timed(judge(file, bytes, settings), clock);
-    const whole = Object.assign(level, { ms: clock.ms });
+    const { level, isAnywhere, isSettled } = yield* judge(file, bytes, settings);
+    const whole = Object.assign(level, { ms: taken(clock) });
     return {
       level: isAnywhere ? atFile(whole, file) : whole,
       kept: cacheKey !== null && isAnywhere && isSettled ? keptLevel(cacheKey, bytes, whole) : null,
@@ -111,26 +127,24 @@ function* checkInSteps(file: string, settings: CheckSettings, cacheKey: string |
   } catch (error) {
     const level =
       error instanceof Failure ? unreadableLevel(file, error.message, settings.terms) : crashedLevel(file, error, settings.terms);
-    return { level: { ...level, ms: clock.ms }, kept: null };
-  }
-}
-
-/** Adds the time that steps take to a clock. */
-function* timed<R>(steps: Steps<R>, clock: { ms: number }): Steps<R> {
-  for (;;) {
-    const start = performance.now();
-    try {
-      const step = steps.next();
-      if (step.done === true) return step.value;
-    } finally {
-      clock.ms += performance.now() - start;
-    }
-    yield null;
+    return { level: { ...level, ms: taken(clock) }, kept: null };
   }
 }
 
 /** Bytes of a file and pieces of its runs up to which it waits for others between two steps: many may wait at once. */
 const LIGHT = { bytes: 64 * 1024, pieces: 2000 };
+
+/**
+ * The text of bytes that are certainly one, which native code tells and decodes in a fraction of the time that `readLevel` takes;
+ * else the bytes. NUL makes a file of another kind of a text.
+ */
+function textOf(bytes: Uint8Array): Uint8Array | string {
+  if (!isAscii(bytes) || bytes[0] !== BRACE || bytes.includes(0)) return bytes;
+  return Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).toString('latin1');
+}
+
+/** `{` */
+const BRACE = 0x7b;
 
 interface Judgement {
   readonly level: CheckedLevel;
@@ -142,7 +156,7 @@ interface Judgement {
 
 function* judge(file: string, bytes: Uint8Array, settings: CheckSettings): Steps<Judgement> {
   const { terms } = settings;
-  const read = readLevel(bytes, terms);
+  const read = readLevel(textOf(bytes), terms);
   if (!read.ok) return refused(file, read.problems, read.text, terms);
   const undecided = conflictProblems(read.document.file, read.document.locate);
   if (undecided.length > 0) return refused(file, undecided, read.document.text, terms);
@@ -275,7 +289,7 @@ const unsearched = (found: readonly Hold[]): LevelSearch => ({
 });
 
 const chosen = (runs: readonly ScriptedRun[], played: readonly Run[], index: number): PlayedRun | null =>
-  runs.length === 0 ? null : { ...runs[index], run: played[index] };
+  runs.length === 0 ? null : { name: runs[index].name, holds: runs[index].holds, run: played[index] };
 
 /** The shown run, in brief and on request in full; null if the run was stopped or a report would cost too much work. */
 function inWords(

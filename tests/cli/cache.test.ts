@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { afterAll, describe, expect, it } from 'vitest';
 import { cacheFolder, chosenCache, semantics } from '../../cli/cache/index.ts';
 import { DECIDING_PACKAGES, DECIDING_ROOMS } from '../../cli/cache/key.ts';
-import { checkFile } from '../../cli/check/check-level.ts';
+import { checkTogether } from '../../cli/check/check-level.ts';
 import { type CheckedLevel, type CheckSettings, checkFiles, openLevelCache } from '../../cli/check/index.ts';
 import { ANYWHERE } from '../../cli/check/level-cache.ts';
 import { accuracyOf, DEFAULT_MAX_WORK } from '../../engine/index.ts';
@@ -64,7 +64,7 @@ async function check(settings: CheckSettings, folder: string | null, paths: read
   const known = cache?.recall(paths) ?? new Map<string, CheckedLevel>();
   const levels = paths.map((file) => {
     if (known.has(file)) return known.get(file)!;
-    const { level, kept } = checkFile(file, settings, cache?.key ?? null);
+    const [{ level, kept }] = checkTogether([{ file }], settings, cache?.key ?? null);
     if (kept !== null) cache?.keep(kept);
     return level;
   });
@@ -169,7 +169,7 @@ describe('a report from the cache', () => {
     const built = newFolder();
     const codes = ['before', 'after'];
     const cache = openLevelCache(built, PLAIN, () => codes.shift()!)!;
-    cache.keep(checkFile(files[0], PLAIN, cache.key).kept!);
+    cache.keep(checkTogether([{ file: files[0] }], PLAIN, cache.key)[0].kept!);
     await cache.save();
     expect(existsSync(built)).toBe(false);
   });

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import fc from 'fast-check';
 import { afterAll, expect, it } from 'vitest';
-import { checkFile, checkLevel, checkTogether, type GivenFile } from '../../cli/check/check-level.ts';
+import { checkLevel, checkTogether, type GivenFile } from '../../cli/check/check-level.ts';
 import { checkJson } from '../../cli/reporters/json.ts';
 import { checkPretty } from '../../cli/reporters/pretty.ts';
 import { ACCURACIES, DEFAULT_TERMS } from '../../engine/index.ts';
@@ -105,7 +105,9 @@ it('files that are checked together get the reports that each of them gets alone
         { file: 'large', content: Buffer.from(base + ' '.repeat(70_000)) },
       ];
       const together = checkTogether([...given, ...others], SETTINGS, 'key');
-      const alone = [...given, ...others].map(({ file: name, content }: GivenFile) => checkFile(name, SETTINGS, 'key', content));
+      const alone = [...given, ...others].map(
+        ({ file: name, content }: GivenFile) => checkTogether([{ file: name, content }], SETTINGS, 'key')[0],
+      );
       expect(withoutTimes(together)).toBe(withoutTimes(alone));
     }),
     { numRuns: 40 },
