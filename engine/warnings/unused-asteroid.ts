@@ -26,9 +26,10 @@ export const unusedAsteroid: Rule = {
     for (const { events } of completed) for (const e of events) if (e.type === 'target') used.add(e.index);
     const idle = [...level.asteroids.keys()].filter((i) => !level.asteroids[i].hot && !used.has(i));
     if (idle.length === 0) return;
-    for (const run of completed) keepersOf(level, run, idle, used);
+    const keepers = keepersOf(level, completed, used, idle);
+    if (keepers === null) return;
     for (const i of idle) {
-      if (used.has(i)) continue;
+      if (keepers.has(i)) continue;
       yield {
         message:
           `${objectName('asteroid', i)} is not used: ${completed.length === 1 ? 'the run that completes the level does not target it' : `none of the ${completed.length} runs that complete the level targets it`}, ` +
@@ -40,20 +41,40 @@ export const unusedAsteroid: Rule = {
   },
 };
 
-/** Adds to `keepers` those of `idle` without which she would have been lost somewhere during the run. */
-function keepersOf({ asteroids, range }: Level, run: Run, idle: readonly number[], keepers: Set<number>): void {
+/** After this many distances, no asteroid of the level is said to be unused. */
+const MOST_DISTANCES = 1e8;
+
+/** Those of `idle` without which she would have been lost somewhere during a run; null if it takes too long to tell. */
+function keepersOf(
+  { asteroids, range }: Level,
+  runs: readonly Run[],
+  used: ReadonlySet<number>,
+  idle: readonly number[],
+): ReadonlySet<number> | null {
   const state = new Float64Array(STATE_SIZE);
-  const { trajectory } = run;
-  const others = [...asteroids.keys()].filter((i) => !idle.includes(i));
+  const keepers = new Set<number>();
+  const others = [...asteroids.keys()].filter((i) => asteroids[i].hot || used.has(i));
   const near = (i: number, reach: number): boolean => {
     const dx = asteroids[i].x - state[0];
     const dy = asteroids[i].y - state[1];
     return dx * dx + dy * dy <= reach * reach;
   };
-  for (let time = 0; time < trajectory.duration; time += LOOK_EVERY) {
-    trajectory.at(time, state);
-    if (others.some((i) => near(i, range - MARGIN))) continue;
-    // each of these would do; the designer chooses which to keep, so none is reported
-    for (const i of idle) if (near(i, range + MARGIN)) keepers.add(i);
+  let distances = 0;
+  let left = idle;
+  for (const { trajectory } of runs) {
+    for (let time = 0; time < trajectory.duration && left.length > 0; time += LOOK_EVERY) {
+      trajectory.at(time, state);
+      const first = others.findIndex((i) => near(i, range - MARGIN));
+      distances += first < 0 ? others.length : first + 1;
+      if (first < 0) {
+        // each of these would do; the designer chooses which to keep, so none is reported
+        const found = left.filter((i) => near(i, range + MARGIN));
+        for (const i of found) keepers.add(i);
+        distances += left.length;
+        if (found.length > 0) left = left.filter((i) => !keepers.has(i));
+      }
+      if (distances > MOST_DISTANCES) return null;
+    }
   }
+  return keepers;
 }

@@ -25,6 +25,9 @@ const MOST_LEAVES = 150_000;
 /** The most cells that all searches together may visit. */
 const MOST_VISITS = 3_000_000;
 
+/** Looks that examining so many mouths, or cells in one, costs: none in ordinary levels. */
+const mouthsLook = (count: number): number => count >> 3;
+
 /** The plane of the quadtree and what blocks it, px from the start. */
 interface Plane {
   readonly left: number;
@@ -65,7 +68,7 @@ export function proveEnclosed(setting: Setting, about: About, goal: Thing): Proo
   );
   if (plane.size > WIDEST) return null;
   const tree = new Quadtree(plane.size, judgeOf(plane, setting.budget), [...Array(plane.discs.length + ranges.length).keys()]);
-  const inside = closeIn(tree, plane);
+  const inside = closeIn(tree, plane, setting.budget);
   if (inside === null) return null;
   const barrier = barrierOf(tree, inside, plane, setting);
   if (barrier === null) return null;
@@ -112,7 +115,7 @@ function judgeOf({ left, bottom, discs, ranges, mouths }: Plane, budget: WorkBud
     const half = (size * UNIT) / 2;
     const x = left + cellX * UNIT + half;
     const y = bottom + cellY * UNIT + half;
-    budget.look(1 + nearby.length / 2);
+    budget.look(1 + nearby.length / 2 + mouthsLook(mouths.length));
     const kept: number[] = [];
     let inRange = false;
     let someRange = false;
@@ -145,7 +148,7 @@ function judgeOf({ left, bottom, discs, ranges, mouths }: Plane, budget: WorkBud
  * All leaves that she may get into from the start, when none of them is near the object; null when a gap is open or cannot be
  * excluded.
  */
-function closeIn(tree: Quadtree, plane: Plane): Cell[] | null {
+function closeIn(tree: Quadtree, plane: Plane, budget: WorkBudget): Cell[] | null {
   refineCoarse(tree, tree.root, Math.max(COARSE / UNIT, tree.root.size * COARSE_SHARE));
   const startX = Math.floor(-plane.left / UNIT);
   const startY = Math.floor(-plane.bottom / UNIT);
@@ -153,7 +156,7 @@ function closeIn(tree: Quadtree, plane: Plane): Cell[] | null {
   for (let search = 1; ; search++) {
     const start = tree.leafAt(startX, startY);
     if (start === null || start.state === 'blocked') return null;
-    const { ends, visited } = flood(tree, start, search, plane);
+    const { ends, visited } = flood(tree, start, search, plane, budget);
     if (ends.length === 0) return visited;
     visits += visited.length;
     if (tree.leaves > MOST_LEAVES || visits > MOST_VISITS) return null;
@@ -186,7 +189,7 @@ function refineCoarse(tree: Quadtree, cell: Cell, coarse: number): void {
  * Visits all cells that she may get into, free ones first. The ends are the cells where she reaches the object or leaves the
  * plane.
  */
-function flood(tree: Quadtree, start: Cell, search: number, plane: Plane): { ends: Cell[]; visited: Cell[] } {
+function flood(tree: Quadtree, start: Cell, search: number, plane: Plane, budget: WorkBudget): { ends: Cell[]; visited: Cell[] } {
   const { left, bottom, goal, mouths } = plane;
   const visited: Cell[] = [];
   // Each mouth is entered once: then all cells at its other end are reached.
@@ -211,12 +214,18 @@ function flood(tree: Quadtree, start: Cell, search: number, plane: Plane): { end
       };
       if (!over) {
         tree.neighbours(from, reach);
+        budget.look(mouthsLook(closed.size));
         for (const mouth of closed) {
           if (!reachesInto(mouths[mouth], from)) continue;
           closed.delete(mouth);
           const exit = mouths[exitOf(mouth)];
           if (isOutside(exit, tree.root.size)) over = true;
-          tree.inDisc(exit, reach);
+          let cells = 0;
+          tree.inDisc(exit, (next) => {
+            cells++;
+            reach(next);
+          });
+          budget.look(mouthsLook(cells));
         }
       }
       if (over) ends.push(from);
@@ -245,7 +254,12 @@ function passesMixed(end: Cell): boolean {
 
 /** The outline of the visited cells that separates the start from the object, with as few edges as possible. */
 function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane, setting: Setting): BarrierEdge[] | null {
-  const mouths = setting.level.wormholes.map((_, i) => 2 * i);
+  const { astronaut } = setting.level;
+  const mouths = mouthDiscs(setting.level).map((disc) => ({ ...disc, x: disc.x - astronaut.x, y: disc.y - astronaut.y }));
+  const leads = (barrier: readonly BarrierEdge[]): boolean => {
+    setting.budget.look(mouthsLook(mouths.length * barrier.length));
+    return setting.level.wormholes.some((_, i) => leadsThrough(barrier, mouths[2 * i], mouths[2 * i + 1], setting.jump));
+  };
   const members = new Set(inside);
   const blockers: Blocker[] = [...plane.discs.map(({ of }) => of), { kind: 'range' }];
   const toEdge = ({ x, y, blocker }: OutlinePiece): BarrierEdge => ({
@@ -255,18 +269,15 @@ function barrierOf(tree: Quadtree, inside: readonly Cell[], plane: Plane, settin
   });
   for (const outline of outlinesOf(tree, inside, (cell) => members.has(cell))) {
     const edges = outline.map(toEdge);
-    if (!separates(edges, plane.goal) || mouths.some((mouth) => leadsThrough(setting, edges, mouth))) continue;
+    if (!separates(edges, plane.goal) || leads(edges)) continue;
     const fewer = withFewerEdges(edges, plane);
-    return separates(fewer, plane.goal) && !mouths.some((mouth) => leadsThrough(setting, fewer, mouth)) ? fewer : edges;
+    return separates(fewer, plane.goal) && !leads(fewer) ? fewer : edges;
   }
   return null;
 }
 
 /** Whether a wormhole leads through a barrier, or one of its mouths lies on it. */
-function leadsThrough({ level, jump }: Setting, barrier: readonly BarrierEdge[], mouth: number): boolean {
-  const { x, y } = level.astronaut;
-  const discs = mouthDiscs(level);
-  const [near, far] = [discs[mouth], discs[exitOf(mouth)]].map((disc) => ({ ...disc, x: disc.x - x, y: disc.y - y }));
+function leadsThrough(barrier: readonly BarrierEdge[], near: Disc, far: Disc, jump: number): boolean {
   if (isInside(barrier, near.x, near.y) !== isInside(barrier, far.x, far.y)) return true;
   return barrier.some((a, i) => {
     const b = barrier[(i + 1) % barrier.length];

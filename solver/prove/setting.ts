@@ -155,6 +155,7 @@ function reachable(level: Level, drift: readonly number[], jump: number): Reacha
   const mouths = mouthDiscs(level);
   const reached: number[] = [];
   const entered: number[] = [];
+  const isEntered = new Uint8Array(mouths.length);
   let waiting = [...asteroids.keys()];
   const take = (near: (i: number) => boolean) => {
     const left: number[] = [];
@@ -178,6 +179,7 @@ function reachable(level: Level, drift: readonly number[], jump: number): Reacha
     const mouth = nextMouth();
     if (mouth === null) break;
     entered.push(mouth);
+    isEntered[mouth] = 1;
     const exit = mouths[exitOf(mouth)];
     if (isTooMuch(waiting.length)) return all;
     take((i) => !surelyLess(range + drift[i] + exit.radius + jump, distance(asteroids[i], exit)));
@@ -187,7 +189,7 @@ function reachable(level: Level, drift: readonly number[], jump: number): Reacha
   /** A mouth that she can enter from what she has reached so far. */
   function nextMouth(): number | null {
     for (const [m, mouth] of mouths.entries()) {
-      if (entered.includes(m)) continue;
+      if (isEntered[m] === 1) continue;
       comparisons += reached.length + entered.length;
       const inRange = (i: number) => !surelyLess(range + drift[i] + mouth.radius + jump, distance(asteroids[i], mouth));
       const besideExit = (n: number) => {

@@ -109,6 +109,17 @@ export const HEAVY_LEVELS: Readonly<Record<string, (size?: number) => LevelFile>
       ],
       runs: [{ name: 'hold', holds: [[0, 3600]] }],
     }),
+  'wormholes-in-one-place': (size = 1) =>
+    level('Wormholes in one place', {
+      wormholes: many(17_000 * size, () => ({ x: 60, y: 60, toX: 90, toY: 60, radius: 10 })),
+    }),
+  'many-runs-among-asteroids': (size = 1) =>
+    level('Many runs among asteroids', {
+      astronaut: { x: 0, y: 0, vx: -900, vy: 0 },
+      blackHole: { x: -400, y: 0, radius: 40 },
+      asteroids: many(14_000 * size, (i) => ({ x: 3 * i, y: 200, radius: 0.1 })),
+      runs: many(400 * size, (i) => ({ name: `run ${i}`, holds: taps(20, i % 3) })),
+    }),
   'heap-of-aliens': (size = 1) =>
     level('Heap of aliens', {
       aliens: many(20_000 * size, () => ({ x: 900, y: 0 })),

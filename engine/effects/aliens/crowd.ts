@@ -137,16 +137,19 @@ export class AlienCrowd implements Crowd {
 
   /** Indices, ascending, of at least all sleepers whose disc reaches nearer than `reach` px to (x, y), px from the origin. */
   sleepersAround(x: number, y: number, reach: number): ArrayLike<number> {
-    const { s, chasers, scene, originX, originY } = this.m;
+    const { s, chasers, scene, originX, originY, budget } = this.m;
     const { count } = scene.aliens;
     const found: number[] = [];
     if (this.index === null) {
       for (let i = 0; i < count; i++) if (s[chasers + CHASER * i + 4] === ASLEEP) found.push(i);
       return found;
     }
-    for (const i of this.index.around(x + originX, y + originY, reach + MARGIN)) {
+    const there = this.index.around(x + originX, y + originY, reach + MARGIN);
+    for (const i of there) {
       if (s[chasers + CHASER * i + 4] === ASLEEP && !this.isAstray(i)) found.push(i);
     }
+    // where many are awake or gone, they are most of what is looked at
+    budget.look((there.length - found.length) >> 5);
     for (const i of this.astray) found.push(i);
     return ascending(found);
   }
