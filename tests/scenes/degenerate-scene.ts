@@ -26,7 +26,7 @@ export function degenerateScene(seed: number): RandomScene {
   ];
   const direction = () => pick(...directions);
   const nudge = () => (chance(0.6) ? 0 : pick(1, -1) * 10 ** -pick(15, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3));
-  const circle = (x: number, y: number, radius: number): Circle => ({ id: null, x, y, radius: Math.min(1e6, Math.max(1e-3, radius)) });
+  const circle = (x: number, y: number, radius: number): Circle => ({ id: null, x, y, radius: Math.max(1e-3, radius) });
 
   // she is at 0, 0; fields have her on their rims
   const repulsors: Circle[] = [];

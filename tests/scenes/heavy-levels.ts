@@ -117,6 +117,7 @@ export const HEAVY_LEVELS: Readonly<Record<string, (size?: number) => LevelFile>
     level('Many runs among asteroids', {
       astronaut: { x: 0, y: 0, vx: -900, vy: 0 },
       blackHole: { x: -400, y: 0, radius: 40 },
+      range: 600,
       asteroids: many(14_000 * size, (i) => ({ x: 3 * i, y: 200, radius: 0.1 })),
       runs: many(400 * size, (i) => ({ name: `run ${i}`, holds: taps(20, i % 3) })),
     }),

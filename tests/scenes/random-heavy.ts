@@ -114,7 +114,7 @@ function clusters(seed: number): LevelFile {
     recoil,
     asteroids: bare(level.asteroids),
     novae: bare(level.novae),
-    repulsors: bare(level.repulsors),
+    repulsors: bare(level.repulsors).map((field) => ({ ...field, radius: Math.min(1e6, field.radius) })),
     aliens: bare(level.aliens),
     minerals: bare(level.minerals),
     runs: [0, 1, 2, 3].map((n) => ({
