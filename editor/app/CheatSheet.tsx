@@ -1,6 +1,6 @@
 import { useSyncExternalStore } from 'react';
 import { keyLabels } from '../core/commands/index.ts';
-import { IS_MAC, useEditor, useSession } from '../core/context/index.ts';
+import { IS_MAC, useEditor, useOverlay } from '../core/context/index.ts';
 import { Dialog } from '../core/ui/index.ts';
 
 /** Pointer gestures, which are not commands. */
@@ -28,19 +28,13 @@ const POINTER: readonly (readonly [gesture: string, what: string])[] = [
 
 /** All keyboard shortcuts and gestures on one sheet. */
 export function CheatSheet() {
-  const { commands, session } = useEditor();
-  const open = useSession((state) => state.overlay === 'cheatSheet');
+  const { commands } = useEditor();
+  const dialog = useOverlay('cheatSheet');
   const all = useSyncExternalStore(commands.subscribe, commands.all);
   const keyed = all.filter(({ keys }) => keys !== undefined && keys.length > 0);
   const groups = [...new Set(keyed.map(({ group }) => group))];
   return (
-    <Dialog
-      open={open}
-      wide
-      title="Shortcuts and gestures"
-      about="Search (Ctrl K) finds every command."
-      onClose={() => session.setState({ overlay: null })}
-    >
+    <Dialog {...dialog} wide title="Shortcuts and gestures" about="Search (Ctrl K) finds every command.">
       <div className="sheet">
         {groups.map((group) => (
           <section key={group} className="sheet__group">

@@ -3,7 +3,7 @@ import { useStore } from 'zustand';
 import type { AccuracyName } from '../../engine/index.ts';
 import { rendererOf } from '../canvas/index.ts';
 import { keyLabel } from '../core/commands/index.ts';
-import { IS_MAC, useEditor, usePageTerms, useSession } from '../core/context/index.ts';
+import { IS_MAC, useEditor, useOverlay, usePageTerms } from '../core/context/index.ts';
 import type { Settings } from '../core/settings/index.ts';
 import { Button, Dialog, NumberField } from '../core/ui/index.ts';
 
@@ -87,19 +87,14 @@ function RendererSetting() {
 
 /** The user's preferences; they take effect at once and are kept in this browser. */
 export function SettingsDialog() {
-  const { session, settings: store } = useEditor();
-  const open = useSession((state) => state.overlay === 'settings');
+  const { settings: store } = useEditor();
+  const dialog = useOverlay('settings');
   const settings = useStore(store);
   const { folder } = usePageTerms();
   const [listening, setListening] = useState(false);
   const set = (change: Partial<Settings>) => store.setState(change);
   return (
-    <Dialog
-      open={open}
-      title="Settings"
-      about="Kept in this browser, never written to level files."
-      onClose={() => session.setState({ overlay: null })}
-    >
+    <Dialog {...dialog} title="Settings" about="Kept in this browser, never written to level files.">
       <div className="settings">
         <Choice
           label="Theme"

@@ -31,6 +31,12 @@ export function useSession<T>(pick: (session: Session) => T): T {
   return useStore(useEditor().session, pick);
 }
 
+/** What a dialog needs that is open while one of these overlays is. */
+export function useOverlay(...names: readonly Session['overlay'][]) {
+  const { session } = useEditor();
+  return { open: useSession(({ overlay }) => names.includes(overlay)), onClose: () => session.setState({ overlay: null }) };
+}
+
 /** Under which terms levels are judged and shown; re-renders when they change. */
 export const usePageTerms = (): PageTerms => useStore(useEditor().terms);
 

@@ -10,9 +10,9 @@ import {
   PerLevel,
   useEditor,
   useLevel,
+  useOverlay,
   usePageTerms,
   usePageTheme,
-  useSession,
 } from '../../core/context/index.ts';
 import { VerdictSign } from '../../core/levels/index.ts';
 import { Segments } from '../../core/panel/index.ts';
@@ -26,25 +26,21 @@ import { agoInWords, clockTime, type HistoryRow, historyRows, keyOf, stepsInWord
 
 /** The dialog with the versions of the open level. */
 export function HistoryDialog() {
-  const editor = useEditor();
-  const { session } = editor;
-  const level = useStore(editor.open);
-  const open = useSession((state) => state.overlay === 'history');
-  const close = () => session.setState({ overlay: null });
+  const level = useStore(useEditor().open);
+  const dialog = useOverlay('history');
   return (
     <Dialog
-      open={open}
+      {...dialog}
       wide
       title="History"
       about="Every saved version of this level, kept in this browser only. Those with a name stay for good."
-      onClose={close}
     >
       {level === null ? (
         <p>Open a level first.</p>
       ) : (
         <LevelContext.Provider value={level}>
           <PerLevel>
-            <History onClose={close} />
+            <History onClose={dialog.onClose} />
           </PerLevel>
         </LevelContext.Provider>
       )}

@@ -1,24 +1,21 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { type OpenLevel, useEditor, useLevel, useSession } from '../../core/context/index.ts';
+import { type OpenLevel, useEditor, useLevel, useOverlay } from '../../core/context/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
 import type { Version } from '../../core/versions/index.ts';
 import { whyNot } from './restore.ts';
 
 /** The dialog that gives the level as it is now a name. */
 export function NameVersionDialog() {
-  const editor = useEditor();
-  const level = useStore(editor.open);
-  const open = useSession((state) => state.overlay === 'nameVersion');
-  const close = () => editor.session.setState({ overlay: null });
+  const level = useStore(useEditor().open);
+  const dialog = useOverlay('nameVersion');
   return (
     <Dialog
-      open={open}
+      {...dialog}
       title="Name this version"
       about="The level as it is now is kept in its history under this name, in this browser only."
-      onClose={close}
     >
-      {level === null ? <p>Open a level first.</p> : <NameVersion level={level} onClose={close} />}
+      {level === null ? <p>Open a level first.</p> : <NameVersion level={level} onClose={dialog.onClose} />}
     </Dialog>
   );
 }

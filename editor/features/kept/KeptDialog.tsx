@@ -1,24 +1,21 @@
 import { Download, Trash2 } from 'lucide-react';
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { useEditor, useSession } from '../../core/context/index.ts';
+import { useEditor, useOverlay } from '../../core/context/index.ts';
 import { keepFile, levelFile } from '../../core/exchange/index.ts';
 import { openListed } from '../../core/levels/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
 
 /** Changes that never reached the disk but are kept in this browser: the user can open, download or discard them. */
 export function KeptDialog() {
-  const { session } = useEditor();
-  const open = useSession((state) => state.overlay === 'kept');
-  const close = () => session.setState({ overlay: null });
+  const dialog = useOverlay('kept');
   return (
     <Dialog
-      open={open}
+      {...dialog}
       title="Unsaved changes"
       about={`Kept in this browser for ${location.host}. Other addresses and ports have their own.`}
-      onClose={close}
     >
-      <Kept onClose={close} />
+      <Kept onClose={dialog.onClose} />
     </Dialog>
   );
 }

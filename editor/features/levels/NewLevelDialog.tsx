@@ -4,7 +4,7 @@ import { useStore } from 'zustand';
 import { compile, simulate, type Terms } from '../../../engine/index.ts';
 import { renderSvg } from '../../../picture/index.ts';
 import { type LevelFile, resolveLevel } from '../../../schema/index.ts';
-import { useEditor, usePageTerms, usePageTheme, useSession } from '../../core/context/index.ts';
+import { useEditor, useOverlay, usePageTerms, usePageTheme } from '../../core/context/index.ts';
 import { slugOf } from '../../core/exchange/index.ts';
 import { folderOf } from '../../core/files/index.ts';
 import { addLevels, nextNumber } from '../../core/levels/index.ts';
@@ -21,12 +21,10 @@ const throwDice = () => 1 + (crypto.getRandomValues(new Uint32Array(1))[0] % SEE
 
 /** The dialog that makes a new level from a template. */
 export function NewLevelDialog() {
-  const { session } = useEditor();
-  const open = useSession((state) => state.overlay === 'newLevel');
-  const close = () => session.setState({ overlay: null });
+  const dialog = useOverlay('newLevel');
   return (
-    <Dialog open={open} wide title="New level" about="Choose a template. Everything can be changed later." onClose={close}>
-      <NewLevel onClose={close} />
+    <Dialog {...dialog} wide title="New level" about="Choose a template. Everything can be changed later.">
+      <NewLevel onClose={dialog.onClose} />
     </Dialog>
   );
 }

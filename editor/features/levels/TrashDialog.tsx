@@ -1,18 +1,16 @@
 import { RotateCcw } from 'lucide-react';
 import { usePromised } from '../../core/ask/index.ts';
-import { useEditor, useSession } from '../../core/context/index.ts';
+import { useEditor, useOverlay } from '../../core/context/index.ts';
 import { errorInWords } from '../../core/files/index.ts';
 import { restoreLevel } from '../../core/levels/index.ts';
 import { Button, Dialog } from '../../core/ui/index.ts';
 
 /** The deleted levels, which can be restored. */
 export function TrashDialog() {
-  const { session } = useEditor();
-  const open = useSession((state) => state.overlay === 'trash');
-  const close = () => session.setState({ overlay: null });
+  const dialog = useOverlay('trash');
   return (
-    <Dialog open={open} title="Deleted levels" about="Deleted levels are kept here and are never removed." onClose={close}>
-      <Trash onClose={close} />
+    <Dialog {...dialog} title="Deleted levels" about="Deleted levels are kept here and are never removed.">
+      <Trash onClose={dialog.onClose} />
     </Dialog>
   );
 }

@@ -9,6 +9,7 @@ import {
   useEditor,
   useFolderTerms,
   useLevel,
+  useOverlay,
   usePageTheme,
   useSession,
 } from '../../core/context/index.ts';
@@ -20,19 +21,16 @@ import { PublishTab } from './PublishTab.tsx';
 
 /** Imports and exports levels. */
 export function ShareDialog() {
-  const editor = useEditor();
-  const { session } = editor;
   const overlay = useSession((state) => state.overlay);
-  const level = useStore(editor.open);
-  const close = () => session.setState({ overlay: null });
+  const level = useStore(useEditor().open);
+  const dialog = useOverlay('share', 'open', 'publish');
   const first = overlay === 'publish' ? 'publish' : overlay === 'open' || level === null ? 'import' : 'export';
   return (
     <Dialog
-      open={overlay === 'share' || overlay === 'open' || overlay === 'publish'}
+      {...dialog}
       wide
       title={overlay === 'publish' ? 'Publish' : 'Import, export, link'}
       about="Levels stay on this machine: a link contains the level itself and is not sent to a server."
-      onClose={close}
     >
       <LevelContext.Provider value={level}>
         <Tabs.Root key={first} defaultValue={first}>
@@ -56,7 +54,7 @@ export function ShareDialog() {
             <PublishTab />
           </Tabs.Content>
           <Tabs.Content value="import">
-            <ImportTab onClose={close} />
+            <ImportTab onClose={dialog.onClose} />
           </Tabs.Content>
         </Tabs.Root>
       </LevelContext.Provider>
