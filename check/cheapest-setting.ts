@@ -12,6 +12,7 @@ import {
 import {
   type Cost,
   deviationOf,
+  inHaste,
   measureCosts,
   pathOfRun,
   playerOf,
@@ -19,7 +20,7 @@ import {
   referenceOf,
 } from '../engine/work-precision/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
-import { type EdgeSlack, findSlack } from '../solver/index.ts';
+import { type EdgeSlack, findSlackInSteps } from '../solver/index.ts';
 import { countMinerals } from './words/index.ts';
 
 /** A run that a setting has to keep as it is. */
@@ -48,6 +49,8 @@ export interface CheapestSetting {
   /** From the cheapest on; the last one keeps all runs, unless none does. */
   readonly tried: readonly TriedSetting[];
   readonly cheapest: TriedSetting | null;
+  /** Settings that were not tried, as none was found before the time was used up. */
+  readonly untried: readonly Accuracy[];
   /** Runs that have no reference which a second one confirms, and why. */
   readonly doubts: readonly { readonly run: KeptRun; readonly doubt: string }[];
 }
@@ -57,8 +60,8 @@ interface CheapestOptions {
   readonly methods: readonly Accuracy[];
   /** A clock, ms. */
   readonly now: () => number;
-  /** Approximate time for timing, ms. */
-  readonly budget: number;
+  /** About how long settings are timed, the longest, and the longest that all takes, ms; a play that has begun ends. */
+  readonly budget: { readonly timing: number; readonly most: number; readonly all: number };
 }
 
 /** A run as it has to stay. */
@@ -79,36 +82,56 @@ const SAMPLE = 1;
 export function findCheapestSetting(runs: readonly KeptRun[], options: CheapestOptions): CheapestSetting {
   const { terms, methods, now, budget } = options;
   const maxTicks = maxTicksOf(terms);
+  const end = now() + budget.all;
+  const isLate = () => now() > end;
   const wanted: Wanted[] = [];
   for (const run of runs) {
-    const exact = playAt(run, ACCURACIES.precise, terms);
-    const doubt = `it takes more than ${terms.maxWork} pieces of motion at precise, so nothing can be compared with it`;
-    if (exact === null) return { tried: [], cheapest: null, doubts: [{ run, doubt }] };
-    wanted.push({
-      run,
-      reference: referenceOf(run.level, run.holds, maxTicks, terms.maxWork),
-      minerals: collected(exact),
-      slack: exact.outcome === 'completed' ? slackAt(run, exact, ACCURACIES.precise, terms) : [],
-    });
+    const known = isLate() ? null : wantedOf(run, terms, isLate);
+    if (typeof known === 'object' && known !== null) wanted.push(known);
+    else {
+      const doubt = known ?? 'the time was used up before it was known what is to be kept of it';
+      return { tried: [], cheapest: null, untried: methods, doubts: [{ run, doubt }] };
+    }
   }
   const doubts = wanted.flatMap(({ run, reference: { doubt } }) => (doubt === null ? [] : [{ run, doubt }]));
+  const inOrder = [...methods].sort(inHaste);
   const costs = measureCosts(
-    methods.map((accuracy) => playerOf(runs, accuracy, maxTicks)),
+    inOrder.map((accuracy) => playerOf(runs, accuracy, maxTicks)),
     now,
-    { budget, sample: SAMPLE },
+    { budget: budget.timing, most: budget.most, sample: SAMPLE },
   );
-  const byCost = methods.map((accuracy, i) => ({ accuracy, cost: costs[i] })).sort((a, b) => a.cost.minimum - b.cost.minimum);
+  const byCost = inOrder
+    .flatMap((accuracy, i) => (costs[i] === null ? [] : [{ accuracy, cost: costs[i] }]))
+    .sort((a, b) => a.cost.minimum - b.cost.minimum);
   const tried: TriedSetting[] = [];
   for (const { accuracy, cost } of byCost) {
-    const setting = { accuracy, cost, ...tryAt(wanted, accuracy, terms) };
+    const result = isLate() ? null : tryAt(wanted, accuracy, terms, isLate);
+    if (result === null) break;
+    const setting = { accuracy, cost, ...result };
     tried.push(setting);
-    if (setting.broken === null) return { tried, cheapest: setting, doubts };
+    if (setting.broken === null) return { tried, cheapest: setting, untried: [], doubts };
   }
-  return { tried, cheapest: null, doubts };
+  const untried = methods.filter((method) => tried.every(({ accuracy }) => accuracy !== method));
+  return { tried, cheapest: null, untried, doubts };
 }
 
-/** Whether a setting keeps runs; the dearest question, that of slack, comes last. */
-function tryAt(wanted: readonly Wanted[], accuracy: Accuracy, terms: Terms): Omit<TriedSetting, 'accuracy' | 'cost'> {
+/** What is to be kept of a run; in words why that is not known, or null if the time is used up. */
+function wantedOf(run: KeptRun, terms: Terms, isLate: () => boolean): Wanted | string | null {
+  const exact = playAt(run, ACCURACIES.precise, terms);
+  if (exact === null)
+    return `it takes more than ${terms.maxWork} pieces of motion at precise, so nothing can be compared with it`;
+  const reference = referenceOf(run.level, run.holds, maxTicksOf(terms), terms.maxWork);
+  const slack = exact.outcome === 'completed' ? slackAt(run, exact, ACCURACIES.precise, terms, isLate) : [];
+  return slack && { run, reference, minerals: collected(exact), slack };
+}
+
+/** Whether a setting keeps runs; the dearest question, that of slack, comes last. null: the time is used up. */
+function tryAt(
+  wanted: readonly Wanted[],
+  accuracy: Accuracy,
+  terms: Terms,
+  isLate: () => boolean,
+): Omit<TriedSetting, 'accuracy' | 'cost'> | null {
   let error: TriedSetting['error'] = null;
   let tightest: TriedSetting['tightest'] = null;
   const played: (Wanted & { readonly as: Run })[] = [];
@@ -128,7 +151,8 @@ function tryAt(wanted: readonly Wanted[], accuracy: Accuracy, terms: Terms): Omi
   }
   for (const { run, as, slack } of played) {
     if (as.outcome !== 'completed') continue;
-    const own = slackAt(run, as, accuracy, terms);
+    const own = slackAt(run, as, accuracy, terms, isLate);
+    if (own === null) return null;
     const edge = own.findIndex(({ earlier, later }, i) => earlier !== slack[i]?.earlier || later !== slack[i].later);
     if (edge < 0) continue;
     const text = ({ earlier, later }: EdgeSlack) => `${earlier} ticks earlier and ${later} later`;
@@ -155,7 +179,11 @@ function playAt({ level, holds }: KeptRun, accuracy: Accuracy, terms: Terms): Ru
 const collected = ({ minerals }: Run): string =>
   [...new Set(minerals.map(({ index }) => index + 1))].sort((a, b) => a - b).join(', ');
 
-/** How far each press and release may move while she completes the level with as many minerals. */
-function slackAt({ level, holds }: KeptRun, run: Run, accuracy: Accuracy, terms: Terms): EdgeSlack[] {
-  return findSlack(compile(level, { ...terms, accuracy }), holds, { minerals: countMinerals(run) });
+/** How far each press and release may move while she completes the level with as many minerals; null if the time is used up. */
+function slackAt({ level, holds }: KeptRun, run: Run, accuracy: Accuracy, terms: Terms, isLate: () => boolean) {
+  const steps = findSlackInSteps(compile(level, { ...terms, accuracy }), holds, { minerals: countMinerals(run) });
+  for (let step = steps.next(); ; step = steps.next()) {
+    if (step.done === true) return step.value;
+    if (isLate()) return null;
+  }
 }

@@ -170,7 +170,8 @@ function costOf({ work: own, time }: SimulatedEffect, work: Work, whole: number 
   const { guards, roots, events } = own;
   const share = guards > 0 ? ` (${Math.round((100 * guards) / work.guards)} %)` : '';
   const counts = `${plural(guards, 'guard', 'guards')}${share}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
-  return time === null || whole === null ? counts : `${counts}, ${Math.round((100 * time) / whole)} % of the time`;
+  if (whole === null) return counts;
+  return `${counts}, ${time === null ? 'not timed: the run takes too long' : `${Math.round((100 * time) / whole)} % of the time`}`;
 }
 
 /** The results of `gq inspect` for a level. */

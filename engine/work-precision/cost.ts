@@ -29,16 +29,20 @@ export interface Cost {
   readonly median: number;
   /** The upper quartile. */
   readonly high: number;
+  /** How often it was timed: {@link FEWEST_ROUNDS} times at least, unless the time was used up. */
+  readonly rounds: number;
 }
 
 interface CostOptions {
   /** Approximate time for the whole measurement, ms. */
   readonly budget: number;
+  /** The longest that it takes, ms; a play that has begun ends. */
+  readonly most: number;
   /** Shortest time of one sample, ms; shorter work is repeated within the sample. */
   readonly sample: number;
 }
 
-const FEWEST_ROUNDS = 5;
+export const FEWEST_ROUNDS = 5;
 const MOST_ROUNDS = 41;
 
 /** A player is warm when so many turns in a row did not make it faster by more than a twentieth. */
@@ -54,9 +58,11 @@ const MOST_PLAYS = 1024;
 /**
  * Times players against each other. They take turns (A B C, B C A, ...), so a disturbance of the machine affects all of them.
  * @param now - a clock, ms
- * @returns one cost per player, in the same order
+ * @returns one cost per player, in the same order; null for those whose turn did not come: the last ones, as the first has one
  */
-export function measureCosts(players: readonly Player[], now: () => number, { budget, sample }: CostOptions): Cost[] {
+export function measureCosts(players: readonly Player[], now: () => number, options: CostOptions): (Cost | null)[] {
+  const { budget, sample } = options;
+  const end = now() + options.most;
   const time = (player: Player, times: number): readonly [ms: number, seconds: number] => {
     let ms = 0;
     let seconds = 0;
@@ -74,49 +80,53 @@ export function measureCosts(players: readonly Player[], now: () => number, { bu
     return [ms, seconds];
   };
 
-  const once = warmUp(players, time, now, budget / 2, sample);
-  const times = once.map((ms) => Math.max(1, Math.round(sample / Math.max(ms, 1e-3))));
-  const round = once.reduce((sum, ms, i) => sum + ms * times[i], 0);
+  const once = warmUp(players, time, now, [now() + budget / 2, end], sample);
+  const times = once.map(({ ms }) => Math.max(1, Math.round(sample / Math.max(ms, 1e-3))));
+  const round = once.reduce((sum, { ms }, i) => sum + ms * times[i], 0);
   const rounds = Math.max(FEWEST_ROUNDS, Math.min(MOST_ROUNDS, Math.floor((0.5 * budget) / Math.max(round, 1e-3))));
 
   const samples = players.map((): number[] => []);
-  for (let r = 0; r < rounds; r++) {
-    for (let k = 0; k < players.length; k++) {
-      const i = (r + k) % players.length;
-      const [ms, seconds] = time(players[i], times[i]);
-      samples[i].push((1000 * ms) / seconds);
-    }
+  for (let turn = 0; turn < rounds * players.length && now() <= end; turn++) {
+    const i = (turn + Math.floor(turn / players.length)) % players.length;
+    const [ms, seconds] = time(players[i], times[i]);
+    samples[i].push((1000 * ms) / seconds);
   }
-  return samples.map((list) => {
+  return samples.map((list, i) => {
+    const { ms, seconds } = once[i];
+    if (seconds === 0) return null;
+    if (list.length === 0) list.push((1000 * ms) / seconds);
     list.sort((a, b) => a - b);
-    return { minimum: list[0], median: list[list.length >> 1], high: list[Math.floor(0.75 * list.length)] };
+    const [minimum, median, high] = [0, 0.5, 0.75].map((share) => list[Math.floor(share * list.length)]);
+    return { minimum, median, high, rounds: list.length };
   });
 }
 
 /**
  * Lets players play in turns until none gets faster any more, so that code which they share is optimised for all of them before
  * anything counts, and code of only one of them has had its time, too.
- * @param most - ms; what is not warm by then is measured as it is
- * @returns the least time of one play for each, ms
+ * @param until - by the clock, ms: what is not warm by the first is measured as it is, what has not played by the second does not
+ * @returns the least time of one play for each, ms, and what it simulates, s; 0 for those that have not played
  */
 function warmUp(
   players: readonly Player[],
   time: (player: Player, times: number) => readonly [ms: number, seconds: number],
   now: () => number,
-  most: number,
+  [until, end]: readonly [until: number, end: number],
   sample: number,
-): number[] {
+): { readonly ms: number; readonly seconds: number }[] {
   const least = players.map(() => Number.POSITIVE_INFINITY);
+  const simulated = players.map(() => 0);
   const plays = players.map(() => 1);
   const calm = players.map(() => 0);
-  const until = now() + most;
   const isFirst = players.map(({ code }, i) => players.findIndex((other) => other.code === code) === i);
   let warming = [...players.keys()];
   for (let turn = 1; warming.length > 0; turn++) {
     for (const i of warming) {
+      if (i > 0 && now() > end) break;
       const before = least[i];
       for (let spent = 0; spent < WARM_SAMPLES * sample; ) {
-        const [ms] = time(players[i], plays[i]);
+        const [ms, seconds] = time(players[i], plays[i]);
+        simulated[i] = seconds / plays[i];
         // a coarse clock, as in pages that are not isolated, cannot time one play: as many as it can time
         if (ms < sample && plays[i] < MOST_PLAYS) plays[i] *= 2;
         else least[i] = Math.min(least[i], ms / plays[i]);
@@ -128,7 +138,7 @@ function warmUp(
     if (now() > until) break;
     warming = warming.filter((i) => calm[i] < CALM_TURNS || (isFirst[i] && turn < LEAST_TURNS));
   }
-  return least.map((ms) => (Number.isFinite(ms) ? ms : sample));
+  return least.map((ms, i) => ({ ms: Number.isFinite(ms) ? ms : sample, seconds: simulated[i] }));
 }
 
 /** A player that plays holds on levels at one setting, one after the other. */
@@ -158,12 +168,12 @@ function secondsOf(simulation: Simulation, script: ReturnType<typeof joinHolds>,
 export interface EffectTime {
   /** Name of the effect. */
   readonly name: string;
-  /** Microseconds per simulated second. */
-  readonly time: number;
+  /** Microseconds per simulated second; null: the time for measuring was used up before. */
+  readonly time: number | null;
 }
 
 /** How long effects are timed, and a sample of them, ms. */
-export const EFFECT_TIMING: CostOptions = { budget: 2000, sample: 2 };
+export const EFFECT_TIMING: CostOptions = { budget: 2000, most: 4000, sample: 2 };
 
 /** What an effect does is repeated so many times, so that its cost stands out from the noise of the clock. */
 const MORE = 8;
@@ -195,11 +205,10 @@ export function timeByEffect(
     const simulation = new ContinuousSimulation(method, scene, null, unlimited());
     return { code: 'any', play: () => secondsOf(simulation, script, maxTicks) };
   });
-  const [whole, ...others] = measureCosts(players, now, options);
-  return {
-    whole,
-    effects: names.map((name, i) => ({ name, time: Math.max(0, (others[i].minimum - whole.minimum) / MORE) })),
-  };
+  const [first, ...others] = measureCosts(players, now, options);
+  const whole = first as Cost;
+  const more = others.map((cost) => cost && Math.max(0, (cost.minimum - whole.minimum) / MORE));
+  return { whole, effects: names.map((name, i) => ({ name, time: more[i] })) };
 }
 
 /** An effect that looks for its events, and expands what follows her, so many times. For tests. */

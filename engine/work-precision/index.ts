@@ -2,6 +2,7 @@ export {
   type Cost,
   EFFECT_TIMING,
   type EffectTime,
+  FEWEST_ROUNDS,
   measureCosts,
   type Player,
   playerOf,

@@ -32,8 +32,8 @@ export interface Measured extends Deviation {
 export interface Compared {
   readonly reference: Reference;
   readonly methods: readonly (Deviation & { readonly accuracy: Accuracy })[];
-  /** Settings at which the run costs more work than is allowed, and until when they played it, s. */
-  readonly unmeasured: readonly { readonly accuracy: Accuracy; readonly time: number }[];
+  /** Settings of which not all is known, as their run takes too much work or the time was used up, and until when they played, s. */
+  readonly unmeasured: readonly { readonly accuracy: Accuracy; readonly time: number; readonly why: 'work' | 'time' }[];
 }
 
 export interface WorkPrecision extends Compared {
@@ -47,23 +47,17 @@ interface CompareOptions {
   readonly maxWork: number;
   /** The settings to compare. */
   readonly methods: readonly Accuracy[];
-}
-
-interface MeasureOptions extends CompareOptions {
   /** A clock, ms; the engine has none. */
   readonly now: () => number;
-  /** Approximate time for timing, ms; comparing takes additional time. */
-  readonly budget: number;
+  /** The longest that is compared, about how long is timed, and the longest, ms; a play that has begun ends. References are apart. */
+  readonly budget: { readonly comparing: number; readonly timing: number; readonly most: number };
 }
 
 const SAMPLE = 1;
 
 /** Measures what each setting costs in time and in error, for one list of holds on a level. */
-export function measureWorkPrecision(level: Level, holds: readonly Hold[], options: MeasureOptions): WorkPrecision {
-  const errors = compareAll(level, holds, options);
-  const costs = costsOf(level, holds, errors, options);
-  return { ...errors, methods: errors.methods.map((method, i) => ({ ...method, cost: costs[i] })) };
-}
+export const measureWorkPrecision = (level: Level, holds: readonly Hold[], options: CompareOptions): WorkPrecision =>
+  withCosts(level, holds, compareAll(level, holds, options), options);
 
 /** What each setting costs in error. */
 export function compareAll(level: Level, holds: readonly Hold[], options: CompareOptions): Compared {
@@ -71,23 +65,44 @@ export function compareAll(level: Level, holds: readonly Hold[], options: Compar
   const reference = referenceOf(level, holds, maxTicks, options.maxWork);
   const methods: Compared['methods'][number][] = [];
   const unmeasured: Compared['unmeasured'][number][] = [];
-  for (const accuracy of options.methods) {
+  const end = options.now() + options.budget.comparing;
+  for (const accuracy of [...options.methods].sort(inHaste)) {
+    if (options.now() > end) {
+      unmeasured.push({ accuracy, time: 0, why: 'time' });
+      continue;
+    }
     const simulation = createSimulation(compile(level, accuracy), new WorkBudget(options.maxWork));
     try {
       methods.push({ accuracy, ...deviationOf(pathOf(simulation, holds, maxTicks), reference, maxTicks) });
     } catch (error) {
       if (!(error instanceof WorkLimitReached)) throw error;
-      unmeasured.push({ accuracy, time: simulation.tick * TICK });
+      unmeasured.push({ accuracy, time: simulation.tick * TICK, why: 'work' });
     }
   }
+  const place = ({ accuracy }: { readonly accuracy: Accuracy }) => options.methods.indexOf(accuracy);
+  for (const list of [methods, unmeasured]) list.sort((a, b) => place(a) - place(b));
   return { reference, methods, unmeasured };
 }
 
 /** What each setting that was compared costs in time. */
-export function costsOf(level: Level, holds: readonly Hold[], { methods }: Compared, options: MeasureOptions): Cost[] {
-  const players = methods.map(({ accuracy }) => playerOf([{ level, holds }], accuracy, maxTicksOf(options)));
-  return players.length === 0 ? [] : measureCosts(players, options.now, { budget: options.budget, sample: SAMPLE });
+export function withCosts(level: Level, holds: readonly Hold[], compared: Compared, options: CompareOptions): WorkPrecision {
+  const inOrder = [...compared.methods].sort((a, b) => inHaste(a.accuracy, b.accuracy));
+  const players = inOrder.map(({ accuracy }) => playerOf([{ level, holds }], accuracy, maxTicksOf(options)));
+  const { timing, most } = options.budget;
+  const costs = measureCosts(players, options.now, { budget: timing, most, sample: SAMPLE });
+  const unmeasured = [...compared.unmeasured];
+  const methods = compared.methods.flatMap((method): Measured[] => {
+    const cost = costs[inOrder.indexOf(method)];
+    if (cost === null) unmeasured.push({ accuracy: method.accuracy, time: method.time, why: 'time' });
+    return cost === null ? [] : [{ ...method, cost }];
+  });
+  return { ...compared, methods, unmeasured };
 }
+
+const rankOf = (one: Accuracy) => (Object.hasOwn(ACCURACIES, one.name) || !METHODS.includes(one) ? -1 : (one.rate ?? 0));
+
+/** What comes first where the time is short: the named settings, one that was asked for, and the coarsest, which take least. */
+export const inHaste = (a: Accuracy, b: Accuracy): number => rankOf(a) - rankOf(b);
 
 /** Below this error a setting is as good as exact for a level designer, px: a hundredth of what a screen can show. */
 export const GOOD_ENOUGH = 0.01;
@@ -145,8 +160,8 @@ export interface Reference {
 const GAUSS = 'Gauss collocation of order 32, events bracketed; 32 digits';
 const TAYLOR = 'Taylor series of degree 30, roots of polynomials isolated; 32 digits';
 
-/** Stretches of motion after which a reference gives up: a minute of play among many objects takes a few hundred. */
-const MOST_STRETCHES = 4000;
+/** Evaluations of a force or a guard after which a reference gives up: a minute of play among many objects takes 40,000. */
+const MOST_WORK = 800_000;
 
 /** Pieces of motion of `precise` up to which a run is played with 32 digits; each of them takes such a reference some ms. */
 const REFERENCE_WORK = 5000;
@@ -167,7 +182,7 @@ export function referenceOf(level: Level, holds: readonly Hold[], maxTicks: numb
   const playBy = (method: Method): Played | string => {
     if (isLong) return `the run takes more than ${REFERENCE_WORK} pieces of motion`;
     try {
-      return play(level, holds, { method, maxTicks, every: 1, nudge: [0, 0, 0, 0], mostStretches: MOST_STRETCHES });
+      return play(level, holds, { method, maxTicks, every: 1, nudge: [0, 0, 0, 0], mostWork: MOST_WORK });
     } catch (error) {
       if (error instanceof NotCovered) return error.message;
       throw error;

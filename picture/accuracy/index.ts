@@ -1,5 +1,5 @@
 import { ACCURACIES, type Accuracy } from '../../engine/index.ts';
-import { GOOD_ENOUGH, quantile, RATES, TOLERANCES } from '../../engine/work-precision/index.ts';
+import { type Compared, GOOD_ENOUGH, METHODS, quantile, RATES, TOLERANCES } from '../../engine/work-precision/index.ts';
 import { drawText, type TextStyle } from '../text.ts';
 import { type Ground, type Ink, inked, inkStyle } from '../theme.ts';
 import { escapeXml, num, polyline } from '../xml.ts';
@@ -88,7 +88,7 @@ export function levelDiagram({ title, subtitle, runs, used, named, each = false 
     return runs.length === 1 ? { ...diagram, best: bestOf(lines) } : diagram;
   }
   const known = runs.every(({ knownTo }) => knownTo !== null) ? floor : null;
-  // a setting at which a run takes too much work has no point
+  // a setting of which not all is known has no point
   const all = runs[0].settings.flatMap(({ accuracy }) => {
     const own = runs.flatMap(({ name, settings }) =>
       settings.filter((one) => one.accuracy === accuracy).map((one) => ({ ...one, name })),
@@ -148,6 +148,34 @@ export function errorIn(error: number, knownTo: number | null): string {
   if (knownTo === null) return `(${brief(error)})`;
   return error < knownTo ? `< ${brief(knownTo)}` : brief(error);
 }
+
+type OfSetting = { readonly accuracy: Accuracy };
+
+/** What was not measured, and why: a sentence for each reason. */
+export function unmeasuredInWords(maxWork: number, unmeasured: Compared['unmeasured']): string[] {
+  const over = unmeasured
+    .filter(({ why }) => why === 'work')
+    .map((one) => `${one.accuracy.name} (up to ${one.time.toFixed(2)} s)`);
+  const late = unmeasured.filter(({ why }) => why === 'time');
+  return [
+    ...(over.length > 0 ? [`Over the work limit of ${maxWork} pieces of motion, so not measured: ${over.join('; ')}.`] : []),
+    ...(late.length > 0 ? [`Not measured, as the time for it was used up: ${settingsInGroups(late)}.`] : []),
+  ];
+}
+
+/** Names settings, with whole groups in short: `every euler with frame tests; verlet 15 Hz, verlet 30 Hz`. */
+export function settingsInGroups(some: readonly OfSetting[], all: readonly OfSetting[] = ALL): string {
+  const groupOf = ({ accuracy: { integrator, contact } }: OfSetting): string =>
+    integrator === 'arcade' ? integrator : `every ${integrator} with ${contact === 'frame' ? 'frame tests' : 'swept contacts'}`;
+  const inGroup = (group: string) => {
+    const own = some.filter((one) => groupOf(one) === group);
+    const isWhole = own.length === all.filter((one) => groupOf(one) === group).length;
+    return isWhole ? group : own.map(({ accuracy }) => accuracy.name).join(', ');
+  };
+  return [...new Set(some.map(groupOf))].map(inGroup).join('; ');
+}
+
+const ALL = METHODS.map((accuracy): OfSetting => ({ accuracy }));
 
 const errorInWords = (error: number, knownTo: number | null, of = ''): string =>
   `off by ${errorIn(error, knownTo)} px${of}, ${knownTo === null ? 'from a reference that no second one confirms' : `known to ${brief(knownTo)} px`}`;

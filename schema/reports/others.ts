@@ -75,14 +75,17 @@ export const accuracyReportSchema = z.strictObject({
       costSpread: z
         .tuple([microseconds, microseconds])
         .describe('The least of the measurements, which is the cost, and their upper quartile.'),
+      rounds: count.optional().describe('How often it was timed, where that is fewer than 5 times: the time was used up.'),
       outcome,
       time,
       sameVerdict: z.boolean().describe("Whether the outcome is the reference's."),
     }),
   ),
   unmeasured: z
-    .array(z.strictObject({ name: z.string(), time: time.describe('Until when it was played, s.') }))
-    .describe('Settings at which the run costs more work than the terms allow.'),
+    .array(
+      z.strictObject({ name: z.string(), time: time.describe('Until when it was played, s.'), why: z.enum(['work', 'time']) }),
+    )
+    .describe('Settings whose run takes more work than the terms allow, or that no time was left for.'),
   cheapest: z
     .strictObject({ name: z.string(), below: px, error: px, cost: microseconds })
     .nullable()
@@ -120,7 +123,8 @@ export const cheapestReportSchema = z.strictObject({
       }),
     )
     .describe('From the cheapest setting on, up to the first that keeps all runs.'),
-  cheapest: z.string().nullable().describe('The first setting that keeps all runs; null: none does.'),
+  untried: z.array(z.string()).describe('Where no setting was found: those that were not tried, as the time was used up.'),
+  cheapest: z.string().nullable().describe('The first setting that keeps all runs; null: none of those that were tried does.'),
   doubts: z.array(z.strictObject({ ...ofRun, doubt: z.string() })).describe('Runs whose reference no second one confirms.'),
 });
 

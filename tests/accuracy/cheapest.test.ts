@@ -16,7 +16,7 @@ const ticking = () => {
 };
 
 const find = (runs: readonly KeptRun[], methods: readonly Accuracy[], terms = DEFAULT_TERMS) =>
-  findCheapestSetting(runs, { terms, methods, now: ticking(), budget: 60 });
+  findCheapestSetting(runs, { terms, methods, now: ticking(), budget: { timing: 60, most: 1e6, all: 1e9 } });
 
 const runsOf = (...slugs: string[]): KeptRun[] =>
   pack
@@ -71,6 +71,26 @@ describe('the cheapest setting', () => {
     );
     const json = cheapestReportSchema.parse(JSON.parse(cheapestJson(report)));
     expect(json).toMatchObject({ runs: 1, cheapest: null, tried: [{ name: 'arcade', broken: { file: 'speck', run: 'drift' } }] });
+  });
+
+  it('is not known where the time is used up before one is found, and what was not tried is said by name', () => {
+    const [run] = runsOf('slingshot');
+    const methods = [arcade, fast, precise];
+    const within = (all: number) => {
+      const budget = { timing: 60, most: 1e6, all };
+      const found = findCheapestSetting([run], { terms: DEFAULT_TERMS, methods, now: ticking(), budget });
+      return { found, terms: { accuracy: 'precise', maxTime: 60, maxWork: 400_000, rules: {} }, runs: 1 };
+    };
+    const unknown = within(5);
+    expect(unknown.found).toMatchObject({ tried: [], cheapest: null, untried: methods });
+    expect(cheapestPretty(unknown, PLAIN, null)).toMatch(
+      /in time; not tried: arcade; fast; precise\.\n.*the time was used up before it was known what is to be kept/,
+    );
+    const untried = within(300);
+    expect(untried.found).toMatchObject({ tried: [], cheapest: null, untried: methods, doubts: [] });
+    expect(cheapestReportSchema.parse(JSON.parse(cheapestJson(untried)))).toMatchObject({
+      untried: methods.map(({ name }) => name),
+    });
   });
 
   it('names a run that takes more work than is allowed, and one whose reference is in doubt', () => {

@@ -73,7 +73,7 @@ describe('gq accuracy', () => {
       maxTime: 1,
       maxWork: 400_000,
       now: () => readings++,
-      budget: 50,
+      budget: { comparing: 1e6, timing: 1e6, most: 1e6 },
       methods: METHODS,
     });
     const cheapest = cheapestGoodEnough(measured.methods);

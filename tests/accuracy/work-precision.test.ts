@@ -158,6 +158,12 @@ describe('paths', () => {
 });
 
 describe('costs', () => {
+  /** A clock that each reading moves. */
+  const ticking = () => {
+    let readings = 0;
+    return () => readings++;
+  };
+
   /** A clock that only the work moves, ms. */
   function fakeWork() {
     let clock = 0;
@@ -173,9 +179,9 @@ describe('costs', () => {
 
   it('are microseconds per simulated second, of each player', () => {
     const { now, player } = fakeWork();
-    const costs = measureCosts([player(2, 10), player(0.5, 1)], now, { budget: 100, sample: 1 });
-    expect(costs[0].minimum).toBeCloseTo(200, 6);
-    expect(costs[1].median).toBeCloseTo(500, 6);
+    const costs = measureCosts([player(2, 10), player(0.5, 1)], now, { budget: 100, most: 100, sample: 1 });
+    expect(costs[0]?.minimum).toBeCloseTo(200, 6);
+    expect(costs[1]?.median).toBeCloseTo(500, 6);
   });
 
   it('leave out what a player prepares', () => {
@@ -190,7 +196,7 @@ describe('costs', () => {
         return 3;
       },
     };
-    expect(measureCosts([player], () => clock, { budget: 50, sample: 1 })[0].minimum).toBeCloseTo(1000, 6);
+    expect(measureCosts([player], () => clock, { budget: 50, most: 50, sample: 1 })[0]?.minimum).toBeCloseTo(1000, 6);
   });
 
   it('of code that gets faster as it runs are those of warm code, whoever comes first', () => {
@@ -206,24 +212,67 @@ describe('costs', () => {
         },
       };
     };
-    const costs = measureCosts([slowStart('one'), slowStart('two')], () => clock, { budget: 2000, sample: 1 });
-    for (const { minimum, high } of costs) {
-      expect(minimum).toBeCloseTo(20, 6);
-      expect(high).toBeCloseTo(20, 6);
+    const costs = measureCosts([slowStart('one'), slowStart('two')], () => clock, { budget: 2000, most: 1e4, sample: 1 });
+    for (const cost of costs) {
+      expect(cost?.minimum).toBeCloseTo(20, 6);
+      expect(cost?.high).toBeCloseTo(20, 6);
     }
+  });
+
+  it('end when the time is used up: who had fewer turns says so, and who had none has no cost', () => {
+    const { now, player } = fakeWork();
+    const heavy = Array.from({ length: 10 }, () => player(100, 2));
+    const turns = (budget: number) =>
+      measureCosts(heavy, now, { budget, most: budget, sample: 1 }).map((cost) => cost?.rounds ?? 0);
+    expect(turns(1e5)).toEqual(heavy.map(() => 41));
+    expect(turns(450)).toEqual([1, 1, 1, 1, 1, 0, 0, 0, 0, 0]);
+    expect(now()).toBeGreaterThan(1e4);
+    const before = now();
+    const some = turns(4000);
+    expect(now() - before).toBeLessThanOrEqual(4100);
+    expect(some).toEqual([1, 2, 1, 1, 1, 1, 1, 1, 1, 1]);
+    expect(measureCosts(heavy, now, { budget: 450, most: 450, sample: 1 })[4]).toEqual({
+      minimum: 5e4,
+      median: 5e4,
+      high: 5e4,
+      rounds: 1,
+    });
+  });
+
+  it('of a run that leaves no time are those of the named settings first, then of the coarsest; the others are named', () => {
+    const now = ticking();
+    const measure = (comparing: number, timing: number) =>
+      measureWorkPrecision(SWING, HOLDS, {
+        maxTime: 1,
+        maxWork: 400_000,
+        now,
+        budget: { comparing, timing, most: timing },
+        methods: METHODS,
+      });
+    const named = (list: readonly { readonly accuracy: Accuracy }[]) => list.map(({ accuracy }) => accuracy.name);
+    const few = measure(5, 1e6);
+    expect(named(few.methods)).toEqual(['arcade', 'fast', 'standard', 'taylor 1e-2 px', 'precise']);
+    expect([...named(few.methods), ...named(few.unmeasured)].sort()).toEqual(
+      named(METHODS.map((accuracy) => ({ accuracy }))).sort(),
+    );
+    expect(few.unmeasured.every(({ why, time }) => why === 'time' && time === 0)).toBe(true);
+    const untimed = measure(1e6, 1);
+    expect(named(untimed.methods)).toEqual(['arcade']);
+    expect(untimed.unmeasured).toHaveLength(METHODS.length - 1);
+    expect(untimed.unmeasured.every(({ why, time }) => why === 'time' && time === 1)).toBe(true);
   });
 
   it('are not measured of a setting that takes more work than is allowed, and until when it played is said', () => {
     const { methods, unmeasured } = measureWorkPrecision(SWING, HOLDS, {
       maxTime: 10,
       maxWork: 100,
-      now: () => performance.now(),
-      budget: 1,
+      now: ticking(),
+      budget: { comparing: 100, timing: 1000, most: 1000 },
       methods: [ACCURACIES.precise, ACCURACIES.standard],
     });
     expect(methods.map(({ accuracy }) => accuracy.name)).toEqual(['precise']);
     expect(unmeasured).toHaveLength(1);
-    expect(unmeasured[0].accuracy.name).toBe('standard');
+    expect(unmeasured[0]).toMatchObject({ accuracy: { name: 'standard' }, why: 'work' });
     expect(unmeasured[0].time).toBeGreaterThan(0.2);
     expect(unmeasured[0].time).toBeLessThan(10);
   });
@@ -235,13 +284,14 @@ describe('costs', () => {
       return clock;
     };
     const methods = [ACCURACIES.arcade, ACCURACIES.fast, ACCURACIES.precise];
-    const { methods: measured } = measureWorkPrecision(SWING, HOLDS, { maxTime: 1, maxWork: 400_000, now, budget: 1, methods });
+    const budget = { comparing: 1, timing: 1, most: 9 };
+    const { methods: measured } = measureWorkPrecision(SWING, HOLDS, { maxTime: 1, maxWork: 400_000, now, budget, methods });
     expect(measured.map(({ accuracy }) => accuracy)).toEqual(methods);
     const make = (error: number, minimum: number, sameVerdict = true): Measured => ({
       ...measured[0],
       error,
       sameVerdict,
-      cost: { minimum, median: minimum, high: minimum },
+      cost: { minimum, median: minimum, high: minimum, rounds: 5 },
     });
     const best = make(1e-3, 5);
     expect(cheapestGoodEnough([make(0.1, 1), make(1e-9, 9), best, make(1e-9, 2, false)])).toBe(best);

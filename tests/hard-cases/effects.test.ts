@@ -17,7 +17,7 @@ const NAIVE = accuracyOf({ integrator: 'euler', rate: 60, tolerance: null, conta
 const cases = effectCases();
 const ticks = ({ maxTime }: EffectCase) => Math.round(60 * maxTime);
 const from = (c: EffectCase, method: Method, nudge: readonly [number, number, number, number] = [0, 0, 0, 0]): Played =>
-  play(c.level, c.holds, { method, maxTicks: ticks(c), every: 1, nudge, mostStretches: 4000 });
+  play(c.level, c.holds, { method, maxTicks: ticks(c), every: 1, nudge, mostWork: 20_000_000 });
 
 const truths = new Map<string, Played>();
 const truthOf = (c: EffectCase): Played => {

@@ -27,7 +27,8 @@ const figure = (value: number): string => {
 
 /** The row of a case: its name, how it ends, the error of each setting with another outcome, how exactly that is known. */
 export function rowOf({ name, level, holds, maxTime }: PageCase): string {
-  const { reference, methods } = compareAll(level, holds, { maxTime, maxWork: DEFAULT_MAX_WORK, methods: METHODS });
+  const unhurried = { now: () => 0, budget: { comparing: 1, timing: 1, most: 1 } };
+  const { reference, methods } = compareAll(level, holds, { maxTime, maxWork: DEFAULT_MAX_WORK, methods: METHODS, ...unhurried });
   const { outcome, time, knownTo } = reference;
   const end = outcome === 'timeout' ? WORDS.timeout : `${WORDS[outcome]}, ${time.toFixed(2)} s`;
   const cells = methods.map((method) => {

@@ -26,7 +26,7 @@ const METHODS: readonly [string, Method][] = [
 ];
 
 const from = (method: Method, level: Level, holds: readonly Hold[], maxTicks: number): Played =>
-  play(level, holds, { method, maxTicks, every: 60, nudge: [0, 0, 0, 0], mostStretches: 20_000 });
+  play(level, holds, { method, maxTicks, every: 60, nudge: [0, 0, 0, 0], mostWork: 20_000_000 });
 
 /** A double-double as a whole number of 1e-36, for exact arithmetic. */
 function exactly({ hi, lo }: Dd): bigint {

@@ -21,8 +21,8 @@ const NUDGE = 1e-9;
 /** Ticks between two places that are compared. */
 const EVERY = 10;
 
-/** Stretches of motion after which the reference gives up. */
-const MOST_STRETCHES = 20_000;
+/** Work after which the reference gives up, evaluations of a force or a guard. */
+const MOST_WORK = 20_000_000;
 
 /** Pieces of motion that a second of play may take. */
 const MOST_PIECES = 20_000;
@@ -57,7 +57,7 @@ const endingOf = ({ outcome, with: touched }: Pick<Run, 'outcome' | 'with'> | Pl
 export function judgeScene({ level, holds, maxTime }: RandomScene): Judgement {
   const maxTicks = Math.round(maxTime * 60);
   const playFrom = (nudge: readonly [number, number, number, number]) =>
-    play(level, holds, { method: taylor, maxTicks, every: EVERY, nudge, mostStretches: MOST_STRETCHES });
+    play(level, holds, { method: taylor, maxTicks, every: EVERY, nudge, mostWork: MOST_WORK });
   let truth: Played;
   let nudged: Played[];
   try {

@@ -1,7 +1,7 @@
-import type { CheapestSetting, KeptRun, TriedSetting } from '../../../check/index.ts';
+import type { CheapestSetting, KeptRun } from '../../../check/index.ts';
 import { plural } from '../../../check/words/index.ts';
 import { ACCURACIES } from '../../../engine/index.ts';
-import { brief, errorIn } from '../../../picture/accuracy/index.ts';
+import { brief, errorIn, settingsInGroups } from '../../../picture/accuracy/index.ts';
 import type { CheapestReport as CheapestJson, TermsReport } from '../../../schema/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
 import { type Colors, visibleLine } from '../../terminal/index.ts';
@@ -15,7 +15,7 @@ interface CheapestReport {
 
 const runJson = ({ file, name }: KeptRun) => ({ file, run: name });
 
-export function cheapestJson({ found: { tried, cheapest, doubts }, terms, runs }: CheapestReport): string {
+export function cheapestJson({ found: { tried, cheapest, untried, doubts }, terms, runs }: CheapestReport): string {
   const report: CheapestJson = {
     version: 1,
     terms,
@@ -28,6 +28,7 @@ export function cheapestJson({ found: { tried, cheapest, doubts }, terms, runs }
       error: error && { ...runJson(error.run), px: error.px },
       tightest: tightest && { ...runJson(tightest.run), share: tightest.share },
     })),
+    untried: untried.map(({ name }) => name),
     cheapest: cheapest?.accuracy.name ?? null,
     doubts: doubts.map(({ run, doubt }) => ({ ...runJson(run), doubt })),
   };
@@ -37,7 +38,7 @@ export function cheapestJson({ found: { tried, cheapest, doubts }, terms, runs }
 const nameOf = ({ level, name }: KeptRun): string => visibleLine(`${level.name}, "${name}"`);
 
 export function cheapestPretty({ found, runs }: CheapestReport, colors: Colors, width: number | null): string {
-  const { tried, cheapest, doubts } = found;
+  const { tried, doubts } = found;
   const rows = tried.map(({ accuracy, cost, broken }) => [
     accuracy.name,
     brief(cost.minimum),
@@ -50,13 +51,15 @@ export function cheapestPretty({ found, runs }: CheapestReport, colors: Colors, 
     width,
   });
   let text = lines.map((line, i) => `${i > 0 && tried[i - 1]?.broken === null ? colors.green(line) : line}\n`).join('');
-  text += `\n${conclusion(cheapest, tried, runs)}`;
+  text += `\n${conclusion(found, runs)}`;
   for (const { run, doubt } of doubts) text += `${colors.red('Careful')}: ${nameOf(run)}: ${doubt}.\n`;
   return text;
 }
 
-function conclusion(cheapest: TriedSetting | null, tried: readonly TriedSetting[], runs: number): string {
+function conclusion({ cheapest, tried, untried }: CheapestSetting, runs: number): string {
   if (cheapest === null) {
+    if (untried.length > 0)
+      return `No setting was found in time; not tried: ${settingsInGroups(untried.map((accuracy) => ({ accuracy })))}.\n`;
     const precise = tried.find(({ accuracy }) => accuracy.name === ACCURACIES.precise.name);
     const why = precise?.broken == null ? '' : ` Even at precise, ${nameOf(precise.broken.run)} ${precise.broken.what}.`;
     return `No setting keeps ${plural(runs, 'run')}.${why}\n`;

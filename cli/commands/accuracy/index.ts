@@ -25,8 +25,12 @@ import { cheapestJson, cheapestPretty } from './cheapest-report.ts';
 import { drawLens, waysAtAll } from './lens.ts';
 import { type AccuracyReport, accuracyJson, accuracyPretty } from './report.ts';
 
-/** ms for the timing */
-const BUDGET = 6000;
+/** Of a run, ms: with the references, which take up to 6 s, the whole command takes some 15 s at most. */
+const BUDGET = { comparing: 4000, timing: 6000, most: 8000 };
+
+/** Of the runs of --cheapest, each, ms; at least as much as for one run. */
+const TIMING_EACH = 250;
+const ALL_EACH = 2000;
 
 interface Options extends ConfigOptions, TermsOptions {
   readonly run?: string;
@@ -43,8 +47,8 @@ export const help: CommandHelp = {
     'Measure the error and the cost of every accuracy for one run of a level, and name the cheapest that is good enough.',
   more: `
 Measures every named accuracy, euler, verlet and rk4 at 15 to 960 Hz, and taylor at 1e-2 to 1e-9 px, each with swept contacts
-and with contacts tested once a frame. With --integrator it also measures that custom setting. Timing takes about ${BUDGET / 1000} s; a cost
-is the least of several measurements.
+and with contacts tested once a frame. With --integrator it also measures that custom setting. Timing takes about ${BUDGET.timing / 1000} s; a cost
+is the least of several measurements. What a heavy run leaves no time for is named.
 
 With --cheapest, settings are tried from the cheapest on, until one keeps every run of all levels: the outcome of the reference,
 and the minerals and the slack of each press and release that the run has at precise.
@@ -96,7 +100,9 @@ async function findCheapest(paths: readonly string[], options: Options, command:
     'level' in read ? read.level.runs.map(({ name, holds }): KeptRun => ({ file, name, level: read.level, holds })) : [],
   );
   if (runs.length === 0) throw new Failure('no level has a run that a setting could keep: expected at least one');
-  const found = findCheapestSetting(runs, { terms, methods: METHODS, now: () => performance.now(), budget: BUDGET });
+  const timing = Math.max(BUDGET.timing, TIMING_EACH * runs.length);
+  const budget = { timing, most: timing + 2000, all: 12_000 + ALL_EACH * (runs.length - 1) };
+  const found = findCheapestSetting(runs, { terms, methods: METHODS, now: () => performance.now(), budget });
   const report = { found, terms: termsReport({ terms, level: terms }), runs: runs.length };
   return {
     output:

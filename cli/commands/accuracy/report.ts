@@ -1,6 +1,6 @@
 import { ACCURACIES, type Accuracy } from '../../../engine/index.ts';
-import { GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../../engine/work-precision/index.ts';
-import { brief, errorIn, runsASecond } from '../../../picture/accuracy/index.ts';
+import { FEWEST_ROUNDS, GOOD_ENOUGH, type Measured, type WorkPrecision } from '../../../engine/work-precision/index.ts';
+import { brief, errorIn, runsASecond, settingsInGroups, unmeasuredInWords } from '../../../picture/accuracy/index.ts';
 import type { AccuracyReport as AccuracyJson, Hold, TermsReport } from '../../../schema/index.ts';
 import { alignColumns } from '../../report-parts/index.ts';
 import { type Colors, visibleLine } from '../../terminal/index.ts';
@@ -30,6 +30,7 @@ const methodJson = ({ accuracy, error, cost, outcome, time, sameVerdict }: Measu
   error,
   cost: cost.minimum,
   costSpread: [cost.minimum, cost.high] as [number, number],
+  ...(cost.rounds < FEWEST_ROUNDS && { rounds: cost.rounds }),
   outcome,
   time,
   sameVerdict,
@@ -45,7 +46,7 @@ export function accuracyJson({ level, terms, holds, measured, cheapest }: Accura
     holds: holds.map(([press, release]) => [press, release]),
     reference: { method, tolerance, outcome, time, knownTo, doubt },
     methods: measured.methods.map(methodJson),
-    unmeasured: measured.unmeasured.map(({ accuracy, time }) => ({ name: accuracy.name, time })),
+    unmeasured: measured.unmeasured.map(({ accuracy, time, why }) => ({ name: accuracy.name, time, why })),
     cheapest:
       cheapest === null
         ? null
@@ -131,34 +132,19 @@ function nameIn({ name, integrator, rate, tolerance }: Accuracy): string {
 }
 
 function conclusion({ terms, measured: { methods, reference, unmeasured }, cheapest }: AccuracyReport): string {
-  const over = unmeasured.map(({ accuracy, time }) => `${accuracy.name} (up to ${time.toFixed(2)} s)`);
-  const limited =
-    over.length === 0 ? '' : `Over the work limit of ${terms.maxWork} pieces of motion, so not measured: ${over.join(', ')}.\n`;
-  if (methods.length === 0) return limited;
+  let text = [...unmeasuredInWords(terms.maxWork, unmeasured), ''].join('\n');
+  const hasty = methods.filter(({ cost }) => cost.rounds < FEWEST_ROUNDS);
+  if (hasty.length > 0) text += `Timed fewer than ${FEWEST_ROUNDS} times, as the time was used up: ${settingsInGroups(hasty)}.\n`;
+  if (methods.length === 0) return text;
   const failed = methods.filter((m) => !m.sameVerdict);
-  let text = limited;
   text +=
     failed.length === 0
       ? 'The outcome is the same at every setting.\n'
-      : `${failed.length} of ${methods.length} settings have another outcome than ${reference.outcome}: ${inGroups(failed, methods)}.\n`;
+      : `${failed.length} of ${methods.length} settings have another outcome than ${reference.outcome}: ${settingsInGroups(failed, methods)}.\n`;
   if (cheapest === null) return `${text}No setting has the same outcome and an error below ${GOOD_ENOUGH} px.\n`;
   const { name } = cheapest.accuracy;
   text += `Cheapest with the same outcome and an error below ${GOOD_ENOUGH} px: ${name} (${brief(cheapest.cost.minimum)} us/s, ${brief(cheapest.error)} px)`;
   const precise = methods.find(({ accuracy }) => accuracy.name === ACCURACIES.precise.name);
   if (precise === undefined || precise === cheapest) return `${text}.\n`;
   return `${text};\nprecise costs ${brief(precise.cost.minimum / cheapest.cost.minimum)} times as much, with an error of ${brief(precise.error)} px.\n`;
-}
-
-/** Names settings, with whole groups in short: `every euler with frame tests, verlet 15 Hz`. */
-function inGroups(failed: readonly Measured[], methods: readonly Measured[]): string {
-  const groupOf = ({ accuracy: { integrator, contact } }: Measured): string =>
-    integrator === 'arcade' ? integrator : `every ${integrator} with ${contact === 'frame' ? 'frame tests' : 'swept contacts'}`;
-  const groups = new Set(failed.map(groupOf));
-  return [...groups]
-    .map((group) => {
-      const own = failed.filter((m) => groupOf(m) === group);
-      const whole = own.length === methods.filter((m) => groupOf(m) === group).length;
-      return whole ? group : own.map(({ accuracy }) => accuracy.name).join(', ');
-    })
-    .join('; ');
 }

@@ -2,6 +2,7 @@ import { Check, Gauge, Square, X } from 'lucide-react';
 import type { ComponentType } from 'react';
 import { outcomeAsPredicate } from '../../../check/words/index.ts';
 import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
+import { unmeasuredInWords } from '../../../picture/accuracy/index.ts';
 import { useEditor, usePageTerms, useProof } from '../../core/context/index.ts';
 import { pixels } from '../../core/figures/index.ts';
 import { Progress, Section } from '../../core/panel/index.ts';
@@ -104,22 +105,15 @@ interface CaveatsProps extends Pick<ReturnType<typeof useNamedResults>, 'doubt' 
 /** What is not known of a run, and why. */
 function Caveats({ of, doubt, unmeasured }: CaveatsProps) {
   const maxWork = usePageTerms().shown.maxWork;
-  const about = of === null ? '' : `${of}: `;
-  return (
-    <>
-      {doubt !== null && (
-        <p className="part__note tone--warn">
-          {about}the reference is in doubt: {doubt}. Errors in brackets are no more than differences from that run.
-        </p>
-      )}
-      {unmeasured.length > 0 && (
-        <p className="part__note tone--warn">
-          {about}over the work limit of {maxWork} pieces of motion, so not measured:{' '}
-          {unmeasured.map(({ name, time }) => `${name} (up to ${time.toFixed(2)} s)`).join(', ')}.
-        </p>
-      )}
-    </>
-  );
+  const lines = unmeasuredInWords(maxWork, unmeasured);
+  if (doubt !== null)
+    lines.unshift(`The reference is in doubt: ${doubt}. Errors in brackets are no more than differences from that run.`);
+  return lines.map((line) => (
+    <p key={line} className="part__note tone--warn">
+      {of === null ? '' : `${of}: `}
+      {line}
+    </p>
+  ));
 }
 
 const ABOUT: Readonly<Record<AccuracyName, string>> = {

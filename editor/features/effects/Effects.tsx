@@ -115,7 +115,11 @@ function EffectRow({ effect: { name, because, summary, work }, survey, timed }: 
         </span>
       )}
       <p className="effect__cost numbers">{work === null ? 'examined once a frame' : countText(work, survey.work)}</p>
-      {timed !== null && time !== undefined && <p className="effect__cost numbers">{timeText(time, timed.whole)}</p>}
+      {timed !== null && time !== undefined && (
+        <p className="effect__cost numbers">
+          {time === null ? 'not timed: the run takes too long' : timeText(time, timed.whole)}
+        </p>
+      )}
     </li>
   );
 }

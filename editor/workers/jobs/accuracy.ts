@@ -2,10 +2,10 @@ import { ACCURACIES } from '../../../engine/index.ts';
 import {
   type Compared,
   compareAll,
-  costsOf,
   type Deviation,
   METHODS,
   type Reference,
+  withCosts,
 } from '../../../engine/work-precision/index.ts';
 import type { Hold } from '../../../schema/index.ts';
 import { job, type Played, type Work } from '../job.ts';
@@ -22,10 +22,8 @@ export interface Setting extends SettingError {
 }
 
 /** How settings differ from the reference of a run. */
-export interface ComparedSettings<S> extends Pick<Reference, 'knownTo' | 'doubt'> {
+export interface ComparedSettings<S> extends Pick<Reference, 'knownTo' | 'doubt'>, Pick<Compared, 'unmeasured'> {
   readonly settings: readonly S[];
-  /** Settings at which the run takes more work than allowed, and until when they played it, s. */
-  readonly unmeasured: readonly { readonly name: string; readonly time: number }[];
 }
 
 export interface SettingsAsked extends Played {
@@ -41,18 +39,19 @@ export const accuracy = job<SettingsAsked, readonly ComparedSettings<Setting>[],
   most: 60_000,
 });
 
-/** ms for the timing */
-const BUDGET = { named: 800, all: 3000 };
+/** Of all runs together, ms. */
+const BUDGET = { named: { comparing: 4000, timing: 800, most: 4000 }, all: { comparing: 8000, timing: 3000, most: 9000 } };
 
 export const accuracyWork: Work<typeof accuracy> = {
   of: accuracy,
   *steps({ level, terms: { maxTime, maxWork }, runs, methods }, now) {
     yield null;
+    const { comparing, timing, most } = BUDGET[methods];
     const options = {
       maxTime,
       maxWork,
       now,
-      budget: BUDGET[methods] / runs.length,
+      budget: { comparing: comparing / runs.length, timing: timing / runs.length, most: most / runs.length },
       methods: methods === 'named' ? Object.values(ACCURACIES) : METHODS,
     };
     const compared: Compared[] = [];
@@ -62,9 +61,9 @@ export const accuracyWork: Work<typeof accuracy> = {
     }
     const measured: ComparedSettings<Setting>[] = [];
     for (const [i, holds] of runs.entries()) {
-      const costs = costsOf(level, holds, compared[i], options);
-      const errors = errorsOf(compared[i]);
-      measured.push({ ...errors, settings: errors.settings.map((one, k) => ({ ...one, cost: costs[k].minimum })) });
+      const { methods: timed, ...rest } = withCosts(level, holds, compared[i], options);
+      const errors = errorsOf({ ...rest, methods: timed });
+      measured.push({ ...errors, settings: errors.settings.map((one, k) => ({ ...one, cost: timed[k].cost.minimum })) });
       yield null;
     }
     return measured;
@@ -78,6 +77,6 @@ function errorsOf({ reference: { knownTo, doubt }, methods, unmeasured }: Compar
     settings: methods.map(({ accuracy: { name }, error, outcome, with: touched, time, sameVerdict }) => {
       return { name, error, outcome, with: touched, time, sameVerdict };
     }),
-    unmeasured: unmeasured.map(({ accuracy: { name }, time }) => ({ name, time })),
+    unmeasured,
   };
 }

@@ -16,7 +16,7 @@ import {
   ZERO,
 } from './double-double.ts';
 import { speedAcross } from './forces.ts';
-import { gapTo, type Happening, KINDS, type Margins, NotCovered } from './stretch.ts';
+import { gapTo, type Happening, KINDS, type Margins, NotCovered, spend } from './stretch.ts';
 import { isIn, NO_LENGTH, nearer, nearest, placeOf, secondMouth, type World } from './world.ts';
 
 /** How a run ends. */
@@ -74,6 +74,7 @@ export class Instants {
   #explodeAtStart(): void {
     const { aliens, level } = this.#world;
     for (const [i, one] of aliens.entries()) {
+      spend(this.#world, aliens.length);
       for (const [j, other] of aliens.entries()) {
         if (j <= i || one.gone || other.gone) continue;
         const reach = twoSum(level.aliens[i].radius, level.aliens[j].radius);

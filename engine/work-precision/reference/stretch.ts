@@ -4,6 +4,12 @@ import type { World } from './world.ts';
 /** The reference does not know how to go on: the caller leaves the scene out, and says so. */
 export class NotCovered extends Error {}
 
+/** Counts work. @throws NotCovered when more is done than is allowed */
+export function spend(world: World, work: number): void {
+  world.left -= work;
+  if (world.left < 0) throw new NotCovered('too much happens');
+}
+
 /** What may happen; those that come first at the same instant stand first. */
 export const KINDS = [
   ...(['mineral', 'nova', 'asteroid', 'alien', 'blackHole', 'range', 'jump'] as const),

@@ -54,6 +54,8 @@ export interface World {
   /** Whether a velocity component is at the speed limit and stays there: its sign, else 0. */
   readonly limits: [x: number, y: number];
   readonly taken: boolean[];
+  /** Work that may still be done: about as many evaluations of a force or a guard. */
+  left: number;
 }
 
 /** A small change of the start: px and px/s. */
@@ -86,6 +88,7 @@ export function startOf(level: Level, nudge: Nudge): World {
     slide: null,
     limits: [0, 0],
     taken: level.minerals.map(() => false),
+    left: Number.POSITIVE_INFINITY,
   };
 }
 

@@ -13,7 +13,7 @@ import {
   toNumber,
   ZERO,
 } from '../double-double.ts';
-import { CLOSE, EXACT, gapBetween, type Happening, type Kind, type Margins } from '../stretch.ts';
+import { CLOSE, EXACT, gapBetween, type Happening, type Kind, type Margins, spend } from '../stretch.ts';
 import { type Mover, placeOf, secondMouth, type World } from '../world.ts';
 import type { Moment, Motion } from './motion.ts';
 
@@ -63,7 +63,8 @@ export class Bracketing {
   find(world: World): Happening[] {
     if (!(this.#end.hi > 0)) return [];
     const found: Happening[] = [];
-    for (const guard of guardsOf(world, this.#motion, (of) => this.#travel(of))) {
+    for (const guard of guardsOf(world, this.#motion, (of) => this.#travel(world, of))) {
+      spend(world, INTERVALS);
       const at = this.#first(guard);
       if (at !== null) found.push({ at, kind: guard.kind, index: guard.index, other: guard.other });
     }
@@ -73,7 +74,8 @@ export class Bracketing {
   }
 
   /** The most that something departs from where it starts, px. */
-  #travel(of: (moment: Moment) => Mover): number {
+  #travel(world: World, of: Of): number {
+    spend(world, INTERVALS / 8);
     const start = of(this.#grid[0].moment).at;
     let most = 0;
     for (const { moment } of this.#grid) {

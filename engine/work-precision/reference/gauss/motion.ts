@@ -15,7 +15,7 @@ import {
   ZERO,
 } from '../double-double.ts';
 import { type Acting, type Along, actingIn, chases, rimOf, type Surroundings, timeToCentre } from '../forces.ts';
-import { NotCovered } from '../stretch.ts';
+import { NotCovered, spend } from '../stretch.ts';
 import { type Mover, placeOf, type World } from '../world.ts';
 import { Step } from './collocation.ts';
 
@@ -143,6 +143,7 @@ export class Motion {
 
   #accelerations(at: readonly Vector[], velocity: readonly Vector[]): Vector[] {
     const { limits, rules } = this.#world;
+    spend(this.#world, at.length - 1);
     const { force } = this.#force(at, velocity[0]);
     const made = [{ x: limits[0] === 0 ? force.x : ZERO, y: limits[1] === 0 ? force.y : ZERO }];
     if (this.#drawn >= 0) made.push(scaled(this.#toTarget(at), negate(this.acting.recoil)));

@@ -13,6 +13,7 @@ import {
   ZERO,
 } from '../double-double.ts';
 import { type Along, actingIn, chases, rimOf, type Surroundings, timeToCentre } from '../forces.ts';
+import { spend } from '../stretch.ts';
 import type { Mover, World } from '../world.ts';
 import { advance, type Central, central, distanceAlong, follow, isMoving, lineOf, type Path, standing } from './path.ts';
 import { DEGREE, Series } from './series.ts';
@@ -118,6 +119,7 @@ export function expand(world: World): Flow {
     }
     for (const [i, chase] of chased.entries()) {
       if (chase === null) continue;
+      spend(world, 1);
       follow(chase, aliens[i], hers, k);
       if (k === DEGREE) continue;
       advance(aliens[i], times(chase.ux.get(k), rules.alienPull), times(chase.uy.get(k), rules.alienPull), k, unit);

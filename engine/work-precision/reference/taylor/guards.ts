@@ -13,7 +13,7 @@ import {
   type Vector,
   ZERO,
 } from '../double-double.ts';
-import { CLOSE, EXACT, type Happening, type Kind, type Margins } from '../stretch.ts';
+import { CLOSE, EXACT, type Happening, type Kind, type Margins, spend } from '../stretch.ts';
 import { placeOf, secondMouth, type World } from '../world.ts';
 import type { Flow } from './flow.ts';
 import { type Path, standing } from './path.ts';
@@ -121,6 +121,7 @@ export class Guards {
   }
 
   #first(guard: Series, from: Dd, end: Dd, size: number, slope: number, counted: boolean): Dd | null {
+    spend(this.#world, 16);
     const noise = NOTHING * (size + sumAfterFirst(guard, this.#whole));
     if (from.hi > 0) {
       if (Math.abs(valueAt(guard, from).hi) > noise) {
@@ -163,6 +164,7 @@ export class Guards {
     const { aliens, level } = this.#world;
     const paths = this.#flow.aliens;
     for (let i = 0; i < aliens.length; i++) {
+      spend(this.#world, aliens.length / 16);
       for (let j = i + 1; j < aliens.length; j++) {
         if (aliens[i].gone || aliens[j].gone) continue;
         const reach = level.aliens[i].radius + level.aliens[j].radius;
