@@ -3,7 +3,6 @@ import { basename, dirname, join } from 'node:path';
 import { ACCURACIES, type Accuracy, DEFAULT_MAX_TICKS, TICK_RATE } from '../engine/index.ts';
 import {
   type Cost,
-  compareWith,
   type Deviation,
   deviationOf,
   METHODS,
@@ -25,6 +24,7 @@ import {
   type TunnellingCurve,
 } from '../picture/accuracy/index.ts';
 import type { Hold, Level } from '../schema/index.ts';
+import { compareWith } from '../tests/judges/compare-with.ts';
 import { missedContacts } from '../tests/judges/tunnelling.ts';
 import { seeded } from '../tests/scenes/seeded.ts';
 import { atMost, define, machine, PROJECT, packLevels, text } from './harness/index.ts';

@@ -6,7 +6,7 @@
  */
 export { atOnce, type Brief, brief, briefInSteps } from './brief.ts';
 export { completingRuns, ticksToAgree, tightRuns } from './certified-ticks.ts';
-export { type CheapestSetting, findCheapestSetting, type KeptRun, type TriedSetting } from './cheapest-setting.ts';
+export { type CheapestSetting, findCheapestSetting, type KeptRun } from './cheapest-setting.ts';
 export { examineInSteps, examineRuns, playRuns } from './examine-runs.ts';
 export {
   type Findings,

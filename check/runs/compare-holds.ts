@@ -27,14 +27,20 @@ const MOST_PAIRS = 1_000_000;
 /** What a hold costs that has no counterpart, ticks: as much as one whose two edges move by half a second. */
 const ALONE = 60;
 
-/** Finds which holds were kept, moved, added and removed. */
-export function compareHolds(before: readonly Hold[], after: readonly Hold[]): HoldsChange {
-  const isSame = (b: Hold, a: Hold): boolean => b[0] === a[0] && b[1] === a[1];
+/** How many entries two lists have in common at their beginnings, and at their ends. */
+export function commonEnds<T>(before: readonly T[], after: readonly T[], isSame: (b: T, a: T) => boolean) {
   const shorter = Math.min(before.length, after.length);
   let head = 0;
   while (head < shorter && isSame(before[head], after[head])) head++;
   let tail = 0;
   while (tail < shorter - head && isSame(before[before.length - 1 - tail], after[after.length - 1 - tail])) tail++;
+  return { head, tail };
+}
+
+/** Finds which holds were kept, moved, added and removed. */
+export function compareHolds(before: readonly Hold[], after: readonly Hold[]): HoldsChange {
+  const isSame = (b: Hold, a: Hold): boolean => b[0] === a[0] && b[1] === a[1];
+  const { head, tail } = commonEnds(before, after, isSame);
   const [b, a] = [before.slice(head, before.length - tail), after.slice(head, after.length - tail)];
   const pairs = b.length === a.length || b.length * a.length > MOST_PAIRS ? pairsInOrder(b, a) : cheapestPairs(b, a);
   const [keptBefore, keptAfter] = [new Set(pairs.map(([i]) => i)), new Set(pairs.map(([, j]) => j))];

@@ -1,4 +1,4 @@
-export { carryNotes, compareHolds, firstDifference } from './compare-holds.ts';
+export { carryNotes, commonEnds, compareHolds, firstDifference } from './compare-holds.ts';
 export {
   APART,
   AWAY,

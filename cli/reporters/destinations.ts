@@ -12,7 +12,7 @@ export interface Destination {
 }
 
 /** The ways to ask for reports, as they were given. */
-export interface AskedReports {
+interface AskedReports {
   /** `--format NAME`, the short form for stdout. */
   readonly format?: string;
   /** `--reporter NAME[=FILE]`, as often as it was given. */

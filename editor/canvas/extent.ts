@@ -37,12 +37,8 @@ function boxAround({ halfWidth, halfHeight }: HerBox, found: FoundObject, { x, y
 
 /** The box around some boxes, at least one. */
 function boxAroundAll(boxes: readonly Box[]): Box {
-  let [left, top, right, bottom] = [
-    Number.POSITIVE_INFINITY,
-    Number.POSITIVE_INFINITY,
-    Number.NEGATIVE_INFINITY,
-    Number.NEGATIVE_INFINITY,
-  ];
+  const far = Number.POSITIVE_INFINITY;
+  let [left, top, right, bottom] = [far, far, -far, -far];
   for (const box of boxes) {
     left = Math.min(left, box.left);
     top = Math.min(top, box.top);

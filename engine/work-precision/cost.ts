@@ -26,7 +26,6 @@ export interface Player {
 export interface Cost {
   /** Disturbances only add to a time, so this is nearest to the truth. */
   readonly minimum: number;
-  readonly median: number;
   /** The upper quartile. */
   readonly high: number;
   /** How often it was timed: {@link FEWEST_ROUNDS} times at least, unless the time was used up. */
@@ -96,8 +95,7 @@ export function measureCosts(players: readonly Player[], now: () => number, opti
     if (seconds === 0) return null;
     if (list.length === 0) list.push((1000 * ms) / seconds);
     list.sort((a, b) => a - b);
-    const [minimum, median, high] = [0, 0.5, 0.75].map((share) => list[Math.floor(share * list.length)]);
-    return { minimum, median, high, rounds: list.length };
+    return { minimum: list[0], high: list[Math.floor(0.75 * list.length)], rounds: list.length };
   });
 }
 

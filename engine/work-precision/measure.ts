@@ -53,8 +53,6 @@ interface CompareOptions {
   readonly budget: { readonly comparing: number; readonly timing: number; readonly most: number };
 }
 
-const SAMPLE = 1;
-
 /** Measures what each setting costs in time and in error, for one list of holds on a level. */
 export const measureWorkPrecision = (level: Level, holds: readonly Hold[], options: CompareOptions): WorkPrecision =>
   withCosts(level, holds, compareAll(level, holds, options), options);
@@ -89,7 +87,7 @@ export function withCosts(level: Level, holds: readonly Hold[], compared: Compar
   const inOrder = [...compared.methods].sort((a, b) => inHaste(a.accuracy, b.accuracy));
   const players = inOrder.map(({ accuracy }) => playerOf([{ level, holds }], accuracy, maxTicksOf(options)));
   const { timing, most } = options.budget;
-  const costs = measureCosts(players, options.now, { budget: timing, most, sample: SAMPLE });
+  const costs = measureCosts(players, options.now, { budget: timing, most, sample: 1 });
   const unmeasured = [...compared.unmeasured];
   const methods = compared.methods.flatMap((method): Measured[] => {
     const cost = costs[inOrder.indexOf(method)];
@@ -270,17 +268,6 @@ export function deviationOf(path: Path, reference: Reference, maxTicks: number):
     time,
     sameVerdict: outcome === reference.outcome,
   };
-}
-
-/** Plays holds at one setting and compares the run with the reference. */
-export function compareWith(
-  reference: Reference,
-  level: Level,
-  holds: readonly Hold[],
-  accuracy: Accuracy,
-  maxTicks: number,
-): Deviation {
-  return deviationOf(pathOf(createSimulation(compile(level, accuracy)), holds, maxTicks), reference, maxTicks);
 }
 
 /** Her place at every tick of a run, and how the run ended. */

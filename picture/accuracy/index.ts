@@ -164,7 +164,10 @@ export function unmeasuredInWords(maxWork: number, unmeasured: Compared['unmeasu
 }
 
 /** Names settings, with whole groups in short: `every euler with frame tests; verlet 15 Hz, verlet 30 Hz`. */
-export function settingsInGroups(some: readonly OfSetting[], all: readonly OfSetting[] = ALL): string {
+export function settingsInGroups(
+  some: readonly OfSetting[],
+  all: readonly OfSetting[] = METHODS.map((accuracy) => ({ accuracy })),
+): string {
   const groupOf = ({ accuracy: { integrator, contact } }: OfSetting): string =>
     integrator === 'arcade' ? integrator : `every ${integrator} with ${contact === 'frame' ? 'frame tests' : 'swept contacts'}`;
   const inGroup = (group: string) => {
@@ -174,8 +177,6 @@ export function settingsInGroups(some: readonly OfSetting[], all: readonly OfSet
   };
   return [...new Set(some.map(groupOf))].map(inGroup).join('; ');
 }
-
-const ALL = METHODS.map((accuracy): OfSetting => ({ accuracy }));
 
 const errorInWords = (error: number, knownTo: number | null, of = ''): string =>
   `off by ${errorIn(error, knownTo)} px${of}, ${knownTo === null ? 'from a reference that no second one confirms' : `known to ${brief(knownTo)} px`}`;

@@ -23,14 +23,15 @@ const TOP = 108;
 const ROW = 20;
 const WIDEST_CELL = 20;
 
-const WORDS: Readonly<Record<State, string>> = {
+/** What a cell of a sweep says, in words. */
+export const STATE_WORDS: Readonly<Record<State, string>> = {
   kept: 'its run completes it',
   other: 'another run does',
   unproven: 'unproven',
   impossible: 'proved impossible',
 };
 const INK_OF: Readonly<Record<State, Ink>> = { kept: 'rk4', other: 'verlet', unproven: 'muted', impossible: 'arcade' };
-const STATES = Object.keys(WORDS) as readonly State[];
+const STATES = Object.keys(STATE_WORDS) as readonly State[];
 
 /** Draws a state in a cell around a point. Each has its own shape: a full cell, a ring, a dot, a cross. */
 function drawCell(state: State, x: number, y: number, width: number): string {
@@ -73,8 +74,8 @@ export function drawTuning({ title, subtitle, marks, rows }: TuningPicture, grou
   let at = 24;
   const legend = STATES.map((state) => {
     const sign = inked(ground, INK_OF[state], drawCell(state, at + 7, 80, 14));
-    const word = inked(ground, 'text', drawText(WORDS[state], at + 20, 83, label));
-    at += 20 + textWidth(WORDS[state], label.size) + 26;
+    const word = inked(ground, 'text', drawText(STATE_WORDS[state], at + 20, 83, label));
+    at += 20 + textWidth(STATE_WORDS[state], label.size) + 26;
     return sign + word;
   });
   // The ends and the middle suffice to read the others.

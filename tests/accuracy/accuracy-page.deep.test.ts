@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { ACCURACIES, DEFAULT_MAX_TICKS } from '../../engine/index.ts';
-import { compareWith, quantile, referenceOf } from '../../engine/work-precision/index.ts';
+import { quantile, referenceOf } from '../../engine/work-precision/index.ts';
+import { compareWith } from '../judges/compare-with.ts';
 import { pack } from '../levels/shipped-pack.ts';
 
 // docs/accuracy.json, which docs/accuracy.md is held to, holds what the code gives: errors and outcomes are the same on every

@@ -28,10 +28,6 @@ import { type AccuracyReport, accuracyJson, accuracyPretty } from './report.ts';
 /** Of a run, ms: with the references, which take up to 6 s, the whole command takes some 15 s at most. */
 const BUDGET = { comparing: 4000, timing: 6000, most: 8000 };
 
-/** Of the runs of --cheapest, each, ms; at least as much as for one run. */
-const TIMING_EACH = 250;
-const ALL_EACH = 2000;
-
 interface Options extends ConfigOptions, TermsOptions {
   readonly run?: string;
   readonly holds?: readonly Hold[];
@@ -100,8 +96,8 @@ async function findCheapest(paths: readonly string[], options: Options, command:
     'level' in read ? read.level.runs.map(({ name, holds }): KeptRun => ({ file, name, level: read.level, holds })) : [],
   );
   if (runs.length === 0) throw new Failure('no level has a run that a setting could keep: expected at least one');
-  const timing = Math.max(BUDGET.timing, TIMING_EACH * runs.length);
-  const budget = { timing, most: timing + 2000, all: 12_000 + ALL_EACH * (runs.length - 1) };
+  const timing = Math.max(BUDGET.timing, 250 * runs.length);
+  const budget = { timing, most: timing + 2000, all: 10_000 + 2000 * runs.length };
   const found = findCheapestSetting(runs, { terms, methods: METHODS, now: () => performance.now(), budget });
   const report = { found, terms: termsReport({ terms, level: terms }), runs: runs.length };
   return {

@@ -1,4 +1,5 @@
 import { accuracyInWords, plural } from '../../../check/words/index.ts';
+import { STATE_WORDS } from '../../../picture/tune/index.ts';
 import { RULE_NAMES, RULES, type RuleName, type TuneReport } from '../../../schema/index.ts';
 import { type Colors, visibleLine } from '../../terminal/index.ts';
 import {
@@ -18,12 +19,6 @@ const NAME = 20;
 const NARROW_NAME = 12;
 
 const SIGNS: Readonly<Record<TunedState, string>> = { kept: '#', other: 'o', unproven: '.', impossible: 'x' };
-const WORDS: Readonly<Record<TunedState, string>> = {
-  kept: 'its run completes it',
-  other: 'another run does',
-  unproven: 'unproven',
-  impossible: 'proved impossible',
-};
 const WORST: readonly TunedState[] = ['impossible', 'unproven', 'other', 'kept'];
 
 const brief = (value: number): string => String(Number(value.toPrecision(4)));
@@ -89,7 +84,7 @@ function matrix(
 /** One line for each level, and one more for each further rule. */
 function list(levels: readonly TunedLevel[], narrow: number | null): string[] {
   return levels.flatMap((level) => {
-    const state = (level.values[0] === undefined ? '' : WORDS[level.values[0].state]).padEnd(20);
+    const state = (level.values[0] === undefined ? '' : STATE_WORDS[level.values[0].state]).padEnd(20);
     if (narrow !== null) {
       const below = level.intervals.map((interval) => `  ${interval.rule} ${intervalText(level, interval)}`);
       return [nameText(level).trimEnd(), `  ${state}`.trimEnd(), ...below].filter((line) => line !== '');
@@ -114,7 +109,7 @@ export function tuneText(
   const title = sweep === null ? `with ${set}` : `${sweep.rule} at ${sweep.count} values${set === '' ? '' : `, with ${set}`}`;
   const kept = looked.filter(({ values }) => values.every(({ state }) => state === 'kept')).length;
   const signs = (Object.keys(SIGNS) as TunedState[])
-    .map((state) => `${SIGNS[state]} ${WORDS[state]}`)
+    .map((state) => `${SIGNS[state]} ${STATE_WORDS[state]}`)
     .join(narrow === null ? '  ' : '\n');
   const lines = [
     colors.bold(`${title}, accuracy ${accuracyInWords(terms)}`),

@@ -281,12 +281,8 @@ function areMoreSeen(
 
 /** The area that all marks cover, px of the canvas. */
 function areaOf(marks: Marks, lens: Lens): Box {
-  let [left, top, right, bottom] = [
-    Number.POSITIVE_INFINITY,
-    Number.POSITIVE_INFINITY,
-    Number.NEGATIVE_INFINITY,
-    Number.NEGATIVE_INFINITY,
-  ];
+  const far = Number.POSITIVE_INFINITY;
+  let [left, top, right, bottom] = [far, far, -far, -far];
   for (let i = 0; i < marks.count; i++) {
     const { x, y, reach } = marks.spotOf(i, lens, spot);
     left = Math.min(left, x - reach);

@@ -1,4 +1,5 @@
 import { enablePatches, type Patch as ImmerPatch, applyPatches as immerApply } from 'immer';
+import { commonEnds } from '../../../check/runs/index.ts';
 import { isSame, type LevelFile } from '../../../schema/index.ts';
 
 enablePatches();
@@ -60,11 +61,7 @@ function diffUnkeyed(before: readonly unknown[], after: readonly unknown[], path
     for (let i = 0; i < after.length; i++) diffValue(before[i], after[i], [...path, i], into);
     return;
   }
-  const shorter = Math.min(before.length, after.length);
-  let head = 0;
-  while (head < shorter && isSame(before[head], after[head])) head++;
-  let tail = 0;
-  while (tail < shorter - head && isSame(before[before.length - 1 - tail], after[after.length - 1 - tail])) tail++;
+  const { head, tail } = commonEnds(before, after, isSame);
   for (let i = before.length - tail - 1; i >= head; i--) into.push({ op: 'remove', path: [...path, i] });
   for (let i = head; i < after.length - tail; i++) into.push({ op: 'add', path: [...path, i], value: after[i] });
 }

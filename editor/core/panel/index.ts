@@ -1,3 +1,3 @@
 export { fetched, laterCover, laterDialog, laterOnce, laterPanel, laterPart, loadParts } from './later.tsx';
 export { FolderSelect, Offer, PlayButton, SamplesButton, TextDialog } from './offers.tsx';
-export { Facts, OutcomeSign, outcomeWord, Progress, Section, Segments } from './parts.tsx';
+export { Facts, OutcomeSign, outcomeWord, Progress, Section, Segments, Trouble } from './parts.tsx';

@@ -99,6 +99,13 @@ interface ProgressProps {
   readonly share?: number;
 }
 
+/** Says what went wrong, and what to do. */
+export const Trouble = ({ children }: { readonly children: ReactNode }) => (
+  <p className="tone--bad" role="alert">
+    {children}
+  </p>
+);
+
 /** A progress bar. It keeps its space when it is over, so that controls below do not move under the pointer. */
 export function Progress({ label, isRunning, share }: ProgressProps) {
   // Without a value it would keep animating, unseen.

@@ -1,3 +1,4 @@
+import { commonEnds } from '../../../check/runs/index.ts';
 import { checkOf } from './version.ts';
 
 /** The text of a version as it is stored: whole, or by what differs from the whole text of another version. */
@@ -113,10 +114,7 @@ function anchorsBetween(old: readonly string[], now: readonly string[]): (readon
 /** The hunks that make `after` of `before`: few where few lines differ. */
 export function deltaBetween(before: string, after: string): Hunk[] {
   const [old, now] = [before.split('\n'), after.split('\n')];
-  let start = 0;
-  while (start < old.length && start < now.length && old[start] === now[start]) start++;
-  let end = 0;
-  while (end < old.length - start && end < now.length - start && old[old.length - 1 - end] === now[now.length - 1 - end]) end++;
+  const { head: start, tail: end } = commonEnds(old, now, (a, b) => a === b);
   const [oldEnd, nowEnd] = [old.length - end, now.length - end];
   const inner = anchorsBetween(old.slice(start, oldEnd), now.slice(start, nowEnd));
   const hunks: Hunk[] = [];

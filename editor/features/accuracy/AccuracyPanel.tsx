@@ -5,7 +5,7 @@ import { ACCURACIES, type AccuracyName } from '../../../engine/index.ts';
 import { unmeasuredInWords } from '../../../picture/accuracy/index.ts';
 import { useEditor, usePageTerms, useProof } from '../../core/context/index.ts';
 import { pixels } from '../../core/figures/index.ts';
-import { Progress, Section } from '../../core/panel/index.ts';
+import { Progress, Section, Trouble } from '../../core/panel/index.ts';
 import { playsAlike } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { accuracyNameOf } from '../../workers/index.ts';
@@ -38,11 +38,7 @@ export function AccuracyPanel({ sections }: { readonly sections: readonly Compon
         }
       >
         {(phase === 'measuring' || measured !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
-        {phase === 'failed' && (
-          <p className="tone--bad" role="alert">
-            The measurement failed: {message}. Try again.
-          </p>
-        )}
+        {phase === 'failed' && <Trouble>The measurement failed: {message}. Try again.</Trouble>}
         {measured === null ? (
           phase === 'idle' && (
             <p className="part__note">

@@ -112,12 +112,9 @@ export const namedQuestion = question({
   },
 });
 
-interface NamedResults {
+interface NamedResults extends Omit<AnswerOf<typeof jobs.accuracy>[number], 'settings'> {
   /** Without costs until these are measured. */
   readonly settings: readonly (SettingError & Partial<Pick<Setting, 'cost'>>)[];
-  readonly knownTo: number | null;
-  readonly doubt: string | null;
-  readonly unmeasured: AnswerOf<typeof jobs.accuracy>[number]['unmeasured'];
 }
 
 interface ShownResults extends NamedResults {

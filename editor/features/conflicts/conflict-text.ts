@@ -1,3 +1,5 @@
+import { commonEnds } from '../../../check/runs/index.ts';
+
 /** A line of a comparison: in both texts, only in the old one, or only in the new one. */
 interface DiffLine {
   readonly kind: 'same' | 'old' | 'new';
@@ -39,10 +41,7 @@ function middleDiff(old: readonly string[], now: readonly string[]): DiffLine[] 
 /** The differences between two texts, line by line. */
 export function diffLines(before: string, after: string): DiffLine[] {
   const [old, now] = [before.split('\n'), after.split('\n')];
-  let start = 0;
-  while (start < old.length && start < now.length && old[start] === now[start]) start++;
-  let end = 0;
-  while (end < old.length - start && end < now.length - start && old[old.length - 1 - end] === now[now.length - 1 - end]) end++;
+  const { head: start, tail: end } = commonEnds(old, now, (a, b) => a === b);
   const same = (text: string): DiffLine => ({ kind: 'same', text });
   return [
     ...old.slice(0, start).map(same),

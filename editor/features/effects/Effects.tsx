@@ -6,7 +6,7 @@ import type { EffectWork, Work } from '../../../engine/index.ts';
 import { onDemand } from '../../core/ask/index.ts';
 import { useEditor, useLevel, useProof, useProofInPace } from '../../core/context/index.ts';
 import { type Fact, percent } from '../../core/figures/index.ts';
-import { Facts, Section } from '../../core/panel/index.ts';
+import { Facts, Section, Trouble } from '../../core/panel/index.ts';
 import { limitInWords, withoutRuns } from '../../core/proof/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { jobs, type TimedEffects } from '../../workers/index.ts';
@@ -63,11 +63,7 @@ function Surveyed({ survey }: { readonly survey: Survey }) {
           )
         }
       >
-        {phase === 'failed' && (
-          <p className="tone--bad" role="alert">
-            The measurement failed: {message}. Try again.
-          </p>
-        )}
+        {phase === 'failed' && <Trouble>The measurement failed: {message}. Try again.</Trouble>}
         <ul className="effects__list" aria-label="Simulated effects">
           {simulated.map((effect) => (
             <EffectRow key={effect.name} effect={effect} survey={survey} timed={timed} />
@@ -115,11 +111,7 @@ function EffectRow({ effect: { name, because, summary, work }, survey, timed }: 
         </span>
       )}
       <p className="effect__cost numbers">{work === null ? 'examined once a frame' : countText(work, survey.work)}</p>
-      {timed !== null && time !== undefined && (
-        <p className="effect__cost numbers">
-          {time === null ? 'not timed: the run takes too long' : timeText(time, timed.whole)}
-        </p>
-      )}
+      {timed !== null && time !== undefined && <p className="effect__cost numbers">{timeText(time, timed.whole)}</p>}
     </li>
   );
 }
@@ -128,8 +120,10 @@ function EffectRow({ effect: { name, because, summary, work }, survey, timed }: 
 const countText = ({ guards, roots, events }: EffectWork, work: Work): string =>
   `${guards} of ${plural(work.guards, 'guard', 'guards')}, ${plural(roots, 'root', 'roots')}, ${plural(events, 'event', 'events')}`;
 
-const timeText = (time: number, whole: number): string =>
-  `${percent(time / whole)} of the time: ${digits(time)} of ${digits(whole)} µs per simulated second`;
+const timeText = (time: number | null, whole: number): string =>
+  time === null
+    ? 'not timed: the run takes too long'
+    : `${percent(time / whole)} of the time: ${digits(time)} of ${digits(whole)} µs per simulated second`;
 
 const digits = (value: number): number => Number(value.toPrecision(2));
 

@@ -10,7 +10,7 @@ import { termsAt } from '../../core/terms/index.ts';
 const LONGEST_FRAME = 250;
 
 /** A person's attempt: the player, and what the editor shows and keeps of it. */
-export interface Playtest {
+export interface Playtest extends Pick<ShownPlayer, 'pose' | 'moment'> {
   readonly player: Player;
   /** The tick at which the user takes over; before it the run's own holds are played. */
   readonly startTick: number;
@@ -22,10 +22,6 @@ export interface Playtest {
   readonly speed: number;
   /** x, y at every tick so far, px */
   points(): Float32Array;
-  /** The positions now, which may be between two ticks. */
-  pose(): Pose;
-  /** The tick of the positions, with a fraction. */
-  moment(): number;
 }
 
 /** How an attempt begins. */

@@ -3,7 +3,7 @@ import { useStore } from 'zustand';
 import { TICK } from '../../../engine/index.ts';
 import type { Candidate, Difficulty, WithoutAsteroid } from '../../../solver/index.ts';
 import { extraInWords, type Fact, percent, plural, seconds } from '../../core/figures/index.ts';
-import { Facts, Progress, Section } from '../../core/panel/index.ts';
+import { Facts, Progress, Section, Trouble } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import { useSolverSession } from './index.ts';
 
@@ -27,11 +27,7 @@ export function DifficultyReport() {
       }
     >
       {(phase === 'measuring' || result !== null) && <Progress label="Measuring" isRunning={phase === 'measuring'} />}
-      {phase === 'failed' && (
-        <p className="tone--bad" role="alert">
-          The measurement failed: {message}. Try again.
-        </p>
-      )}
+      {phase === 'failed' && <Trouble>The measurement failed: {message}. Try again.</Trouble>}
       {phase === 'none' && (
         <p className="part__note">
           The shown run does not complete the level{asked}, and no run that does was found in the time set above. This does not

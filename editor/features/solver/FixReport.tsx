@@ -5,7 +5,7 @@ import { proposalInWords, proposalRunInWords, SIZE_MEANS } from '../../../check/
 import type { Level } from '../../../schema/index.ts';
 import type { Proposal } from '../../../solver/index.ts';
 import { about, seconds } from '../../core/figures/index.ts';
-import { Offer, Progress, Section } from '../../core/panel/index.ts';
+import { Offer, Progress, Section, Trouble } from '../../core/panel/index.ts';
 import { Button } from '../../core/ui/index.ts';
 import type { FixState } from './fix-session.ts';
 import { useSolverSession } from './index.ts';
@@ -42,11 +42,7 @@ export function FixReport() {
       }
     >
       {(isSeeking || fixing !== null) && <Progress label="Seeking fixes" isRunning={isSeeking} />}
-      {phase === 'failed' && (
-        <p className="tone--bad" role="alert">
-          Seeking fixes failed: {message}. Try again.
-        </p>
-      )}
+      {phase === 'failed' && <Trouble>Seeking fixes failed: {message}. Try again.</Trouble>}
       {fixing !== null && level !== null && fixing.proposals.length > 0 && (
         <ol className={isOld ? 'report__found report--old' : 'report__found'} aria-label="Proposals">
           {fixing.proposals.map((proposal) => (

@@ -3,7 +3,7 @@ import { TICK } from '../../../engine/index.ts';
 import type { EdgeSlack, Success } from '../../../solver/index.ts';
 import { useEditor, useLevel, useProof } from '../../core/context/index.ts';
 import { percent, plural, SLACK_LIMIT, slackText, tightestOf } from '../../core/figures/index.ts';
-import { Section } from '../../core/panel/index.ts';
+import { Section, Trouble } from '../../core/panel/index.ts';
 import { useSolverSession } from './index.ts';
 
 /** How much the timing of the shown run may be off. */
@@ -22,11 +22,7 @@ export function RobustnessReport() {
         name !== null && <span className="part__note">{full === null && p40 !== null ? 'certifying…' : 'measuring…'}</span>
       }
     >
-      {phase === 'failed' && (
-        <p className="tone--bad" role="alert">
-          The measurement failed: {message}. Change the run to try again.
-        </p>
-      )}
+      {phase === 'failed' && <Trouble>The measurement failed: {message}. Change the run to try again.</Trouble>}
       {phase === 'fails' && (
         <p className="part__note">
           {name === null ? 'There is no run yet.' : 'The run does not complete the level, so there is nothing to measure.'}

@@ -137,8 +137,7 @@ class Game {
   /** Moves on until something happens, or the series ends, or a time is reached. Returns whether time has passed. */
   #stretch(boundary: Dd): boolean {
     const world = this.#world;
-    const { asteroids, novae, minerals, aliens } = world.level;
-    spend(world, 200 + (asteroids.length + novae.length + minerals.length + aliens.length) / 8);
+    spend(world, 200 + (world.asteroids.length + world.aliens.length + world.taken.length + world.level.novae.length) / 8);
     const stretch = this.#method(world);
     this.#nearestCentre = Math.min(this.#nearestCentre, stretch.besideCentre);
     this.#measureClearance();
