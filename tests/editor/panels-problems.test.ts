@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { createEditedLevel } from '../../editor/core/document/index.ts';
 import { createProver } from '../../editor/core/proof/index.ts';
-import { explanationOf } from '../../editor/features/problems/explanations.tsx';
+import { Explanation, explanationOf } from '../../editor/features/problems/explanations.tsx';
 import { quickFixOf, runAt } from '../../editor/features/problems/feature.tsx';
 import { keepSame, keysOf } from '../../editor/features/problems/index.ts';
 import { DEFAULT_TERMS, WARNING_CODES } from '../../engine/index.ts';
@@ -78,6 +78,7 @@ it('every code has an explanation', () => {
     expect(explanationOf(code)?.title, code).toBeTruthy();
   }
   expect(explanationOf('no-such-code')).toBeNull();
+  expect(JSON.stringify(Explanation({ code: 'no-such-code' }))).toMatch(/Not explained here.*no-such-code/);
 });
 
 describe('shown problems', () => {

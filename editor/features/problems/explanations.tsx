@@ -64,10 +64,10 @@ const ALL = new Map(
 /** The explanation of a code; null if the code is unknown. */
 export const explanationOf = (code: string): CodeExplanation | null => ALL.get(code) ?? null;
 
-/** Why a problem matters and how to fix it. Empty if its code is unknown. */
+/** Why a problem matters and how to fix it. */
 export function Explanation({ code }: { readonly code: string }) {
   const explanation = explanationOf(code);
-  if (explanation === null) return null;
+  if (explanation === null) return <p>Not explained here. Try gq explain {code}.</p>;
   return (
     <>
       <p>
