@@ -30,7 +30,7 @@ function show(attack: SceneAttack, seed: number): number {
   console.log(JSON.stringify(scene(seed)));
   console.log(JSON.stringify(findings, null, 2));
   const bugs = findings.filter(({ kind }) => kind === 'bug');
-  if (attack === 'mixed' && bugs.length > 0) {
+  if ((attack === 'mixed' || attack === 'starts') && bugs.length > 0) {
     console.log(`smaller: ${JSON.stringify(shrinkMixed(scene(seed), seed, bugs[0]))}`);
   }
   return bugs.length;

@@ -5,17 +5,19 @@ import { checkPieces } from '../../tests/judges/pieces.ts';
 import { degenerateScene } from '../../tests/scenes/degenerate-scene.ts';
 import { mixedScene } from '../../tests/scenes/mixed-scene.ts';
 import { randomScene } from '../../tests/scenes/random-scene.ts';
+import { startScene } from '../../tests/scenes/start-scene.ts';
 import { windyDegenerateScene, windyScene } from '../../tests/scenes/windy-scene.ts';
 import type { Attacked, Span } from './span.ts';
 
 /**
  * What is examined for each seed: `rules` in any scene, `pieces` in scenes where something may happen endlessly; both also with
- * winds and wormholes. `mixed`: all effects and rules at once, against the reference.
+ * winds and wormholes. `mixed`: all effects and rules at once, against the reference; `starts`: what is decided at time 0.
  */
 export const SCENES = {
   rules: { scene: randomScene, find: (seed: number) => checkScene(randomScene(seed), seed) },
   'windy-rules': { scene: windyScene, find: (seed: number) => checkScene(windyScene(seed), seed) },
   mixed: { scene: mixedScene, find: (seed: number) => checkMixed(mixedScene(seed), seed) },
+  starts: { scene: startScene, find: (seed: number) => checkMixed(startScene(seed), seed) },
   pieces: { scene: degenerateScene, find: (seed: number) => checkPieces(degenerateScene(seed)) },
   'windy-pieces': { scene: windyDegenerateScene, find: (seed: number) => checkPieces(windyDegenerateScene(seed)) },
 };
@@ -32,9 +34,7 @@ interface Task {
   readonly current: Int32Array;
 }
 
-interface Found extends Finding {
-  readonly scene: number;
-}
+type Found = Finding & { readonly scene: number };
 
 /** Checks one scene after the other. Posts each finding, and null at the end. */
 function work({ attack, from, to, current }: Task): void {
@@ -110,7 +110,7 @@ export async function attackScenes(attack: SceneAttack, { from, most, until }: S
     mixed: `${counts.excluded} (${share} %) not compared to the end: ${why}`,
     rules: `${counts.hangs} whose outcome hangs on their last digits`,
     pieces: `${counts.hangs} in clusters of asteroids`,
-  }[attack.replace('windy-', '')];
+  }[attack === 'starts' ? 'mixed' : attack.replace('windy-', '')];
   return {
     tried: done - from,
     bugs: counts.bug,

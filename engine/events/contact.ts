@@ -1,12 +1,12 @@
 import { type Box, boxCircleGap } from '../contact.ts';
-import { lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
+import { LINES, lookAt, type Motion, relativeAt, SLOTS, TURNS } from '../motion/index.ts';
 import { CUBIC_BENDS, DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
 import { fineGap } from './fine-gap.ts';
 import { grazeStep } from './graze.ts';
 import { lookNext, overlapBetween, PATIENCE, safeStep, smallestStride } from './roots.ts';
 import { offerFrom } from './rule.ts';
 
-const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LENGTH_H, ACCELERATION } = SLOTS;
+const { START, TURN, COS, SIN, LIMIT_X, LIMIT_Y, LINE, NEXT, LENGTH_H, ACCELERATION } = SLOTS;
 const { TURN_NOT, TURN_TO_BASE, TURN_TO_TARGET } = TURNS;
 
 /** A gap below this many times its rounding error is computed in twice the digits. */
@@ -57,7 +57,7 @@ function contactTime(m: Motion, r: number, pull: number, from: number): number {
 /**
  * First time in [from, horizon] at which her box overlaps the placed circle, or -1. It is found by a march of safe steps
  * (conservative advancement), which can overlook only an overlap of less than FLOOR = 1e-12 px, however large the circle and
- * however fast she moves and turns.
+ * however fast she moves and turns. After the start such an overlap is none, since the rounding of her path may be as large.
  *
  * Two lower bounds of the gap ahead are used, each proved here; the longer step is taken. Let the present be time 0, D the
  * circle's centre minus hers, R(t) the rotation of the box, q the point of the box nearest to D in the box's frame, n the unit
@@ -88,13 +88,16 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
   const { s, her, toCircle, toTarget, work } = m;
   const { halfWidth, halfHeight, halfDiagonal } = m.box;
   work.guards++;
-  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const end = s[LENGTH_H];
+  const horizon = Math.min(m.horizon, end);
   const turn = s[TURN];
   const dragged = m.kappa + pull;
   const relative = s[ACCELERATION] + (m.integrator.degree === 3 ? CUBIC_BENDS * dragged : dragged);
-  // the force is central only if the speed limit holds back no part of it and no steady force turns it aside
-  const central = turn === TURN_TO_BASE && s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && !m.flow.isSteady;
-  const small = smallestStride(s[LENGTH_H]);
+  // off a line the force is central only if the speed limit holds back no part of it and no steady force turns it aside
+  const isFree = s[LIMIT_X] === 0 && s[LIMIT_Y] === 0 && !m.flow.isSteady;
+  const central = turn === TURN_TO_BASE && (isFree || s[LINE] !== LINES.NONE);
+  const small = smallestStride(end);
+  let limit = horizon;
   let t = from;
   let before = t;
   for (let n = 0; ; n++) {
@@ -164,31 +167,47 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
       g = fineGap(m, t, r, cos, sin);
       rounding = 0;
     }
-    if (g < 0) return t === from ? t : contactBetween(m, before, t, r, before === from);
     // n, the nearest point, and the slope: n.R^T D' + w (n x q)
     const ax = (lx < 0 ? -nx : nx) / norm;
     const ay = (ly < 0 ? -ny : ny) / norm;
     const qx = gx > 0 ? (lx < 0 ? -halfWidth : halfWidth) : lx;
     const qy = gy > 0 ? (ly < 0 ? -halfHeight : halfHeight) : ly;
     const along = ax * (dvx * cos + dvy * sin) + ay * (dvy * cos - dvx * sin);
+    const slope = along + omega * (ax * qy - ay * qx);
+    const isBelow = g < 0;
+    if (isBelow) {
+      const across = Math.sqrt(dvx * dvx + dvy * dvy) + Math.abs(omega) * Math.sqrt(dx * dx + dy * dy);
+      // then it goes deeper than FLOOR for certain
+      const isSteep = slope < 0 && slope * slope > 2 * (k + (across * across) / r) * FLOOR;
+      // at the start there is no rounding, so the least overlap counts
+      if (isSteep || g < -FLOOR || s[START] + t === 0) {
+        if (t === from) return t;
+        const time = contactBetween(m, before, t, r, before === from);
+        return limit === horizon || Math.abs((time - s[NEXT]) * slope) > FLOOR ? time : s[NEXT];
+      }
+      g = 0;
+    } else if (t > horizon) {
+      return -1;
+    }
     const above = g + FLOOR - rounding;
-    let step = safeStep(above, along + omega * (ax * qy - ay * qx), k);
-    if (step < cap && swing > 0 && t + step < horizon) {
+    let step = safeStep(above, slope, k);
+    if (step < cap && swing > 0 && t + step < limit) {
       step = Math.max(step, cornerStep(m.box, above, ax, ay, qx, qy, along, omega, relative + halfDiagonal * swing));
     }
-    if (n >= PATIENCE && step < cap && t + step < horizon) {
+    if (n >= PATIENCE && step < cap && t + step < limit) {
       work.guards++;
-      step = Math.max(Math.min(step, cap), grazeStep(m, t, r, above, ax, ay, qx, qy, cos, sin, omega, swing, cap, horizon - t));
+      step = Math.max(Math.min(step, cap), grazeStep(m, t, r, above, ax, ay, qx, qy, cos, sin, omega, swing, cap, limit - t));
     } else {
       step = Math.min(step, cap);
     }
-    if (!(t + step < horizon)) {
+    if (!(t + step < limit)) {
+      if (limit === end || !(isBelow || t + safeStep(g - rounding, slope, k) < limit)) return -1;
       // by FLOOR the step may reach beyond an event at the same instant as one that was found before
-      const mayCross = horizon < s[LENGTH_H] && t + safeStep(g - rounding, along + omega * (ax * qy - ay * qx), k) < horizon;
-      return mayCross && gapAt(m, horizon, r) < 0 ? contactBetween(m, t, horizon, r, t === from) : -1;
+      limit = end;
+      continue;
     }
-    before = t;
-    t = lookNext(t, step, small, horizon);
+    if (!isBelow) before = t;
+    t = lookNext(t, step, small, limit);
   }
 }
 

@@ -2,7 +2,7 @@ import { addProduct, LONGEST_SERIES, type Motion, relativeAt, relativeSeries, SL
 import { DISTANCE_ROUNDING, FLOOR } from '../tolerances.ts';
 import { crossing, lookNext, PATIENCE, safeStep, safeStretch, smallestStride } from './roots.ts';
 
-const { LENGTH_H, ACCELERATION } = SLOTS;
+const { NEXT, LENGTH_H, ACCELERATION } = SLOTS;
 
 const dx = new Float64Array(LONGEST_SERIES);
 const dy = new Float64Array(LONGEST_SERIES);
@@ -11,8 +11,8 @@ const guard = new Float64Array(2 * LONGEST_SERIES);
 /**
  * First time at which her centre crosses the rim of the placed circle, found by a march of safe steps. The guard is a
  * polynomial; after PATIENCE evaluations its coefficients say how far it stays above 0. So circling close to a rim costs
- * little, and nothing is stepped over. A crossing that is shallower than FLOOR, or than the rounding of the radius, may be
- * overlooked.
+ * little, and nothing is stepped over. A dip across it that is shallower than FLOOR, or than the rounding of the radius, is
+ * none: rounding alone may take her as far where she moves along its tangent.
  * @param r - its radius, px
  * @param inward - true for entering, false for leaving
  * @param pull - bound of the circle's own acceleration, px/s²
@@ -22,47 +22,73 @@ const guard = new Float64Array(2 * LONGEST_SERIES);
  */
 export function rimTime(m: Motion, r: number, inward: boolean, pull: number, from: number, atZero: boolean): number {
   const { s, toCircle, work } = m;
-  const horizon = Math.min(m.horizon, s[LENGTH_H]);
+  const end = s[LENGTH_H];
+  const horizon = Math.min(m.horizon, end);
   const a = s[ACCELERATION] + m.kappa + pull;
   const sign = inward ? 1 : -1;
-  const small = smallestStride(s[LENGTH_H]);
+  const small = smallestStride(end);
   const floor = 2 * r * Math.max(FLOOR, DISTANCE_ROUNDING * r);
+  let limit = horizon;
   let t = from;
   let before = t;
+  let beyond = 0;
   work.guards++;
   for (let n = 0; ; n++) {
     relativeAt(m, t);
     const d2 = toCircle[0] * toCircle[0] + toCircle[1] * toCircle[1];
     const d = Math.sqrt(d2);
     // (d - r)(d + r): the difference of squares would lose the digits of d - r
-    let g = sign * (d - r) * (d + r);
+    const g = sign * (d - r) * (d + r);
     const slope = sign * 2 * (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3]);
-    if (g < 0) {
-      if (n > 0) return rimBetween(m, before, t, r, sign);
+    if (t === from && g < 0) {
       if (!atZero && g < -1e-12 * r * r) return t;
-      if (slope < 0 && !atZero) return t;
-      g = 0;
+      beyond = g;
     }
-    if (t >= horizon) return -1;
-    const left = horizon - t;
-    const v = Math.sqrt(toCircle[2] * toCircle[2] + toCircle[3] * toCircle[3]);
-    // g'' = sign (2 v^2 + 2 d.a); if a force acts, the bound holds for `cap` only
+    const isBelow = g < 0 && (t > from || (slope < 0 && !atZero));
+    if (t >= horizon) {
+      if (!isBelow) return -1;
+      limit = end;
+    }
+    const left = limit - t;
+    // g'' = sign (2 v^2 + 2 d.a); if a force acts, the bounds hold for `cap` only
     let cap = left;
-    let k = inward ? 0 : 2 * v * v;
+    let fast = Math.sqrt(toCircle[2] * toCircle[2] + toCircle[3] * toCircle[3]);
+    let bend = 0;
     if (a > 0) {
-      cap = Math.min(left, v / a + Math.sqrt(d / a) + 1e-3);
-      const fast = v + a * cap;
-      k = 2 * (d + fast * cap) * a + (inward ? 0 : 2 * fast * fast);
+      cap = Math.min(left, fast / a + Math.sqrt(d / a) + 1e-3);
+      fast += a * cap;
+      bend = 2 * (d + fast * cap) * a;
     }
-    let step = Math.min(cap, safeStep(g + floor, slope, k));
-    if (n >= PATIENCE && t + step < horizon) {
+    const k = inward ? bend : bend + 2 * fast * fast;
+    // then it goes farther than the floor for certain
+    const isSteep = slope * slope > 2 * (inward ? bend + 2 * fast * fast : bend) * floor;
+    if (isBelow && ((isSteep && slope < 0) || g - beyond < -floor)) {
+      if (t === from) return t;
+      const time = rimBetween(m, before, t, r, sign);
+      // beyond the horizon, what is beside the event found before is at its instant
+      return limit === horizon || Math.abs((time - s[NEXT]) * slope) > floor ? time : s[NEXT];
+    }
+    if (t >= end) return -1;
+    // on the rim, at rest across it, she crosses it at once if she is drawn across, even if a fixed step soon leads her back
+    if (t === from && !isSteep && Math.abs(g) <= floor && slope <= 1e-14 * d * fast) {
+      rimSeries(m, t, 0, sign);
+      if (guard[2] < -1e-12 * (bend + fast * fast)) return rimBetween(m, t, t + small, r, sign);
+    }
+    const above = Math.max(0, g);
+    let step = Math.min(cap, safeStep(above + floor, slope, k));
+    if (n >= PATIENCE && t + step < limit) {
       work.guards++;
-      const degree = rimSeries(m, t, g, sign);
-      step = Math.max(step, safeStretch(guard, degree, g + floor, slope, 0, left));
+      const degree = rimSeries(m, t, above, sign);
+      step = Math.max(step, safeStretch(guard, degree, above + floor, slope, 0, left));
     }
-    if (!(t + step < horizon)) return -1;
-    before = t;
-    t = lookNext(t, step, small, horizon);
+    if (!(t + step < limit)) {
+      if (limit === end || !(isBelow || t + safeStep(above, slope, k) < limit)) return -1;
+      // by the floor the step may reach beyond an event at the same instant as one that was found before
+      limit = end;
+      continue;
+    }
+    if (isSteep ? g >= 0 : g >= floor) before = t;
+    t = lookNext(t, step, small, limit);
   }
 }
 

@@ -213,7 +213,8 @@ describe.each(continuousNames)('sliding on a rim, against the equation of the an
         });
         const slid = slideByAngle(level, 20, 'gun', 1e-3);
         const run = play(level, accuracy, HELD, 20);
-        if (!slid.off) continue;
+        // where nothing holds her at first she is outside at once
+        if (!slid.off || slid.time === 0) continue;
         off++;
         expect(Math.abs((leaves(run) ?? Number.NaN) - slid.time)).toBeLessThan(accuracy === 'fast' ? 0.05 : 1e-5);
       }

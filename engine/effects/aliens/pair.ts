@@ -10,9 +10,9 @@ import {
   shift,
   valueAt,
 } from '../../motion/index.ts';
-import { CUBIC_BENDS, FLOOR, SURPLUS } from '../../tolerances.ts';
+import { CUBIC_BENDS, DISTANCE_ROUNDING, FLOOR, SURPLUS } from '../../tolerances.ts';
 
-const { LENGTH_H } = SLOTS;
+const { LENGTH_H, NEXT, START } = SLOTS;
 const { CHASER } = RECORDS;
 const { ASLEEP, AWAKE, GONE } = ALERTNESS;
 
@@ -34,7 +34,7 @@ export function overlapping({ s, chasers, scene }: Motion, i: number, j: number)
 
 /**
  * When two aliens begin to touch: safe steps, which after PATIENCE evaluations continue by the coefficients of the guard, a
- * polynomial. An overlap below FLOOR may be overlooked.
+ * polynomial. After the start an overlap below FLOOR is none.
  * @param from - where to begin, s after the start of the piece
  * @returns s after the start of the piece; -1 if not before the piece ends
  */
@@ -52,7 +52,8 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
   const horizon = Math.min(m.horizon, h);
   const pull = m.integrator.degree === 3 ? CUBIC_BENDS * m.rules.alienPull : m.rules.alienPull;
   const small = smallestStride(h);
-  const floor = 2 * reach * FLOOR;
+  const floor = 2 * reach * Math.max(FLOOR, DISTANCE_ROUNDING * reach);
+  let limit = horizon;
   let t = from;
   let before = t;
   for (let n = 0; ; n++) {
@@ -64,19 +65,34 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
     const vx = one[2] - other[2];
     const vy = one[3] - other[3];
     const g = x * x + y * y - reach * reach;
-    if (g < 0) return t === from ? t : touchBetween(m, i, j, reach, before, t);
-    if (still) return -1;
-    // (d^2)'' = 2 v^2 + 2 d a >= -2 |d| |a| while d stays below `far`
+    if (still) return g < 0 ? t : -1;
+    // (d^2)'' = 2 v^2 + 2 d a, of which the second is at most 2 |d| |a| while d stays below `far`
     const slope = 2 * (x * vx + y * vy);
-    const far = Math.sqrt(x * x + y * y) + (Math.sqrt(vx * vx + vy * vy) + 2 * pull * h) * h;
-    let step = safeStep(g + floor, slope, 4 * far * pull);
-    if (n >= PATIENCE && t + step < horizon) {
-      work.guards++;
-      step = Math.max(step, safeStretch(guard, pairSeries(m, i, j, reach, t), g + floor, slope, 0, horizon - t));
+    const speed = Math.sqrt(vx * vx + vy * vy) + 2 * pull * h;
+    const far = Math.sqrt(x * x + y * y) + speed * h;
+    const isBelow = g < 0;
+    // then it goes farther than the floor for certain
+    const isSteep = slope * slope > 2 * (2 * speed * speed + 4 * far * pull) * floor;
+    if (isBelow && (s[START] + t === 0 || (isSteep && slope < 0) || g < -floor)) {
+      if (t === from) return t;
+      const time = touchBetween(m, i, j, reach, before, t);
+      return limit === horizon || Math.abs((time - s[NEXT]) * slope) > floor ? time : s[NEXT];
     }
-    if (!(t + step < horizon)) return -1;
-    before = t;
-    t = lookNext(t, step, small, horizon);
+    if (t > horizon && !isBelow) return -1;
+    const above = Math.max(0, g);
+    let step = safeStep(above + floor, slope, 4 * far * pull);
+    if (n >= PATIENCE && t + step < limit) {
+      work.guards++;
+      step = Math.max(step, safeStretch(guard, pairSeries(m, i, j, reach, t), above + floor, slope, 0, limit - t));
+    }
+    if (!(t + step < limit)) {
+      if (limit === h || !(isBelow || t + safeStep(above, slope, 4 * far * pull) < limit)) return -1;
+      // by the floor the step may reach beyond an event at the same instant as one that was found before
+      limit = h;
+      continue;
+    }
+    if (isSteep ? g >= 0 : g >= floor) before = t;
+    t = lookNext(t, step, small, limit);
   }
 }
 

@@ -1,6 +1,6 @@
 import { eventRule, offerFrom, quietWithin, rimTime } from '../../events/index.ts';
 import { distanceSquared, GOES_ON, type Motion, nearest, placeRock, RECORDS, relativeAt, SLOTS } from '../../motion/index.ts';
-import { SURPLUS } from '../../tolerances.ts';
+import { DISTANCE_ROUNDING, SURPLUS } from '../../tolerances.ts';
 import type { Effect } from '../effect.ts';
 
 const { START, COVER, HELD, BASE } = SLOTS;
@@ -31,7 +31,8 @@ const leaveRange = eventRule({
     if (within > 0 && dx * dx + dy * dy < within * within) return;
     placeRock(m, cover);
     const time = rimTime(m, range, false, m.kappa, from, false);
-    const stands = time === from && s[START] === 0 && isOutOfRange(m, cover);
+    // out of it by more than rounding where a piece begins: a jump has brought her there
+    const stands = time === from && isOutOfRange(m, cover, s[START] === 0 ? 1 : 1 + 1e-9);
     offerFrom(m, time, leaveRange.kind, cover, 0, from, stands);
   },
   latest(m) {
@@ -51,7 +52,7 @@ const leaveRange = eventRule({
   },
   fire(m, cover) {
     let other = nearest(m);
-    if (other < 0 || other === cover || isOutOfRange(m, other)) other = enteredAtOnce(m, cover);
+    if (other < 0 || other === cover || isOutOfRange(m, other, 1 - 4 * DISTANCE_ROUNDING)) other = enteredAtOnce(m, cover);
     if (other < 0) return 0;
     m.s[COVER] = other;
     return GOES_ON;
@@ -65,7 +66,9 @@ function enteredAtOnce(m: Motion, left: number): number {
     if (i === left || isOutOfRange(m, i, 1 + ROUNDING)) continue;
     placeRock(m, i);
     relativeAt(m, 0);
-    if (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] < 0) return i;
+    const speed = Math.sqrt(toCircle[2] * toCircle[2] + toCircle[3] * toCircle[3]);
+    // along its rim by any rounding is not into it
+    if (toCircle[0] * toCircle[2] + toCircle[1] * toCircle[3] < -DISTANCE_ROUNDING * speed * m.scene.level.range) return i;
   }
   return -1;
 }

@@ -6,7 +6,6 @@ import {
   isShort,
   length,
   minus,
-  NOWHERE,
   plus,
   subtract,
   times,
@@ -58,8 +57,13 @@ export class Instants {
   #aim(): void {
     const world = this.#world;
     world.target = nearest(world);
-    const u = world.target < 0 ? NOWHERE : minus(world.asteroids[world.target].at, world.her.at);
+    if (world.target < 0) return;
+    const { at, velocity } = world.asteroids[world.target];
+    const u = minus(at, world.her.at);
+    // in the very centre: where it is as soon as she has left it
+    const v = minus(velocity, world.her.velocity);
     if (!isShort(u, NO_LENGTH)) world.box = direction(u);
+    else if (!isShort(v, NO_LENGTH)) world.box = direction(v);
   }
 
   /** Decides what is the case at the start, before a press at tick 0. */
@@ -116,7 +120,8 @@ export class Instants {
 
   /** What decides by as little as this decides narrowly, px; by 0 it decides exactly. */
   #noteMargin(margin: number): void {
-    if (margin !== 0) this.margins.narrowest = Math.min(this.margins.narrowest, Math.abs(margin));
+    if (margin === 0) this.margins.exact++;
+    else this.margins.narrowest = Math.min(this.margins.narrowest, Math.abs(margin));
   }
 
   /** Notes how near the places of the start are to where they would decide otherwise. */
@@ -203,7 +208,7 @@ export class Instants {
   }
 
   /**
-   * Lets everything happen that is at one instant, in the order of the rules.
+   * Lets what is at one instant happen, in the order of the rules, up to the first change of the flow.
    * @param isLater - whether it is a later instant than that of the last call
    */
   happen(same: readonly Happening[], isLater: boolean): void {
@@ -214,8 +219,11 @@ export class Instants {
     const sorted = [...(back.length > 0 ? back : same)].sort((a, b) => order(a) - order(b) || a.index - b.index);
     const world = this.#world;
     const targets = sorted.filter(({ kind }) => kind === 'target');
+    const change = sorted.find((one) => order(one) > KINDS.indexOf('jump'));
     for (const happening of sorted) {
       const { kind, index, other } = happening;
+      // what a change of the flow leaves of the rest is found anew
+      if (change !== undefined && order(happening) >= order(change) && happening !== change && kind !== 'target') break;
       if (kind === 'mineral') this.#take(index);
       else if (kind === 'nova' || kind === 'asteroid' || kind === 'alien') {
         this.ending = { outcome: 'collided', with: { kind, index } };
