@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { compile, simulate } from '../../engine/index.ts';
 import { apart, gauss, type Method, NotCovered, type Played, play, taylor } from '../../engine/work-precision/reference/index.ts';
 import type { Hold, Level } from '../../schema/index.ts';
 import { isDeep } from '../depth.ts';
@@ -156,6 +157,39 @@ describe.each(METHODS)('the reference by %s', (_, method) => {
       range: 200,
     });
     expect(from(method, mouth, [[0, 30]], 30).story).toEqual(['press']);
+  });
+
+  it('passes the centre along a diagonal at both speed limits, and does not know which axis a wind across lets go there', () => {
+    const level = (ax: number, ay: number) =>
+      plainLevel({
+        range: 250,
+        astronaut: { x: 100, y: 100, vx: -20, vy: -20 },
+        asteroids: [{ x: 0, y: 0, radius: 16 }],
+        winds: [{ x: 0, y: 0, radius: 1e4, ax, ay }],
+        rules: { speedLimit: 20 },
+      });
+    const { story, end } = from(method, level(0, 0), [[0, 360]], 360);
+    expect(story).toEqual(['press', 'limit 0', 'limit 1', 'centre 0', 'limit 0', 'limit 1']);
+    // a second after the centre: distance 250 - a e^(k t) - b e^(-k t)
+    const k = Math.sqrt(39 / 250);
+    const faster = (20 * Math.SQRT2) / k;
+    const distance = 250 - ((250 - faster) * Math.exp(k) + (250 + faster) * Math.exp(-k)) / 2;
+    expect(toNumber(end.at.x)).toBeCloseTo(-distance / Math.SQRT2, 10);
+    expect(toNumber(end.at.y)).toBe(toNumber(end.at.x));
+    expect(() => from(method, level(5, -5), [[0, 360]], 360)).toThrow(NotCovered);
+  });
+
+  it('says that a dip of 1e-9 px into a field makes 450,000 times as much of a shift, so that precise is off by rounding alone', () => {
+    const level = plainLevel({ astronaut: { vy: 100 }, repulsors: [{ x: 48 - 1e-9, y: 200, radius: 48 }] });
+    const endOf = (nudge: number) =>
+      play(level, [], { method, maxTicks: 600, every: 60, nudge: [nudge, 0, 0, 0], mostStretches: 100 }).end.at;
+    const off = (x: number, y: number) => Math.hypot(x - toNumber(endOf(0).x), y - toNumber(endOf(0).y));
+    const shifted = endOf(1e-14);
+    const grown = off(toNumber(shifted.x), toNumber(shifted.y)) / 1e-14;
+    expect(grown).toBeGreaterThan(4e5);
+    const { final } = simulate(compile(level), [], { maxTime: 10 });
+    // half a unit in the last place of 48
+    expect(off(final.x, final.y)).toBeLessThan(grown * 2 ** -48);
   });
 
   it('says where it does not know how to go on: along the very range of an asteroid as she leaves that of another', () => {

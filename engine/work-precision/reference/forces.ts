@@ -100,9 +100,9 @@ interface Lines {
 /** On which lines through centres the motion is: these go through the centre, where a series has no meaning. */
 function linesOf(world: World, target: Mover | null, repulsor: Mover | null, wind: Vector, recoil: number): Lines {
   const { her, rules } = world;
+  const isHeld = world.limits[0] !== 0 || world.limits[1] !== 0;
   const gun = target === null ? null : alongLine(her, target, wind);
   const field = repulsor === null ? null : alongLine(her, repulsor, wind);
-  const isHeld = world.limits[0] !== 0 || world.limits[1] !== 0;
   let restsInTarget = false;
   let inGun = gun?.along ?? null;
   if (target !== null && gun?.rests === true) {
@@ -136,10 +136,10 @@ function linesOf(world: World, target: Mover | null, repulsor: Mover | null, win
     else along = direction(isCentre ? relative : u);
     // the impact parameter
     if (speed >= NO_LENGTH && Math.abs(cross(u, relative).hi) > NO_LENGTH * speed) return { along: null, rests };
-    if (!isParallel(along, steady)) return { along: null, rests };
-    const slanted = Math.abs(along.x.hi) > NO_LENGTH && Math.abs(along.y.hi) > NO_LENGTH;
-    if (slanted && (world.limits[0] !== 0 || world.limits[1] !== 0)) return { along: null, rests };
-    return { along, rests };
+    // held on both axes she flies straight on, whatever acts
+    if (world.limits[0] !== 0 && world.limits[1] !== 0) return { along, rests };
+    const isSlanted = Math.abs(along.x.hi) > NO_LENGTH && Math.abs(along.y.hi) > NO_LENGTH;
+    return { along: isParallel(along, steady) && !(isSlanted && isHeld) ? along : null, rests };
   }
 }
 

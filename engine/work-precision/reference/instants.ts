@@ -222,8 +222,10 @@ export class Instants {
     const change = sorted.find((one) => order(one) > KINDS.indexOf('jump'));
     for (const happening of sorted) {
       const { kind, index, other } = happening;
-      // what a change of the flow leaves of the rest is found anew
-      if (change !== undefined && order(happening) >= order(change) && happening !== change && kind !== 'target') break;
+      // what a change of the flow leaves of the rest is found anew, each rim by itself
+      if (change !== undefined && happening !== change && order(happening) >= order(change)) {
+        if (kind !== change.kind || kind === 'field' || kind === 'wind') break;
+      }
       if (kind === 'mineral') this.#take(index);
       else if (kind === 'nova' || kind === 'asteroid' || kind === 'alien') {
         this.ending = { outcome: 'collided', with: { kind, index } };
