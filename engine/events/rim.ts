@@ -68,7 +68,8 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
       // beyond the horizon, what is beside the event found before is at its instant
       return limit === horizon || Math.abs((time - s[NEXT]) * slope) > floor ? time : s[NEXT];
     }
-    if (t >= end) return -1;
+    // no run lasts 30 years: on an endless coast, what is left of a velocity may be rounding
+    if (t >= end || t > 1e9) return -1;
     // on the rim, at rest across it, she crosses it at once if she is drawn across, even if a fixed step soon leads her back
     if (t === from && !isSteep && Math.abs(g) <= floor && slope <= 1e-14 * d * fast) {
       rimSeries(m, t, 0, sign);
