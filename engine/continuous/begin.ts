@@ -26,35 +26,9 @@ import {
 import { SMALLEST_ORBIT, SMALLEST_SWING } from '../tolerances.ts';
 import { closestPass, expand } from './expand.ts';
 
-const {
-  HELD,
-  KIND,
-  TURN,
-  SIDE,
-  LINE_X,
-  LINE_Y,
-  LIMIT_X,
-  LIMIT_Y,
-  RIM,
-  LINE,
-  LINE_STEEP,
-  LINE_SLOPE,
-  MEETS,
-  STEADY_X,
-  STEADY_Y,
-  TARGET,
-  FIELD,
-  COVER,
-  BASE,
-  COS,
-  FROM,
-  NEXT,
-  EVENT,
-  ONSET,
-  BASE_X,
-  BASE_Y,
-  LENGTH_H,
-} = SLOTS;
+const { HELD, KIND, TURN, SIDE, LINE_X, LINE_Y, LIMIT_X, LIMIT_Y, RIM, LINE, LINE_STEEP, LINE_SLOPE, MEETS } = SLOTS;
+const { STEADY_X, STEADY_Y, TARGET, FIELD, COVER, BASE, COS, FROM, NEXT, EVENT, ONSET, BASE_X, BASE_Y } = SLOTS;
+const { LENGTH_H } = SLOTS;
 const { NONE } = LINES;
 const { NOT } = MEETINGS;
 const { TURN_NOT, TURN_TO_TARGET } = TURNS;

@@ -19,35 +19,9 @@ import {
 import type { Ending } from '../simulation.ts';
 import { begin, locate, proceed } from './begin.ts';
 
-const {
-  START,
-  FROM,
-  NEXT,
-  EVENT,
-  EVENT_A,
-  EVENT_B,
-  LIMIT_X,
-  LIMIT_Y,
-  OUTCOME,
-  TOUCHED,
-  END_TIME,
-  LAST_EVENT,
-  CROSSED,
-  RIM,
-  HELD,
-  TARGET,
-  COVER,
-  MOVES,
-  KIND,
-  COS,
-  SIN,
-  DEGREE,
-  FIELD,
-  BASE,
-  BASE_X,
-  BASE_Y,
-  AWAKE_COUNT,
-} = SLOTS;
+const { START, FROM, NEXT, EVENT, EVENT_A, EVENT_B, LIMIT_X, LIMIT_Y, OUTCOME, TOUCHED, END_TIME } = SLOTS;
+const { LAST_EVENT, CROSSED, RIM, HELD, TARGET, COVER, MOVES, KIND, COS, SIN, DEGREE, FIELD, BASE, BASE_X } = SLOTS;
+const { BASE_Y, AWAKE_COUNT } = SLOTS;
 const { ROCK } = RECORDS;
 
 /** Carries out the event that was located. */

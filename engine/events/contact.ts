@@ -177,7 +177,6 @@ export function sweptTime(m: Motion, r: number, pull: number, from: number): num
     const isBelow = g < 0;
     if (isBelow) {
       const across = Math.sqrt(dvx * dvx + dvy * dvy) + Math.abs(omega) * Math.sqrt(dx * dx + dy * dy);
-      // then it goes deeper than FLOOR for certain
       const isSteep = slope < 0 && slope * slope > 2 * (k + (across * across) / r) * FLOOR;
       // at the start there is no rounding, so the least overlap counts
       if (isSteep || g < -FLOOR || s[START] + t === 0) {

@@ -60,7 +60,7 @@ export function rimTime(m: Motion, r: number, inward: boolean, pull: number, fro
       bend = 2 * (d + fast * cap) * a;
     }
     const k = inward ? bend : bend + 2 * fast * fast;
-    // then it goes farther than the floor for certain
+    // then it goes farther than the floor for certain, as in the marches to contacts and pairs
     const isSteep = slope * slope > 2 * (inward ? bend + 2 * fast * fast : bend) * floor;
     if (isBelow && ((isSteep && slope < 0) || g - beyond < -floor)) {
       if (t === from) return t;

@@ -71,7 +71,6 @@ export function pairTime(m: Motion, i: number, j: number, from: number): number 
     const speed = Math.sqrt(vx * vx + vy * vy) + 2 * pull * h;
     const far = Math.sqrt(x * x + y * y) + speed * h;
     const isBelow = g < 0;
-    // then it goes farther than the floor for certain
     const isSteep = slope * slope > 2 * (2 * speed * speed + 4 * far * pull) * floor;
     if (isBelow && (s[START] + t === 0 || (isSteep && slope < 0) || g < -floor)) {
       if (t === from) return t;

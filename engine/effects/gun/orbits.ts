@@ -13,24 +13,8 @@ import {
   taylorStep,
 } from '../../motion/index.ts';
 
-const {
-  START,
-  FIELD,
-  BASE,
-  BASE_X,
-  BASE_Y,
-  KIND,
-  TURN,
-  DEGREE,
-  LIMIT_X,
-  LIMIT_Y,
-  NEXT,
-  LENGTH_H,
-  ACCELERATION,
-  AWAKE_COUNT,
-  CROSSED,
-  CROSSED_BEFORE,
-} = SLOTS;
+const { START, FIELD, BASE, BASE_X, BASE_Y, KIND, TURN, DEGREE, LIMIT_X, LIMIT_Y, NEXT, LENGTH_H } = SLOTS;
+const { ACCELERATION, AWAKE_COUNT, CROSSED, CROSSED_BEFORE } = SLOTS;
 const { TURN_NOT } = TURNS;
 const { ROCK } = RECORDS;
 
