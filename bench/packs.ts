@@ -50,7 +50,7 @@ export const bench = define({
   what: 'packs of up to 100,000 levels: levels a second, memory, plan and merge; draws docs/packs.svg',
   options: { levels: text('a folder of levels to copy instead of the shipped ones') },
   claims: {
-    check: atMost(3.5, 'the check of levels over the simulation of their runs, by time'),
+    check: atMost(2.6, 'the check of levels over the simulation of their runs, by time'),
     perCore: atLeast(2000, 'levels a second of one core, by processor time'),
     together: atLeast(1.7, 'two workers against one, by wall time'),
     busy: atLeast(0.85, 'two workers against two cores by processor time'),

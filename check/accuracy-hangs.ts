@@ -40,11 +40,8 @@ export function hangsOnAccuracy(level: Level, runs: readonly RunEnd[], scene: Sc
   const play = (accuracy: Accuracy): void => {
     if (!ends.has(accuracy.name)) ends.set(accuracy.name, playAll(level, atAccuracy(scene, accuracy), maxTicks, budget));
   };
-  const agree = (index: number): boolean => {
-    const completes = runs[index].outcome === 'completed';
-    for (const list of ends.values()) if ((list[index].outcome === 'completed') !== completes) return false;
-    return true;
-  };
+  const completes = (list: readonly RunEnd[], index: number): boolean => list[index].outcome === 'completed';
+  const agree = (index: number): boolean => [...ends.values()].every((list) => completes(list, index) === completes(runs, index));
   play(ACCURACIES.arcade);
   play(ACCURACIES.precise);
   if (runs.every((_, index) => agree(index))) return [];

@@ -134,17 +134,11 @@ function* checkInSteps(
 /** Bytes of a file and pieces of its runs up to which it waits for others between two steps: many may wait at once. */
 const LIGHT = { bytes: 64 * 1024, pieces: 2000 };
 
-/**
- * The text of bytes that are certainly one, which native code tells and decodes in a fraction of the time that `readLevel` takes;
- * else the bytes. NUL makes a file of another kind of a text.
- */
+/** The text of bytes that are certainly one: native code decodes it in a fraction of the time. NUL makes another kind of file. */
 function textOf(bytes: Uint8Array): Uint8Array | string {
-  if (!isAscii(bytes) || bytes[0] !== BRACE || bytes.includes(0)) return bytes;
+  if (!isAscii(bytes) || bytes[0] !== 0x7b || bytes.includes(0)) return bytes;
   return Buffer.from(bytes.buffer, bytes.byteOffset, bytes.length).toString('latin1');
 }
-
-/** `{` */
-const BRACE = 0x7b;
 
 interface Judgement {
   readonly level: CheckedLevel;
@@ -216,7 +210,7 @@ function* replay(file: string, { level, document }: OpenedLevel, settings: Check
     report,
     mineralCount: level.minerals.length,
     ...optionalParts(level, findings, settings),
-    problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text) : [],
+    problems: problems.length > 0 ? withKeys(showProblems(problems, document.text), document.text, document.file) : [],
     unreadable: false,
     ms: 0,
   };

@@ -123,8 +123,8 @@ export function refusedLevel(
  * names of runs in place of indices.
  * @param text the file
  */
-export function withKeys(problems: readonly ShownProblem[], text: string): ShownProblem[] {
-  const document = problems.some(({ pointer }) => /\/\d/.test(pointer)) ? parsed(text) : null;
+export function withKeys(problems: readonly ShownProblem[], text: string, content?: unknown): ShownProblem[] {
+  const document = problems.some(({ pointer }) => /\/\d/.test(pointer)) ? (content ?? parsed(text)) : null;
   return problems.map((problem) => ({ ...problem, key: keyOf(problem.pointer, document) }));
 }
 

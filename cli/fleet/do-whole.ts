@@ -14,7 +14,7 @@ import {
   stoppable,
   systemReason,
 } from '../terminal/index.ts';
-import { contentsOf, type JobName, type Json, type ShardRecord } from './job.ts';
+import { contentsOf, type JobName, type Json, type Records, type ShardRecord } from './job.ts';
 import { jobOf, type ReportOptions } from './jobs/index.ts';
 import { LineReader } from './line-reader.ts';
 import { recordOfLine } from './result.ts';
@@ -25,7 +25,7 @@ import type { Common } from './worker.ts';
 /** What has become of a set. */
 interface WholeSet {
   /** The records in the order of the set; can be read as often as is wanted until `remove`. */
-  readonly records: () => Iterable<ShardRecord>;
+  readonly records: Records;
   readonly remove: () => void;
   /** The signal that ended the work early; null if none came. */
   readonly signal: StoppingSignal | null;
@@ -63,7 +63,7 @@ async function doWhole(
         }),
       );
       tryTo(path, () => out.end());
-      return { records: () => recordsIn(out.unfinished), remove: scratch.remove, signal };
+      return { records: (known) => recordsIn(out.unfinished, known), remove: scratch.remove, signal };
     } catch (error) {
       out.discard();
       throw error;
@@ -74,9 +74,9 @@ async function doWhole(
   }
 }
 
-function* recordsIn(path: string): Generator<ShardRecord> {
+function* recordsIn(path: string, known: Parameters<Records>[0]): Generator<ShardRecord> {
   const reader = new LineReader(path);
-  for (let line = reader.next(); line !== null; line = reader.next()) yield recordOfLine(line);
+  for (let line = reader.next(); line !== null; line = reader.next()) yield known?.(line.toString()) ?? recordOfLine(line);
 }
 
 function tryTo<T>(path: string, work: () => T): T {

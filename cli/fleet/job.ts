@@ -40,6 +40,9 @@ export interface ShardRecord extends Worked {
   readonly sha256: string;
 }
 
+/** Gives records in the order of their set, as often as it is called. `known` may give what stands for one by its line. */
+export type Records = (known?: (line: string) => ShardRecord | null) => Iterable<ShardRecord>;
+
 /** What can be done with a large set; each is the command of that name. */
 export const JOBS = ['check', 'solve', 'difficulty', 'verify'] as const;
 

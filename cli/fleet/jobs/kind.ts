@@ -4,7 +4,7 @@ import { inPieces } from '../../report-parts/index.ts';
 import type { Destination, ReporterName } from '../../reporters/index.ts';
 import type { EditorLink } from '../../show-failure/index.ts';
 import { type Colors, colorsFor, PLAIN, widthOf } from '../../terminal/index.ts';
-import type { Json, ShardRecord, Work } from '../job.ts';
+import type { Json, Records, Work } from '../job.ts';
 
 /** Options of a report that do not come from the plan. */
 export interface ReportOptions {
@@ -34,11 +34,10 @@ export interface JobKind {
   openWork(settings: Json): Promise<Work>;
   /**
    * Makes the reports.
-   * @param records gives the records in the order of the set, as often as it is called
    * @param reporting as the plan has it
    */
   report(
-    records: () => Iterable<ShardRecord>,
+    records: Records,
     reporting: Json,
     destinations: readonly Destination[],
     options: ReportOptions,
