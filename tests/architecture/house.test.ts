@@ -13,7 +13,7 @@ const LIMITS = {
   /** source files outside tests, bench and docs */
   files: { goal: 1150, now: 1125 },
   /** their lines; 2,700 of them the references with 32 digits of engine/work-precision, of which 1,800 stood in tests/ before; 580 the diagram of the panel Accuracy */
-  lines: { goal: 121_000, now: 136_150 },
+  lines: { goal: 121_000, now: 136_200 },
   /** lines of a file in the median, at least */
   median: { goal: 80, now: 104 },
   /** % of files under 30 lines */

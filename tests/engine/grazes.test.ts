@@ -149,4 +149,17 @@ describe('circling beside an object for a long time', () => {
     expect(work.guards).toBeLessThan(8 * work.pieces);
     expect(work.pieces).toBeLessThan(40);
   });
+
+  it('takes few evaluations at rest on the rim of a field, where she touches a nova exactly', () => {
+    const level = plainLevel({
+      asteroids: [{ x: 100, y: 0, radius: 5 }],
+      repulsors: [{ x: 100, y: 0, radius: 100 }],
+      novae: [{ x: -26, y: 22, radius: 20 }],
+      rules: { boxHeight: 20 },
+    });
+    const simulation = createSimulation(compile(level));
+    playScript(simulation, [[0, 60]], 60);
+    expect(simulation.ending).toBeNull();
+    expect((simulation as unknown as { work: { guards: number } }).work.guards).toBeLessThan(100);
+  });
 });

@@ -22,13 +22,13 @@ const LIMITS = [
   {
     what: 'a player of no other part',
     source: `import { composePlayer } from '${LIGHT}'; export const createPlayer = composePlayer();`,
-    most: 32_500,
+    most: 32_900,
   },
   // 45.3 and 44.2 kB
   {
     what: 'a player of every part that the shipped levels call for',
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}'; export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 45_700,
+    most: 46_400,
   },
   // 40.1 and 39.1 kB
   {
@@ -36,7 +36,7 @@ const LIMITS = [
     source: `import { composePlayer } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer();`,
-    most: 40_400,
+    most: 41_000,
   },
   // 53.4 and 52.0 kB
   {
@@ -44,13 +44,13 @@ const LIMITS = [
     source: `import { composePlayer, ${PARTS.join(', ')} } from '${LIGHT}';
       export { readLevel } from '${LIGHT}';
       export const createPlayer = composePlayer([${PARTS.join(', ')}]);`,
-    most: 53_700,
+    most: 54_500,
   },
   // 69.2 and 67.4 kB
   {
     what: '`readLevel` and `createPlayer` of `gravity-quest-toolkit/game`',
     source: "export { createPlayer, readLevel } from './game/index.ts';",
-    most: 69_700,
+    most: 70_500,
   },
 ];
 

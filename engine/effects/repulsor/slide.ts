@@ -218,9 +218,18 @@ export function expandSlide(m: Motion, longest: number): number {
     meet(ux, x, degree, h);
     meet(uy, y, degree, h);
   }
-  s[ACCELERATION] = 1.5 * strongest(m, d + (Math.sqrt(v2) + strength * h) * h);
+  // from rest, where forces cancel up to rounding, she hardly moves: a bound by them would let each march to what she touches crawl
+  const atRest = ux[1] === 0 && uy[1] === 0;
+  s[ACCELERATION] = atRest ? steepest(ux, uy, degree, h) : 1.5 * strongest(m, d + (Math.sqrt(v2) + strength * h) * h);
   m.work.forceEvaluations += integrator.evaluations;
   return h;
+}
+
+/** Upper bound of the acceleration of a series up to `h` s, px/s². */
+function steepest(x: Float64Array, y: Float64Array, degree: number, h: number): number {
+  let most = 0;
+  for (let k = degree; k > 1; k--) most = most * h + k * (k - 1) * (Math.abs(x[k]) + Math.abs(y[k]));
+  return most;
 }
 
 /**
