@@ -311,6 +311,18 @@ inChromium('panels in Chromium', ({ on }) => {
       await told.getByText(/^arcade reaches the black hole at .* precise, in use, reaches the black hole/).waitFor();
       await page.getByRole('slider', { name: 'Accuracy to compare with' }).press('ArrowRight');
       await told.getByText(/^fast .* They are never more than 1 px apart while both last\./).waitFor();
+      const wide = page.viewportSize() ?? { width: 1280, height: 800 };
+      await page.setViewportSize({ width: 390, height: 844 });
+      await page.getByRole('navigation', { name: 'Panels' }).getByRole('button', { name: 'Accuracy' }).click();
+      const lens = [page.getByRole('slider', { name: 'Accuracy to compare with' }), told];
+      await until(async () => {
+        for (const part of lens) {
+          const { x, width } = (await part.boundingBox()) ?? { x: -1, width: 0 };
+          expect([x >= 0, x + width <= 390, width > 200]).toEqual([true, true, true]);
+        }
+      });
+      await told.getByText(/^fast /).waitFor();
+      await page.setViewportSize(wide);
       await page.getByRole('button', { name: 'All at once' }).click();
       await page.getByRole('list', { name: 'Compared runs' }).waitFor({ state: 'hidden' });
       await tab(page, 'Effects');
