@@ -102,10 +102,14 @@ describe('the cheapest setting', () => {
       asteroids: [{ x: 0, y: 0, radius: 16 }],
       repulsors: [{ x: 20, y: 0, radius: 30 }],
     });
-    const { doubts } = find([{ file: 'stuck', name: 'hold', level: stuck, holds: [[0, 60]] }], [precise], {
+    const found = find([{ file: 'stuck', name: 'hold', level: stuck, holds: [[0, 60]] }], [precise], {
       ...DEFAULT_TERMS,
       maxTime: 1,
     });
-    expect(doubts).toMatchObject([{ run: { file: 'stuck' }, doubt: expect.stringMatching(/no reference covers this run/) }]);
+    const report = { found, terms: { accuracy: 'precise', maxTime: 1, maxWork: 400_000, rules: {} }, runs: 1 };
+    expect(cheapestPretty(report, PLAIN, null)).toContain('Cheapest, as far as is known: precise,');
+    expect(found.doubts).toMatchObject([
+      { run: { file: 'stuck' }, doubt: expect.stringMatching(/no reference covers this run/) },
+    ]);
   });
 });

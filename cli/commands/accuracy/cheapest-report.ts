@@ -56,7 +56,7 @@ export function cheapestPretty({ found, runs }: CheapestReport, colors: Colors, 
   return text;
 }
 
-function conclusion({ cheapest, tried, untried }: CheapestSetting, runs: number): string {
+function conclusion({ cheapest, tried, untried, doubts }: CheapestSetting, runs: number): string {
   if (cheapest === null) {
     if (untried.length > 0)
       return `No setting was found in time; not tried: ${settingsInGroups(untried.map((accuracy) => ({ accuracy })))}.\n`;
@@ -65,7 +65,7 @@ function conclusion({ cheapest, tried, untried }: CheapestSetting, runs: number)
     return `No setting keeps ${plural(runs, 'run')}.${why}\n`;
   }
   const { accuracy, cost, error, tightest } = cheapest;
-  let text = `Cheapest: ${accuracy.name}, ${brief(cost.minimum)} us a simulated second`;
+  let text = `Cheapest${doubts.length > 0 ? ', as far as is known' : ''}: ${accuracy.name}, ${brief(cost.minimum)} us a simulated second`;
   if (error !== null) text += `; off by at most ${errorIn(error.px, error.knownTo)} px (${nameOf(error.run)})`;
   if (tightest !== null)
     text += `,\nwhich is at most ${brief(100 * tightest.share)} % of the clearance of a run (${nameOf(tightest.run)})`;
