@@ -8,7 +8,7 @@ import type { Done, Task } from './worker.ts';
  * MB of each thread. V8 is sparing in a small heap: without limits, the garbage of two threads makes up half the memory of the
  * process. A level may need hundreds of MB, so the larger limit is far above what most need.
  */
-const MEMORY = { maxYoungGenerationSizeMb: 32, maxOldGenerationSizeMb: 1024 };
+const MEMORY = { maxYoungGenerationSizeMb: 16, maxOldGenerationSizeMb: 1024 };
 
 /** Batches that are under way for each thread: one is worked on while others wait. */
 const AHEAD = 3;
