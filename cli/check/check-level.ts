@@ -100,7 +100,7 @@ export function checkTogether(files: readonly GivenFile[], asked: CheckSettings,
 }
 
 /** Files that are checked together: with more, the collector of garbage has more to copy. */
-const AT_ONCE = 32;
+const AT_ONCE = 16;
 
 /** The time that a check has taken: the ms of its steps so far, and when the present one began. */
 interface Clock {
