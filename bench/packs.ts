@@ -52,8 +52,8 @@ export const bench = define({
   claims: {
     check: atMost(2.6, 'the check of levels over the simulation of their runs, by time'),
     perCore: atLeast(2000, 'levels a second of one core, by processor time'),
-    together: atLeast(1.7, 'two workers against one, by wall time'),
-    busy: atLeast(0.85, 'two workers against two cores by processor time'),
+    together: atLeast(1.4, 'two workers against one, by wall time'),
+    busy: atLeast(0.75, 'two workers against two cores by processor time'),
     memory: atMost(300, 'most memory of any command, MB'),
   },
   run: ({ levels }) =>
