@@ -74,7 +74,7 @@ function enteredAtOnce(m: Motion, left: number): number {
 }
 
 /** @param share - of the squared range */
-function isOutOfRange(m: Motion, target: number, share = 1): boolean {
+function isOutOfRange(m: Motion, target: number, share: number): boolean {
   const { range } = m.scene.level;
   return distanceSquared(m, target) > range * range * share;
 }
